@@ -9,10 +9,10 @@ import numpy as np
 import pytest
 from pypdf import PdfReader
 
-from assess import cli
 from assess.results import json as results_io
 from records.reading import read_records
 from records.response import response_spectrum
+from tests.support.command import ended
 from tests.support.projects import block, project_toml, published, wall
 
 HIGH = {"kind": "single-block", "blocks": ["w"], "cut": "4.77 m"}
@@ -34,13 +34,6 @@ PROJECT = project_toml(
 )
 
 
-def assess(*words) -> int:
-    """The command's exit code."""
-    with pytest.raises(SystemExit) as ended:
-        cli.main([str(word) for word in words])
-    return int(ended.value.code or 0)
-
-
 @pytest.fixture(scope="module")
 def outputs(tmp_path_factory) -> Path:
     folder = tmp_path_factory.mktemp("up")
@@ -49,7 +42,7 @@ def outputs(tmp_path_factory) -> Path:
     rows = "\n".join(f"{x:.2f},{y:.6f}" for x, y in zip(t, noise * np.sin(np.pi * t / 8.0), strict=True))
     (folder / "motion.csv").write_text(f"time [s],acceleration [m/s2]\n{rows}\n")
     (folder / "project.toml").write_text(PROJECT)
-    assert assess("run", folder, "-o", folder / "out") in (0, 1, 3)
+    assert ended("run", folder, "-o", folder / "out") in (0, 1, 3)
     return folder / "out"
 
 
@@ -112,12 +105,12 @@ def test_the_report_says_so(found, report):
 def test_results_are_read_back_and_reported_again(outputs, tmp_path):
     text = (outputs / "results.json").read_text()
     assert results_io.dumps(results_io.loads(text)) == text
-    assert assess("report", outputs / "results.json", "-o", tmp_path) == 0
+    assert ended("report", outputs / "results.json", "-o", tmp_path) == 0
     assert (tmp_path / "report.pdf").read_bytes() == (outputs / "report.pdf").read_bytes()
 
 
 def test_check_prints_the_way_up(outputs, capsys):
-    assert assess("check", outputs.parent) == 0
+    assert ended("check", outputs.parent) == 0
     out = capsys.readouterr().out
     assert "motion      srss, base 4.77 m above the ground" in out
     assert "first mode at 2.5 Hz (given), h_e = 6.01 m (given)" in out
@@ -126,7 +119,7 @@ def test_check_prints_the_way_up(outputs, capsys):
 def test_what_is_missing_ends_with_one_line(outputs, tmp_path, capsys):
     (tmp_path / "motion.csv").write_text((outputs.parent / "motion.csv").read_text())
     (tmp_path / "project.toml").write_text(PROJECT.replace('young_modulus = "3 GPa"\n', ""))
-    assert assess("check", tmp_path) == 2
+    assert ended("check", tmp_path) == 2
     error = capsys.readouterr().err.strip()
     assert "mechanisms.filter.amplification: natural_frequency" in error
     assert "materials.m has no young_modulus" in error

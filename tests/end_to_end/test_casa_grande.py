@@ -11,11 +11,11 @@ from pathlib import Path
 import pytest
 from pypdf import PdfReader
 
-from assess import cli
 from assess.codes.procedures import PROCEDURES
 from assess.results import json as results_io
 from reports.assessment import assessment
 from reports.language.locale import Locale
+from tests.support.command import ended
 from tests.support.document_numbers import misread, shown_numbers, strange_numbers
 from tests.support.examples import example_run
 from tests.support.places import NO_RECORDS, PEER
@@ -39,17 +39,10 @@ TABLE_8_2 = {  # Mehrotra (2019): p [1/s], lambda [rad], R0 [m]
 }
 
 
-def assess(*words) -> int:
-    """The command's exit code."""
-    with pytest.raises(SystemExit) as ended:
-        cli.main([str(word) for word in words])
-    return int(ended.value.code or 0)
-
-
 @pytest.fixture(scope="module")
 def project(tmp_path_factory) -> Path:
     folder = tmp_path_factory.mktemp("demo") / "casa"
-    assert assess("new", folder, "--example", "casa_grande") == 0
+    assert ended("new", folder, "--example", "casa_grande") == 0
     return folder
 
 
@@ -170,13 +163,13 @@ def test_the_same_input_gives_the_same_bytes_whatever_the_jobs(project):
     text = (project / "project.toml").read_text().replace("count = 41", "count = 4")  # of pulses
     (project / "one.toml").write_text(text.replace("count = 7", "count = 1"))  # record, for all mechanisms and levels
     for jobs in ("1", "2"):
-        assert assess("run", project / "one.toml", "-o", project / jobs, "--no-report", "--jobs", jobs) in (0, 1, 3)
+        assert ended("run", project / "one.toml", "-o", project / jobs, "--no-report", "--jobs", jobs) in (0, 1, 3)
     assert len(json.loads((project / "1" / "results.json").read_text())["records"]) == 1
     assert (project / "1" / "results.json").read_bytes() == (project / "2" / "results.json").read_bytes()
 
 
 def test_the_report_again_without_analysis(outputs, tmp_path):
-    assert assess("report", outputs / "results.json", "-o", tmp_path / "again") == 0
+    assert ended("report", outputs / "results.json", "-o", tmp_path / "again") == 0
     assert (tmp_path / "again" / "report.pdf").read_bytes() == (outputs / "report.pdf").read_bytes()
 
 
@@ -188,7 +181,7 @@ def test_results_read_back_equal(outputs):
 def real_run(project: Path, text: str, *, code: int) -> dict:
     """The results of a project's text, with real records."""
     (project / "real.toml").write_text(text)
-    assert assess("run", project / "real.toml", "-o", project / "real", "--no-report") == code
+    assert ended("run", project / "real.toml", "-o", project / "real", "--no-report") == code
     return json.loads((project / "real" / "results.json").read_text())
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from functools import partial
 from math import cos, pi, sin
 
 import numpy as np
@@ -26,6 +27,7 @@ from assess.mechanisms.two_block import two_block
 from assess.oscillator import energy, interpolant, multiplier
 from assess.project.build import build
 from assess.project.project_file import load
+from tests.support.bodies import body_of_block, rectangle_block
 
 LOOKS_DOWN = (0.0, -1.0)
 TABLES = ("rotation", "inertia", "restoring", "excitation", "participation", "lift")
@@ -48,7 +50,7 @@ class Case:
         return Chain(self.blocks, self.front, self.loads), mirror_chain(self.blocks, self.back, self.loads)
 
     def mechanism(self, *, weld=lambda body: body, restitution="momentum"):
-        bodies = [weld(body_of(block)) for block in self.blocks]
+        bodies = [weld(body_of_block(block)) for block in self.blocks]
         more = {"loads": self.loads, "restitution": (restitution, restitution)}
         kind = self.kind or ("single-block", "two-block", "four-hinge")[len(bodies) - 1]
         if kind == "single-block":
@@ -60,16 +62,6 @@ class Case:
         raise NotImplementedError(f"no constructor of {kind} here: add the call of yours to Case.mechanism")
 
 
-def body_of(block):
-    return planar_body_from_values(mass=block.mass, centroid=block.centroid, inertia=block.inertia, name="b")
-
-
-def rectangle(x, z, width, height, *, density=2000.0):
-    """A block of 1 m length by its lower left corner."""
-    mass = density * width * height
-    return RigidBlock(mass, (x + width / 2, z + height / 2), mass * (width**2 + height**2) / 12)
-
-
 def arch():
     """An arch of nine voussoirs, lopsided, and the hinges found for it each way."""
     angles = np.linspace(0.93 * pi, 0.12 * pi, 10)
@@ -79,7 +71,7 @@ def arch():
     for k in range(9):
         middle, reach = (angles[k] + angles[k + 1]) / 2, 5.5 + k / 40
         block = RigidBlock(1000.0 + 40 * k, (reach * cos(middle), reach * sin(middle)), 300.0)
-        voussoirs.append(body_of(block))
+        voussoirs.append(body_of_block(block))
     found = weakest_hinges([RigidBlock(v.mass, v.centroid, v.inertia) for v in voussoirs], joints, name="a")
     chain = divide_arch(voussoirs, found)[1]
     lower, upper = (tuple(joints[k][face] for k in found.joints) for face in (0, 1))
@@ -89,11 +81,12 @@ def arch():
     return Case(chain.blocks, chain.hinges, back)
 
 
-WALL = rectangle(-0.4, 0.0, 0.8, 5.0)
+block_of = partial(rectangle_block, density=2000.0)
+WALL = block_of(-0.4, 0.0, 0.8, 5.0)
 LEANING = RigidBlock(9000.0, (0.15, 2.6), 21000.0)
-HALVES = rectangle(-0.25, 0.0, 0.5, 2.6), rectangle(-0.25, 2.6, 0.5, 1.6)
-PORTAL = rectangle(0.0, 0.0, 0.8, 4.0), rectangle(0.0, 4.0, 4.6, 0.7), rectangle(3.8, 0.0, 0.8, 4.0)
-UNEVEN = rectangle(0.0, 0.0, 0.8, 4.0), RigidBlock(7000.0, (2.4, 4.9), 15000.0), rectangle(3.6, 1.2, 1.0, 3.4)
+HALVES = block_of(-0.25, 0.0, 0.5, 2.6), block_of(-0.25, 2.6, 0.5, 1.6)
+PORTAL = block_of(0.0, 0.0, 0.8, 4.0), block_of(0.0, 4.0, 4.6, 0.7), block_of(3.8, 0.0, 0.8, 4.0)
+UNEVEN = block_of(0.0, 0.0, 0.8, 4.0), RigidBlock(7000.0, (2.4, 4.9), 15000.0), block_of(3.6, 1.2, 1.0, 3.4)
 EDGES = ((0.25, 0.0), (-0.25, 2.6), (0.25, 4.2)), ((-0.25, 0.0), (0.25, 2.6), (-0.25, 4.2))
 LEGS = ((0.8, 0.0), (0.0, 4.0), (3.6, 4.6), (4.6, 1.2)), ((0.0, 0.0), (0.8, 4.0), (4.6, 4.6), (3.6, 1.2))
 
@@ -301,7 +294,10 @@ def test_a_bearing_mass_is_a_body_welded_on(case):
     last = len(case.blocks) - 1
     at = tuple(x + d for x, d in zip(case.blocks[last].centroid, (0.1, 0.5), strict=True))
     mass = case.blocks[last].mass / 5
-    bodies = [body_of(case.blocks[last]), planar_body_from_values(mass=mass, centroid=at, inertia=0.0, name="floor")]
+    bodies = [
+        body_of_block(case.blocks[last]),
+        planar_body_from_values(mass=mass, centroid=at, inertia=0.0, name="floor"),
+    ]
     joint = join_planar(bodies, name="b")
     block = RigidBlock(joint.mass, joint.centroid, joint.inertia)
     heavier = replace(case, blocks=(*case.blocks[:-1], block))

@@ -17,8 +17,6 @@ from assess.codes.context import Building, Context, FreePeriod, LocalLimit, Site
 from assess.codes.histories import RecordRuns, SuiteResponse
 from assess.codes.ntc2018_clauses import free_period
 from assess.codes.procedures import CodeOptions, with_options
-from assess.geometry.planar import planar_body
-from assess.geometry.solid import box
 from assess.interfaces.contact import JointLaw
 from assess.interfaces.section import rectangle
 from assess.loads.load import PointMass
@@ -33,6 +31,7 @@ from assess.study.checks import SUPPORTS, wall_of
 from spectra.asce7 import design_spectrum
 from spectra.ec8 import elastic_spectrum as ec8_spectrum
 from spectra.spectrum import Spectrum
+from tests.support.bodies import planar_box
 
 LEVELS = tuple(level * g for level in (0.05, 0.2, 0.6))
 RUNS = np.array([1.0, 1.4, 0.9, 1.2, 0.7, 1.0, 1.1, 1.0, 0.95])  # of each record, over the ratio of the first
@@ -70,33 +69,28 @@ class Subject:
         return branch_of(self.rocker, self.check.branch)
 
 
-def part(base: float, height: float, thickness: float):
-    body = box(thickness=thickness, length=1.0, height=height, base=(0, 0, base), density=1800.0, name="part")
-    return planar_body(body, direction=(1, 0, 0))
-
-
 def mechanisms() -> Iterator[Mechanism]:
     """A wall between floors with a load on its top, a parapet, a slender one, and one that slides."""
     load = PointMass("roof", mass=900.0, at=(0.02, 6.0), block=1, bearing=True)
-    yield two_block("spanning", part(2.0, 2.0, 0.28), part(4.0, 2.0, 0.28), loads=(load,))
-    yield single_block("parapet", part(8.0, 1.0, 0.3))
-    yield single_block("slender", part(0.0, 4.0, 0.45))
+    yield two_block("spanning", planar_box(0.28, 2.0, base=2.0), planar_box(0.28, 2.0, base=4.0), loads=(load,))
+    yield single_block("parapet", planar_box(0.3, 1.0, base=8.0))
+    yield single_block("slender", planar_box(0.45, 4.0))
     beside = PointMass("beside", mass=400.0, at=(0.0, 0.5), bearing=False)
-    yield single_block("squat", part(0.0, 1.0, 0.8), loads=(beside,))
+    yield single_block("squat", planar_box(0.8, 1.0), loads=(beside,))
 
 
 def on_a_joint(base: float) -> Mechanism:
     """A wall on a flexible joint: it has no threshold, and a period before it rocks."""
-    rigid = single_block("on a joint", part(base, 3.0, 0.5))
+    rigid = single_block("on a joint", planar_box(0.5, 3.0, base=base))
     joint = (Joint((-1.0, 0.0), rectangle(0.5, 1.0), JointLaw(1e9, inf), "flexible"),)
     return add_joints(rigid, joint, joint, restitution=(0.9, 0.9))
 
 
 def special() -> Iterator[tuple[Mechanism, Context]]:
     """What few sheets have: joints, no building, no rebound, hazards, ends of actions, seats, given periods."""
-    slender = facing(single_block("slender", part(0.0, 4.0, 0.45)))
-    high = facing(single_block("high", part(4.0, 4.0, 0.3), restitution=(0.0, 0.0)))
-    tall = facing(single_block("tall", part(0.0, 200.0, 7.5)))
+    slender = facing(single_block("slender", planar_box(0.45, 4.0)))
+    high = facing(single_block("high", planar_box(0.3, 4.0, base=4.0), restitution=(0.0, 0.0)))
+    tall = facing(single_block("tall", planar_box(7.5, 200.0)))
     fallen = tuple(replace(each, ratio=(None,) * 7, twins=None) for each in SUITES)
     bare = replace(context_of(slender, None), building=None, suites=fallen, incremental=())
     yield slender, bare

@@ -13,7 +13,6 @@ from hypothesis import example, given
 from hypothesis import strategies as st
 from openpyxl import load_workbook
 
-from assess.cli import main
 from records.formats.csv import parse_comments
 from records.processing import csv_text
 from records.reading import read_records
@@ -23,6 +22,7 @@ from reports.language.texts import Verbatim
 from reports.render.csv import csv_lines
 from reports.render.spreadsheet import write_xlsx
 from spectra.formulas import SIGNS, is_formula, mark_formulas, unmark_formulas
+from tests.support.command import ended
 from tests.support.places import SOURCES
 from tests.support.projects import ASCE7, published, tables_toml
 
@@ -48,9 +48,7 @@ def run_cells(text: str) -> list[str]:
 
 
 def printed(capsys: pytest.CaptureFixture[str], *arguments: str | Path) -> str:
-    with pytest.raises(SystemExit) as caught:
-        main([str(argument) for argument in arguments])
-    assert caught.value.code in (0, 1, 3)
+    assert ended(*arguments) in (0, 1, 3)
     return capsys.readouterr().out
 
 

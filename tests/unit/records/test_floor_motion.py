@@ -7,18 +7,15 @@ from scipy.signal import lsim
 from assess.amplification import floor_motion
 from records.errors import RecordError
 from records.kernel import relative_accelerations
-from records.record import Record, make_record
+from records.record import make_record
 from records.response import response_spectrum
-
-
-def noise(npts: int = 300, dt: float = 0.01, seed: int = 5) -> Record:
-    return make_record("noise", np.random.default_rng(seed).normal(size=npts), dt)
+from tests.support.motions import white_noise
 
 
 @pytest.mark.parametrize("shape", [0.0, 0.6, 1.4])
 @pytest.mark.parametrize("frequency", [0.7, 2.5, 7.7])
 def test_it_is_ground_and_mode_added_in_time(frequency: float, shape: float) -> None:
-    record, omega = noise(), 2 * np.pi * frequency
+    record, omega = white_noise(npts=300), 2 * np.pi * frequency
     at = floor_motion(record, frequency=frequency, shape=shape)
     parts = round(record.dt / at.dt)
     time = at.time[: (record.npts - 1) * parts + 1]
@@ -46,7 +43,7 @@ def test_a_rigid_building_moves_with_the_ground() -> None:
 
 def test_at_the_effective_height_its_peak_is_the_spectral_acceleration() -> None:
     """Total acceleration of the oscillator; without damping it equals the pseudo-acceleration, at 1 % nearly."""
-    record = noise(1500)
+    record = white_noise(npts=1500)
     at = floor_motion(record, frequency=2.0, shape=1.0, damping=0.01)
     assert at.pga == pytest.approx(float(response_spectrum(record, 0.5, damping=0.01)), rel=5e-3)
 
@@ -54,7 +51,7 @@ def test_at_the_effective_height_its_peak_is_the_spectral_acceleration() -> None
 @pytest.mark.parametrize("frequency", [0.7, 2.5, 7.7])
 def test_its_peak_is_that_of_the_motion_between_its_samples(frequency: float) -> None:
     """Against a step thirty times finer: its lines cut off no more than 1 - cos(pi / 100) of a sine."""
-    record, omega = noise(), 2 * np.pi * frequency
+    record, omega = white_noise(npts=300), 2 * np.pi * frequency
     at = floor_motion(record, frequency=frequency, shape=1.4)
     time = np.linspace(0.0, record.time[-1], (record.npts - 1) * 30 * round(record.dt / at.dt) + 1)
     ground = np.interp(time, record.time, record.acceleration)
@@ -64,11 +61,13 @@ def test_its_peak_is_that_of_the_motion_between_its_samples(frequency: float) ->
 
 
 def test_what_was_done_stands_in_the_trail() -> None:
-    assert "first mode of 2.5 Hz" in str(floor_motion(noise(), frequency=2.5, shape=1.0).processing_history[-1])
+    assert "first mode of 2.5 Hz" in str(
+        floor_motion(white_noise(npts=300), frequency=2.5, shape=1.0).processing_history[-1]
+    )
 
 
 def test_the_kernel_is_the_same_compiled_and_plain() -> None:
-    given = (noise(60).acceleration, 0.01, 3, 0.4, 0.05)
+    given = (white_noise(npts=60).acceleration, 0.01, 3, 0.4, 0.05)
     np.testing.assert_allclose(relative_accelerations(*given), relative_accelerations.py_func(*given), rtol=1e-11)
 
 
@@ -87,4 +86,4 @@ def test_the_kernel_is_the_same_compiled_and_plain() -> None:
 )
 def test_impossible_buildings_are_refused(frequency: float, shape: float, damping: float, words: str) -> None:
     with pytest.raises(RecordError, match=words):
-        floor_motion(noise(), frequency=frequency, shape=shape, damping=damping)
+        floor_motion(white_noise(npts=300), frequency=frequency, shape=shape, damping=damping)

@@ -13,11 +13,8 @@ from records.kernel import advance, peak_displacements
 from records.reading import read_records
 from records.record import Record, make_record, scale
 from records.response import displacement_spectrum, response_spectrum
+from tests.support.motions import white_noise
 from tests.support.places import PEER, needs_real_records
-
-
-def noise(npts: int = 400, dt: float = 0.01, seed: int = 5) -> Record:
-    return make_record("noise", np.random.default_rng(seed).normal(size=npts), dt)
 
 
 def exact_peak(record: Record, *, period: float, damping: float) -> float:
@@ -49,7 +46,7 @@ def exact_peak(record: Record, *, period: float, damping: float) -> float:
 @pytest.mark.parametrize("seed", range(2))
 def test_displacements_are_those_of_matrix_exponentials(seed: int, period: float, damping: float) -> None:
     """Of noise, and of noise that grows and dies, at periods from 0.4 to 300 steps."""
-    record = noise(200, seed=seed)
+    record = white_noise(seed, npts=200)
     bell = np.sin(np.linspace(0.0, np.pi, record.npts)) ** 4 if seed % 2 else 1.0
     record = make_record("noise", record.acceleration * bell, record.dt)
     ours = displacement_spectrum(record, period, damping=damping)
@@ -100,7 +97,7 @@ def test_records_of_any_length_and_oscillators_of_any_company_agree() -> None:
     """Steps are marched in blocks, oscillators side by side: neither may show."""
     periods = np.geomspace(0.01, 3.0, 23)
     for npts in range(2, 36):
-        record = noise(npts)
+        record = white_noise(npts=npts)
         together = displacement_spectrum(record, periods)
         np.testing.assert_allclose(together, [displacement_spectrum(record, T) for T in periods], rtol=1e-12)
         longer = make_record("rest first", np.append(np.zeros(7), record.acceleration * (np.arange(npts) > 0)), 0.01)
@@ -113,7 +110,7 @@ def test_records_of_any_length_and_oscillators_of_any_company_agree() -> None:
 @pytest.mark.parametrize("period", [0.03, 0.1, 0.7])
 def test_maxima_are_those_of_dop853(period: float) -> None:
     """Dense between samples; the record ends in rest so that one period of free motion can be appended."""
-    shaken = np.append(noise(100).acceleration, 0.0)
+    shaken = np.append(white_noise(npts=100).acceleration, 0.0)
     acceleration = np.concatenate([shaken, np.zeros(round(period / 0.01))])
     time, omega = 0.01 * np.arange(acceleration.size), 2 * np.pi / period
     peak, state = 0.0, np.zeros(2)
@@ -149,7 +146,7 @@ def test_resonance_grows_to_one_over_twice_the_damping() -> None:
 
 
 def test_zero_period_is_the_peak_acceleration_and_shapes_are_kept() -> None:
-    record = noise()
+    record = white_noise()
     periods = np.array([[0.0, 0.3], [1.0, 0.0]])
     spectrum = response_spectrum(record, periods)
     assert spectrum.shape == (2, 2)
@@ -160,14 +157,14 @@ def test_zero_period_is_the_peak_acceleration_and_shapes_are_kept() -> None:
 
 
 def test_the_spectrum_is_linear_and_blind_to_sign() -> None:
-    record, periods = noise(), np.geomspace(0.05, 3.0, 20)
+    record, periods = white_noise(), np.geomspace(0.05, 3.0, 20)
     np.testing.assert_allclose(
         response_spectrum(scale(record, -2.5), periods), 2.5 * response_spectrum(record, periods), rtol=1e-12
     )
 
 
 def test_the_kernel_is_the_same_compiled_and_plain() -> None:
-    record, periods = noise(120), np.array([0.03, 0.4, 2.0])
+    record, periods = white_noise(npts=120), np.array([0.03, 0.4, 2.0])
     compiled = peak_displacements(record.acceleration, record.dt, periods, 0.05)
     plain = peak_displacements.py_func(record.acceleration, record.dt, periods, 0.05)
     np.testing.assert_allclose(compiled, plain, rtol=1e-11)
@@ -189,4 +186,4 @@ def test_the_kernel_is_the_same_compiled_and_plain() -> None:
 )
 def test_impossible_oscillators_are_refused(period: float, damping: float, words: str) -> None:
     with pytest.raises(RecordError, match=words):
-        response_spectrum(noise(), period, damping=damping)
+        response_spectrum(white_noise(), period, damping=damping)

@@ -13,9 +13,8 @@ from assess.codes.asce43_05 import (
     stored_work,
     vertical_factor,
 )
-from assess.geometry.planar import planar_body
-from assess.geometry.solid import box
 from assess.mechanisms.single_block import single_block
+from tests.support.bodies import planar_box
 
 ALPHA = 0.1973955598
 # theta / alpha: f1, SA_CAP [g], f_e [Hz] at g = 9.81
@@ -29,8 +28,7 @@ ROWS = {
 
 @pytest.fixture(scope="module")
 def branch():
-    body = box(thickness=1.0, length=2.0, height=5.0, base=(0, 0, 0), density=2000.0, name="block")
-    return single_block("block", planar_body(body, direction=(1, 0, 0))).oscillator.positive
+    return single_block("block", planar_box(1.0, 5.0, length=2.0, density=2000.0)).oscillator.positive
 
 
 @pytest.mark.parametrize("ratio", ROWS)

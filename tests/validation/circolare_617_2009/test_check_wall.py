@@ -21,12 +21,12 @@ from assess.geometry.solid import box
 from assess.mechanisms.single_block import single_block
 from spectra.asce7 import design_spectrum
 from spectra.ec8 import elastic_spectrum
+from tests.support.bodies import free_wall
 
 
 @pytest.fixture(scope="module")
 def rocker():
-    body = box(thickness=0.6, length=1.0, height=6.0, base=(0, 0, 0), density=1800.0, name="wall")
-    return single_block("wall", planar_body(body, direction=(1, 0, 0))).oscillator
+    return free_wall()
 
 
 def context(*, elevation=0.0, building=None, levels=(0.15 * g,)):

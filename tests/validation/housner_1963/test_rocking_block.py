@@ -13,23 +13,15 @@ import pytest
 from scipy.constants import g
 
 from assess.dynamics.history import Jobs, free_rocking, peaks
-from assess.oscillator import Branch, Oscillator
 from records.record import make_record
+from tests.support.blocks import block
 
 P, ALPHA = 1.7, 0.2
 
 
-def block(restitution: float = 1.0, p: float = P) -> Oscillator:
-    phi = np.linspace(0.0, 1.5 * ALPHA, 257)
-    one = np.ones_like(phi)
-    moment, excitation = g * np.sin(ALPHA - phi), np.cos(ALPHA - phi)
-    side = Branch(phi, g / p**2 * one, moment, excitation, one, one, restitution, ALPHA, ALPHA)
-    return Oscillator(side, side, 1.0)
-
-
 @pytest.mark.parametrize("ratio", [1e-6, 0.01, 0.3, 0.5, 0.9, 0.999])
 def test_free_rocking_period(ratio: float) -> None:
-    body = block()
+    body = block(P, ALPHA, 1.0)
     p = body.positive.linearised.p
     period = 4 * math.acosh(1 / (1 - ratio)) / p
     found = free_rocking(body, rotation=ratio * ALPHA, duration=2.3 * period, equation="linearised")
@@ -42,7 +34,7 @@ def test_free_rocking_period(ratio: float) -> None:
 @pytest.mark.parametrize("restitution", [0.95, 0.7])
 def test_amplitudes_decay_by_restitution(restitution: float) -> None:
     """After n impacts theta_n / alpha = 1 - sqrt(1 - r^n (1 - (1 - theta_0 / alpha)^2)), r = restitution^2."""
-    found = free_rocking(block(restitution), rotation=0.6 * ALPHA, duration=12.0, equation="linearised")
+    found = free_rocking(block(P, ALPHA, restitution), rotation=0.6 * ALPHA, duration=12.0, equation="linearised")
     n = np.arange(1, found.peak_rotation.size + 1)
     expected = 1 - np.sqrt(1 - restitution ** (2 * n) * (1 - 0.4**2))
     assert n.size > 5
@@ -52,7 +44,7 @@ def test_amplitudes_decay_by_restitution(restitution: float) -> None:
 @pytest.mark.parametrize("pt", [0.2, 1.0, 3.0])
 def test_rectangular_pulse(pt: float) -> None:
     """The motion ends with the pulse, as a step."""
-    body = block()
+    body = block(P, ALPHA, 1.0)
     form = body.positive.linearised
     critical = g * form.multiplier / (1 - math.exp(-pt))
     n, t_1 = 50, pt / form.p

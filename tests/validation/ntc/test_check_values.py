@@ -25,6 +25,7 @@ from assess.loads.load import Force
 from assess.mechanisms.single_block import single_block
 from assess.oscillator import multiplier
 from spectra import ntc
+from tests.support.bodies import free_wall
 
 TOLERANCE = 5e-3
 ROWS = {"SLD": (0.104, 2.332, 0.281), "SLV": (0.261, 2.364, 0.347), "SLC": (0.334, 2.400, 0.364)}
@@ -34,12 +35,6 @@ CORNERS = [  # T_1', xi_1, a_Z, A, S_eZ(T_SLV), demand, its lower bound, a_g,SLV
     (0.42, 0.20, 4.07404, 2.15728, 1.51840, 0.149364, 0.047518, 0.209689, 0.8034),
     (0.56, 0.20, 3.43157, 2.15728, 1.86028, 0.182994, 0.071154, 0.171153, 0.6558),
 ]
-
-
-@cache
-def wall(*, thickness=0.6, height=6.0, base=0.0):
-    body = box(thickness=thickness, length=1.0, height=height, base=(0, 0, base), density=1800.0, name="wall")
-    return single_block("wall", planar_body(body, direction=(1, 0, 0))).oscillator
 
 
 @cache
@@ -76,7 +71,7 @@ def test_soil_factors():
 
 
 def test_a_linear_at_the_ground():
-    damage, life = ntc2018.assess_linear(wall(), site(), options=ItalianOptions(limit_states=("SLD", "SLV")))
+    damage, life = ntc2018.assess_linear(free_wall(), site(), options=ItalianOptions(limit_states=("SLD", "SLV")))
     assert (damage.capacity, life.capacity) == close(0.72642, 0.72642)
     assert (damage.demand, on_rock(damage), damage.safety_index) == close(1.22387, 0.061728, 0.5935)
     assert (life.demand, on_rock(life), life.safety_index) == close(1.47583, 0.128467, 0.4922)
@@ -91,7 +86,7 @@ def test_a_linear_at_the_ground():
     ids=["SLV", "SLC"],
 )
 def test_b_nonlinear_at_the_ground(state, d, a, T, demand, ratio, a_g, zeta):
-    (check,) = ntc2018.assess_nonlinear(wall(), site(), options=ItalianOptions(limit_states=(state,)))
+    (check,) = ntc2018.assess_nonlinear(free_wall(), site(), options=ItalianOptions(limit_states=(state,)))
     found = steps(check)
     assert (found["d0*"], found[f"d_{state}"], found[f"a(d_{state})"], found[f"T_{state}"]) == close(0.300, d, a, T)
     assert (check.demand, check.ratio, on_rock(check), check.safety_index) == close(demand, ratio, a_g, zeta)
@@ -101,7 +96,7 @@ def test_b_nonlinear_at_the_ground(state, d, a, T, demand, ratio, a_g, zeta):
 @pytest.mark.parametrize(("T1", "xi", "a_Z", "A", "S_eZ", "demand", "least", "a_g", "zeta"), CORNERS)
 def test_c_nonlinear_at_height_of_each_corner(T1, xi, a_Z, A, S_eZ, demand, least, a_g, zeta):
     at = raised({"SLV": StatedFirstMode(T1, xi, "one corner of the range")})
-    (check,) = ntc2018.assess_nonlinear(wall(height=3.0, base=6.0), at, options=ItalianOptions())
+    (check,) = ntc2018.assess_nonlinear(free_wall(height=3.0, base=6.0), at, options=ItalianOptions())
     found = steps(check)
     assert (found["γψ"], found["T1'"]) == close(0.857143, T1)
     assert (found["a(d_SLV)"], found["T_SLV"]) == close(0.86075, 1.97065)
@@ -110,7 +105,7 @@ def test_c_nonlinear_at_height_of_each_corner(T1, xi, a_Z, A, S_eZ, demand, leas
 
 
 def test_c_the_softest_building_decides_and_20_per_cent_is_printed():
-    (check,) = ntc2018.assess_nonlinear(wall(height=3.0, base=6.0), raised(), options=ItalianOptions())
+    (check,) = ntc2018.assess_nonlinear(free_wall(height=3.0, base=6.0), raised(), options=ItalianOptions())
     assert (steps(check)["T1'"], check.demand, check.safety_index) == close(0.56, 0.200461, 0.5986)
     assert steps(check)["d(20 %)"] == pytest.approx(0.182994, rel=TOLERANCE)
 
@@ -118,7 +113,7 @@ def test_c_the_softest_building_decides_and_20_per_cent_is_printed():
 def test_c_of_an_elastic_building_the_ground_governs():
     """The floor's own spectrum is below the ground's, which C7.2.5 keeps: 0.8328."""
     at = raised({"SLV": StatedFirstMode(0.28, 0.05, "elastic")})
-    (check,) = ntc2018.assess_nonlinear(wall(height=3.0, base=6.0), at, options=ItalianOptions())
+    (check,) = ntc2018.assess_nonlinear(free_wall(height=3.0, base=6.0), at, options=ItalianOptions())
     assert (check.demand, check.safety_index) == close(0.144095, 0.8328)
 
 

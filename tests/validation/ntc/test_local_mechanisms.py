@@ -24,6 +24,7 @@ from assess.mechanisms.single_block import equivalent_block, single_block
 from spectra import ntc
 from spectra.asce7 import design_spectrum
 from spectra.table import table_spectrum
+from tests.support.bodies import free_wall
 
 A_G, F_0, S, T_C, T_D = 0.261 * g, 2.364, 1.1532, 0.4717, 2.644
 PGA = A_G * S
@@ -34,12 +35,7 @@ MODEL = 5e-3  # of the straight line beside the model's own curve, and of 9.81 b
 
 @pytest.fixture(scope="module")
 def rocker():
-    return wall(thickness=0.6)
-
-
-def wall(*, thickness):
-    body = box(thickness=thickness, length=1.0, height=6.0, base=(0, 0, 0), density=1800.0, name="wall")
-    return single_block("wall", planar_body(body, direction=(1, 0, 0))).oscillator
+    return free_wall(0.6)
 
 
 def ground(*, levels=(PGA,), **more):
@@ -212,7 +208,7 @@ def test_wider_base_never_fares_worse():
     for procedure in (ntc2018.assess_linear, ntc2018.assess_nonlinear):
         capacities = []
         for thickness in (0.3, 0.5, 0.7, 0.9, 1.2):
-            (check,) = procedure(wall(thickness=thickness), ground(), options=ItalianOptions())
+            (check,) = procedure(free_wall(thickness), ground(), options=ItalianOptions())
             capacities.append(check.capacity_pga_g)
         assert capacities == sorted(capacities)
 

@@ -26,14 +26,13 @@ from assess.codes.nzsee2017 import (
     straight_line,
 )
 from assess.codes.procedures import apply_procedure
-from assess.geometry.planar import planar_body
-from assess.geometry.solid import box
 from assess.loads.load import Force, PointMass
 from assess.mechanisms.single_block import single_block
 from assess.mechanisms.two_block import two_block
 from assess.study.checks import wall_of
 from spectra.nzs1170_5 import site_spectrum
 from spectra.table import table_spectrum
+from tests.support.bodies import planar_box
 
 H, T = 4.0, 0.23
 WELLINGTON = site_spectrum(subsoil="C", z=0.4, r=1.0)  # C(0) = 0.532
@@ -41,19 +40,16 @@ HOUSE = Building(height=8.0, storeys=2, period=0.24, damping=0.05)
 CURVED = 5e-3
 
 
-def part(base: float, height: float):
-    body = box(thickness=T, length=1.0, height=height, base=(0, 0, base), density=1800.0, name="part")
-    return planar_body(body, direction=(1, 0, 0))
-
-
-WEIGHT = 2.0 * part(0.0, H / 2).mass * g
+WEIGHT = 2.0 * planar_box(T, H / 2).mass * g
 
 
 def mechanism(*, e_p: float = 0.0, e_b: float = 0.0, load: float = 0.0, sides: str = "one"):
     """Cracked at mid-height, base reaction at e_b, load P at the top at e_p from mid-thickness."""
     loads = (PointMass("P", mass=load / g, at=(e_p, H), block=1, bearing=True),) if load else ()
     hinges = ((e_b, 0.0), (-T / 2, H / 2), (T / 2, H))
-    return two_block("wall", part(0.0, H / 2), part(H / 2, H / 2), sides=sides, hinges=hinges, loads=loads)
+    return two_block(
+        "wall", planar_box(T, H / 2), planar_box(T, H / 2, base=H / 2), sides=sides, hinges=hinges, loads=loads
+    )
 
 
 def wall(**more):
@@ -62,12 +58,12 @@ def wall(**more):
 
 def test_far_support_of_a_wall_stands_its_height_over_the_base() -> None:
     hinges = ((0.0, 0.0), (-T / 2, H / 2), (T / 2, H))
-    spans = two_block("wall", part(0.0, H / 2), part(H / 2, H / 2), sides="one", hinges=hinges)
-    assert (spans.rise, single_block("parapet", part(0.0, H)).rise) == (H, 0.0)
+    spans = two_block("wall", planar_box(T, H / 2), planar_box(T, H / 2, base=H / 2), sides="one", hinges=hinges)
+    assert (spans.rise, single_block("parapet", planar_box(T, H)).rise) == (H, 0.0)
 
 
 def free(height: float):
-    return single_block("parapet", part(0.0, height)).oscillator
+    return single_block("parapet", planar_box(T, height)).oscillator
 
 
 def second_storey(*, level: float = WELLINGTON.pga, spectrum=WELLINGTON, size: Wall | None = None):

@@ -15,8 +15,9 @@ from scipy.constants import g
 from scipy.optimize import brentq
 
 from assess.dynamics.history import Equation, Jobs, Peaks, peaks
-from assess.oscillator import Branch, Oscillator
+from assess.oscillator import Oscillator
 from records.record import Record, make_record
+from tests.support.blocks import block
 
 P, ALPHA = 2.0, 0.2
 
@@ -29,17 +30,9 @@ HALF_SINE = {
 }  # fmt: skip
 
 
-def block(restitution: float, sides: int = 2) -> Oscillator:
-    phi = np.linspace(0.0, 1.5 * ALPHA, 257)
-    one = np.ones_like(phi)
-    moment, excitation = g * np.sin(ALPHA - phi), np.cos(ALPHA - phi)
-    side = Branch(phi, g / P**2 * one, moment, excitation, one, one, restitution, ALPHA, ALPHA)
-    return Oscillator(side, side if sides == 2 else None, 1.0)
-
-
 def pulse(omega: float, *, cycles: float = 1.0, n: int = 20_000) -> Record:
     """Unit A: first half lifting towards positive rotation, n samples a period."""
-    form = block(0.9).positive.linearised
+    form = block(P, ALPHA, 0.9).positive.linearised
     steps = round(cycles * n)
     t = np.arange(steps + 1) / n
     return make_record("pulse", -g * form.multiplier * np.sin(2 * math.pi * t), 2 * math.pi / (omega * form.p * n))
@@ -63,14 +56,14 @@ def threshold(body: Oscillator, motion: Record, below: float, above: float) -> f
 def test_one_sine_without_impact(omega: float) -> None:
     """One-sided, so that no other branch is near; the restitution does not enter."""
     n, expected = 20_000, ONE_SINE[omega]
-    found = threshold(block(0.0, sides=1), pulse(omega, n=n), expected * 0.999, expected * 1.001)
+    found = threshold(block(P, ALPHA, 0.0, sides=1), pulse(omega, n=n), expected * 0.999, expected * 1.001)
     assert found * np.sinc(1 / n) ** 2 == pytest.approx(expected, rel=1e-8)
 
 
 @pytest.mark.parametrize("omega", HALF_SINE)
 def test_half_sine_without_impact(omega: float) -> None:
     n, expected = 20_000, HALF_SINE[omega]
-    found = threshold(block(0.9), pulse(omega, cycles=0.5, n=n), expected * 0.999, expected * 1.001)
+    found = threshold(block(P, ALPHA, 0.9), pulse(omega, cycles=0.5, n=n), expected * 0.999, expected * 1.001)
     assert found * np.sinc(1 / n) ** 2 == pytest.approx(expected, rel=1e-8)
 
 
@@ -78,13 +71,13 @@ def test_half_sine_without_impact(omega: float) -> None:
 def test_one_sided_under_a_pulse_that_presses_first(omega: float) -> None:
     """The first half presses the body on the wall, the second acts as half a sine: the lower threshold of the two."""
     n, expected = 20_000, HALF_SINE[omega]
-    found = threshold(block(0.4, sides=1), pulse(omega, n=n), -expected * 0.999, -expected * 1.001)
+    found = threshold(block(P, ALPHA, 0.4, sides=1), pulse(omega, n=n), -expected * 0.999, -expected * 1.001)
     assert -found * np.sinc(1 / n) ** 2 == pytest.approx(expected, rel=1e-8)
 
 
 def test_coarse_sampling_raises_the_threshold_by_the_first_harmonic() -> None:
     n, expected = 400, ONE_SINE[4.0]
-    found = threshold(block(0.0, sides=1), pulse(4.0, n=n), expected * 0.999, expected * 1.001)
+    found = threshold(block(P, ALPHA, 0.0, sides=1), pulse(4.0, n=n), expected * 0.999, expected * 1.001)
     assert found / expected - 1 == pytest.approx(math.pi**2 / (3 * n**2), rel=5e-3)
 
 
@@ -99,13 +92,13 @@ def test_coarse_sampling_raises_the_threshold_by_the_first_harmonic() -> None:
 )
 def test_safe_islands_above_the_impact_branch(omega: float, amplitudes: list[float], falls: list[bool]) -> None:
     """Restitution 0.9: stands, overturns with one impact, stands, overturns without."""
-    found = run(block(0.9), pulse(omega, n=400), np.array(amplitudes))
+    found = run(block(P, ALPHA, 0.9), pulse(omega, n=400), np.array(amplitudes))
     assert found.overturned.tolist() == falls
 
 
 def test_beyond_overturning_under_load_and_back() -> None:
     """Omega = 8, A = 12.4, restitution 0.9: 1.0267 phi_ov is reached under load; it returns and stands."""
-    found = run(block(0.9), pulse(8.0, n=400), np.array([12.4]))
+    found = run(block(P, ALPHA, 0.9), pulse(8.0, n=400), np.array([12.4]))
     assert found.max_ratio[0] == pytest.approx(1.0267, abs=1e-4)
     assert found.impacts[0] == 2
     assert not found.overturned[0]
@@ -121,10 +114,10 @@ def instant(y: float) -> float:
 @pytest.mark.parametrize("start", [0.1, 0.4])
 def test_free_motion_overturns_where_y_plus_rate_exceeds_one(start: float, excess: float) -> None:
     """A ground step whose end leaves y + y' = 1 + excess, by the closed form under constant acceleration."""
-    form = block(0.9).positive.linearised
+    form = block(P, ALPHA, 0.9).positive.linearised
     # at rest under A > 1: y = (A - 1)(cosh x - 1), y' = (A - 1) sinh x: y + y' = (A - 1)(e^x - 1), y = start
     x = instant(start)
     amplitude = 1 + (1 + excess) / math.expm1(x)
     motion = make_record("step", np.full(2, -g * form.multiplier), x / form.p)
     assert (amplitude - 1) * (math.cosh(x) - 1) == pytest.approx(start, rel=1e-9)
-    assert bool(run(block(0.0), motion, np.array([amplitude])).overturned[0]) == (excess > 0)
+    assert bool(run(block(P, ALPHA, 0.0), motion, np.array([amplitude])).overturned[0]) == (excess > 0)

@@ -12,6 +12,7 @@ about D; psi are the angles from AB, BC and DC to the centroids. Misprints and a
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import partial
 from math import atan2, hypot, pi
 
 import numpy as np
@@ -23,6 +24,7 @@ from assess.mechanisms.branch_table import rigid_branch
 from assess.mechanisms.chain import Chain, RigidBlock, mirror_chain, virtual_work
 from assess.project.build import build
 from assess.project.project_file import load
+from tests.support.bodies import rectangle_block
 
 STEP = 4e-3  # rad, of differences of eighth order
 FIRST = {1: 4 / 5, 2: -1 / 5, 3: 4 / 105, 4: -1 / 280}
@@ -141,17 +143,14 @@ class Frame:
         return Chain(self.blocks, self.hinges) if self.turn > 0 else mirror_chain(self.blocks, self.hinges)
 
 
-def rectangle(x, z, width, height, *, density=2000.0):
-    """A block of 1 m length by its lower left corner."""
-    mass = density * width * height
-    return RigidBlock(mass, (x + width / 2, z + height / 2), mass * (width**2 + height**2) / 12)
+block_of = partial(rectangle_block, density=2000.0)
 
 
 def portal(left, right, *, beam=0.7, step=0.0):
     """A frame of two columns (width, height), 3 m apart, the right one on a step, under a wedge of a beam."""
     (b1, h1), (b3, h3) = left, right
-    columns = rectangle(0.0, 0.0, b1, h1), rectangle(3.0 + b1, step, b3, h3)
-    over = rectangle(0.0, max(h1, step + h3), 3.0 + b1 + b3, beam)
+    columns = block_of(0.0, 0.0, b1, h1), block_of(3.0 + b1, step, b3, h3)
+    over = block_of(0.0, max(h1, step + h3), 3.0 + b1 + b3, beam)
     blocks = (columns[0], over, columns[1])
     front = ((b1, 0.0), (0.0, h1), (3.0 + b1, step + h3), (3.0 + b1 + b3, step))
     back = ((0.0, 0.0), (b1, h1), (3.0 + b1 + b3, step + h3), (3.0 + b1, step))

@@ -12,19 +12,18 @@ from math import atan2, cos, hypot, sin, tan
 import numpy as np
 import pytest
 
-from assess.geometry.planar import PlanarBody, planar_body
-from assess.geometry.solid import box
+from assess.geometry.planar import PlanarBody
 from assess.mechanisms.chain import mirror_point
 from assess.mechanisms.four_hinge import four_hinge
 from assess.mechanisms.single_block import single_block
 from assess.mechanisms.two_block import two_block
+from tests.support.bodies import planar_box
 
 BOTH = ("momentum", "momentum")
 
 
 def body(thickness, height, *, at=(0.0, 0.0), length=2.0, density=1800.0):
-    solid = box(thickness=thickness, length=length, height=height, base=(at[0], 0.0, at[1]), density=density, name="b")
-    return planar_body(solid, direction=(1, 0, 0))
+    return planar_box(thickness, height, x=at[0], base=at[1], length=length, density=density)
 
 
 def after_impact(bodies, old, new, *, top="pinned"):

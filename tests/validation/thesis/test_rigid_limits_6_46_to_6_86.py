@@ -8,6 +8,7 @@ Lagrange's equation 6.46 gives +.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import partial
 from math import atan2, hypot
 
 import numpy as np
@@ -16,17 +17,18 @@ from scipy.constants import g
 from scipy.integrate import solve_ivp
 
 from assess.dynamics.history import free_rocking
-from assess.geometry.planar import planar_body_from_values
 from assess.loads.load import Force
 from assess.mechanisms.chain import Chain, RigidBlock, mirror_chain, virtual_work
 from assess.mechanisms.four_hinge import four_hinge
 from assess.mechanisms.single_block import single_block
 from assess.mechanisms.two_block import two_block
 from assess.oscillator import Branch, Oscillator
+from tests.support.bodies import body_of_block, rectangle_block
 
 STEP = 4e-3  # rad, of differences of eighth order
 ROTATION = np.array([0.02, 0.06, 0.11])
 RHO = 1900.0
+block_of = partial(rectangle_block, density=RHO)
 
 
 def slope(f, x):
@@ -40,16 +42,6 @@ def polar(hinge, at, *, side=1.0):
     return hypot(x, z), atan2(x, z)
 
 
-def rectangle(x, z, width, height, *, density=RHO):
-    """A block of 1 m length by its lower left corner."""
-    mass = density * width * height
-    return RigidBlock(mass, (x + width / 2, z + height / 2), mass * (width**2 + height**2) / 12)
-
-
-def body(block):
-    return planar_body_from_values(mass=block.mass, centroid=block.centroid, inertia=block.inertia, name="b")
-
-
 def same(found, expected):
     np.testing.assert_allclose(found, expected, rtol=1e-9, atol=1e-9 * np.abs(expected).max())
 
@@ -61,7 +53,7 @@ def sizes(blocks):
 
 @pytest.mark.parametrize("shift", [0.0, 0.07])
 def test_single_block_6_47_to_6_52_and_6_55_to_6_60(shift):
-    block, hinge = rectangle(-0.5, 0.0, 1.0, 4.4), (0.5 - shift, 0.0)
+    block, hinge = block_of(-0.5, 0.0, 1.0, 4.4), (0.5 - shift, 0.0)
     R_0, alpha_0 = polar((0.5, 0.0), block.centroid)
     R = np.sqrt((R_0 * np.cos(alpha_0)) ** 2 + (R_0 * np.sin(alpha_0) - shift) ** 2)  # 6.51, 6.57
     alpha = np.arccos(R_0 * np.cos(alpha_0) / R)  # 6.52, 6.58
@@ -72,7 +64,7 @@ def test_single_block_6_47_to_6_52_and_6_55_to_6_60(shift):
     same(work.weight, slope(lambda phi: W * R * np.cos(alpha - phi), ROTATION))  # 6.48
     same(work.excitation, W / g * R * np.cos(alpha - ROTATION))  # 6.49
     eta = 1 - 2 * block.mass * R**2 / I_O * np.sin(alpha) ** 2  # 6.60
-    found = single_block("w", body(block), hinge=hinge, hinge_negative=(-hinge[0], 0.0)).restitution
+    found = single_block("w", body_of_block(block), hinge=hinge, hinge_negative=(-hinge[0], 0.0)).restitution
     assert found == pytest.approx((eta, eta), rel=1e-12)
 
 
@@ -123,7 +115,7 @@ def test_inertial_term_of_6_53_has_the_other_sign():
     assert abs(found / impact(-1.0) - 1) > 1e-4
 
 
-WALL = rectangle(0.0, 0.0, 0.5, 2.6), rectangle(0.0, 2.6, 0.5, 1.6)
+WALL = block_of(0.0, 0.0, 0.5, 2.6), block_of(0.0, 2.6, 0.5, 1.6)
 FORCE, PLACE = 21000.0, 0.3  # overburden [N], xi
 
 
@@ -174,7 +166,7 @@ def test_two_blocks_restitution_6_67(shifts):
     over = I1 + m1 * (R1 * np.cos(a1)) ** 2 - m1 * (R1 * np.sin(a1)) ** 2 - I2 * rate + rise - aside
     eta = over / (I1 + m1 * R1**2 - I2 * rate + rise + aside)
     mechanism = two_block(
-        "w", body(WALL[0]), body(WALL[1]),
+        "w", body_of_block(WALL[0]), body_of_block(WALL[1]),
         hinges=(one, two, (0.5 - c, 4.2)), hinges_negative=((a, 0.0), (0.5 - b, 2.6), (c, 4.2)),
     )  # fmt: skip
     assert mechanism.restitution == pytest.approx((eta, eta), rel=1e-12)
@@ -183,7 +175,7 @@ def test_two_blocks_restitution_6_67(shifts):
 @pytest.mark.parametrize("shifts", [(0.0, 0.0), (0.06, 0.09)])
 def test_symmetric_frame_6_68_to_6_72(shifts):
     a, b = shifts
-    blocks = rectangle(0.0, 0.0, 0.8, 4.0), rectangle(0.0, 4.0, 4.6, 0.7), rectangle(3.8, 0.0, 0.8, 4.0)
+    blocks = block_of(0.0, 0.0, 0.8, 4.0), block_of(0.0, 4.0, 4.6, 0.7), block_of(3.8, 0.0, 0.8, 4.0)
     front = ((0.8 - a, 0.0), (b, 4.0), (3.8 + b, 4.0), (4.6 - a, 0.0))
     back = ((a, 0.0), (0.8 - b, 4.0), (4.6 - b, 4.0), (3.8 + a, 0.0))
     (W1, I1), (W2, _), _ = sizes(blocks)
@@ -199,7 +191,7 @@ def test_symmetric_frame_6_68_to_6_72(shifts):
     m1, m2 = W1 / g, W2 / g
     over = I1 + m1 * R1**2 * (1 - 2 * np.sin(a1) ** 2) + m2 * R12**2 / 2 * (1 - 2 * np.sin(a12) ** 2)
     eta = over / (I1 + m1 * R1**2 + m2 * R12**2 / 2)  # 6.72
-    found = four_hinge("p", [body(each) for each in blocks], hinges=front, hinges_negative=back).restitution
+    found = four_hinge("p", [body_of_block(each) for each in blocks], hinges=front, hinges_negative=back).restitution
     assert found == pytest.approx((eta, eta), rel=1e-12)
 
 
@@ -272,9 +264,9 @@ class Asymmetric:
 def frames(shift=0.0):
     """Columns of two heights on bases at two levels under a wedge of a beam, for both signs; hinges 2, 3 shifted."""
     blocks = (
-        rectangle(0.0, 0.0, 0.8, 4.0),
+        block_of(0.0, 0.0, 0.8, 4.0),
         RigidBlock(7000.0, (2.4, 4.9), 15000.0),
-        rectangle(3.6, 1.2, 1.0, 3.4),
+        block_of(3.6, 1.2, 1.0, 3.4),
     )
     front = ((0.8, 0.0), (shift, 4.0), (3.6 + shift, 4.6), (4.6, 1.2))
     back = ((0.0, 0.0), (0.8 - shift, 4.0), (4.6 - shift, 4.6), (3.6, 1.2))
@@ -294,7 +286,7 @@ def test_asymmetric_frame_6_73_to_6_79(which, shift):
 
 
 A, B, C, D = (0.0, 7.0), (2.6, 8.3), (4.8, 6.9), (6.2, 0.0)
-VAULT = RigidBlock(2600.0, (1.15, 7.9), 1500.0), RigidBlock(2300.0, (3.8, 7.85), 1200.0), rectangle(4.8, 0.0, 1.4, 7.4)
+VAULT = RigidBlock(2600.0, (1.15, 7.9), 1500.0), RigidBlock(2300.0, (3.8, 7.85), 1200.0), block_of(4.8, 0.0, 1.4, 7.4)
 
 
 def test_side_aisle_vault_6_80_to_6_86():

@@ -12,29 +12,19 @@ import numpy as np
 import pytest
 from scipy.constants import g
 
-from assess.geometry.planar import planar_body_from_values
 from assess.interfaces.contact import JointLaw
 from assess.interfaces.section import rectangle
 from assess.loads.load import Force
 from assess.mechanisms.assembly import add_joints
-from assess.mechanisms.chain import Joint, RigidBlock
+from assess.mechanisms.chain import Joint
 from assess.mechanisms.flexible_chain import FlexibleChain
 from assess.mechanisms.four_hinge import four_hinge
 from assess.mechanisms.single_block import single_block
 from assess.mechanisms.two_block import two_block
+from tests.support.bodies import body_of_block, rectangle_block
 
 F_M, RHO, PHI = 1.28e6, 1800.0, np.array([0.004, 0.02, 0.05])
 STIFFNESS = pytest.mark.parametrize("stiffness", [85e6, 340e6, 13500e6])
-
-
-def rectangle_block(x, z, width, height):
-    """A block of 1 m length by its lower left corner."""
-    mass = RHO * width * height
-    return RigidBlock(mass, (x + width / 2, z + height / 2), mass * (width**2 + height**2) / 12)
-
-
-def body(block):
-    return planar_body_from_values(mass=block.mass, centroid=block.centroid, inertia=block.inertia, name="b")
 
 
 def bed(way, depth, stiffness):
@@ -59,7 +49,7 @@ def test_single_block_6_55_to_6_60(stiffness):
     alpha_P = np.arccos(R_0 * cos(alpha_0) / R_P)  # 6.58
     I_SF = I_C + M * R_P**2  # 6.56
     eta = 1 - 2 * M * R_P**2 / I_SF * sin(alpha_P) ** 2  # 6.60
-    rigid = single_block("w", body(block), hinge=(0.5, 0.0), hinge_negative=(-0.5, 0.0))
+    rigid = single_block("w", body_of_block(block), hinge=(0.5, 0.0), hinge_negative=(-0.5, 0.0))
     joints = (bed(-1, 1.0, stiffness),)
     found = add_joints(rigid, joints, joints, restitution=("thesis", "thesis"))
     assert found.restitution == pytest.approx((eta, eta), rel=1e-12)
@@ -76,7 +66,7 @@ def test_two_blocks_6_66_and_6_67(stiffness):
     (m1, I1), (m2, I2) = ((each.mass, each.inertia) for each in blocks)
     F = 2 * (m1 + m2) * g
     a, b, c = (a_SF(N) for N in (F + (m1 + m2) * g, F + m2 * g, F))  # Table 6.1
-    rigid = two_block("w", *map(body, blocks), hinges=((0.2, 0.0), (-0.2, 2.0), (0.2, 3.0)),
+    rigid = two_block("w", *map(body_of_block, blocks), hinges=((0.2, 0.0), (-0.2, 2.0), (0.2, 3.0)),
                       hinges_negative=((-0.2, 0.0), (0.2, 2.0), (-0.2, 3.0)))  # fmt: skip
     load = (Force("overburden", (0.0, -F), (0.2, 3.0), 1),)
     rigid = replace(rigid, positive=replace(rigid.positive, loads=load), negative=replace(rigid.negative, loads=load))
@@ -109,7 +99,7 @@ def test_symmetric_frame_6_71_and_6_72(stiffness):
               rectangle_block(3.8, 0.0, 0.8, 4.0))  # fmt: skip
     (m1, I1), (m2, _), _ = ((each.mass, each.inertia) for each in blocks)
     a, b = a_SF((m1 + m2 / 2) * g), a_SF(m2 / 2 * g)  # Table 6.2
-    rigid = four_hinge("p", [body(each) for each in blocks],
+    rigid = four_hinge("p", [body_of_block(each) for each in blocks],
                        hinges=((0.8, 0.0), (0.0, 4.0), (3.8, 4.0), (4.6, 0.0)),
                        hinges_negative=((0.0, 0.0), (0.8, 4.0), (4.6, 4.0), (3.8, 0.0)))  # fmt: skip
     joints = tuple(bed(way, 0.8, stiffness) for way in (-1, 1, 1, -1))

@@ -17,6 +17,7 @@ from assess.amplification import (
 from assess.errors import MechanismError
 from records.errors import RecordError
 from records.record import Record, make_record, scale
+from tests.support.motions import white_noise
 
 MODE = FirstMode(frequency=2.5, effective_height=6.01)  # Wall 6, thesis Table 8.3
 EVERY = [
@@ -26,10 +27,6 @@ EVERY = [
     SrssRelative(MODE, 4.77),
     ModalFilter(MODE, 4.77),
 ]
-
-
-def noise(seed: int = 5) -> Record:
-    return make_record("noise", np.random.default_rng(seed).normal(size=500), 0.01)
 
 
 def one_sine(frequency: float, *, samples: int = 2000) -> Record:
@@ -71,10 +68,11 @@ def test_a_pulse_as_a_record_is_carried_as_the_pulse(method, frequency: float, h
 @pytest.mark.parametrize("amplification", EVERY)
 def test_carried_motions_grow_with_the_ground_s(amplification) -> None:
     """A factor does not depend on how strong the record is, nor on its sign."""
-    one, other = base_motion(amplification, noise()), base_motion(amplification, scale(noise(), -2.5))
+    noise = white_noise(npts=500)
+    one, other = base_motion(amplification, noise), base_motion(amplification, scale(noise, -2.5))
     assert other.factor == pytest.approx(one.factor, rel=1e-12)
     np.testing.assert_allclose(other.record.acceleration, -2.5 * one.record.acceleration, atol=1e-12)
-    assert one.record.pga == pytest.approx(one.factor * noise().pga, rel=1e-12)
+    assert one.record.pga == pytest.approx(one.factor * noise.pga, rel=1e-12)
     assert one.record.id == "noise"
 
 
@@ -82,7 +80,7 @@ def test_carried_motions_grow_with_the_ground_s(amplification) -> None:
     "amplification", [Srss(MODE, 0.0), ModalFilter(MODE, 0.0), Unamplified(), FloorFactor(1.0, "")]
 )
 def test_at_the_ground_nothing_is_amplified(amplification) -> None:
-    assert base_motion(amplification, noise()).factor == pytest.approx(1.0, rel=1e-12)
+    assert base_motion(amplification, white_noise(npts=500)).factor == pytest.approx(1.0, rel=1e-12)
     np.testing.assert_allclose(pulse_factor(amplification, np.geomspace(0.2, 10, 7)), 1.0, rtol=1e-6)
 
 

@@ -14,18 +14,13 @@ from assess.cli import main
 from records.processing import at2_text, csv_text
 from records.reading import read_records
 from records.record import Earthquake, Record, StationSite, make_record
+from tests.support.command import ended
 from tests.support.projects import ASCE7, published, tables_toml
 
 DT = 0.01
 TIME = DT * np.arange(2000)
 SAMPLES = np.sin(np.pi * TIME / 20.0) ** 2 * np.sin(2 * np.pi * 2.0 * TIME)  # m/s2
 HOSTILE = "=cmd|'/c calc'!A1\n<b>&\x1b[31m, Some School"
-
-
-def ended(*arguments: str | Path) -> int:
-    with pytest.raises(SystemExit) as caught:
-        main(["records", *(str(argument) for argument in arguments)])
-    return int(caught.value.code or 0)
 
 
 @pytest.fixture
@@ -43,7 +38,7 @@ def pair(tmp_path: Path) -> tuple[Path, Path]:
 def test_json_has_the_records_of_results_and_the_measures(
     pair: tuple[Path, Path], capsys: pytest.CaptureFixture[str]
 ) -> None:
-    assert ended("list", *pair, "--json") == 0
+    assert ended("records", "list", *pair, "--json") == 0
     north, east = json.loads(capsys.readouterr().out)
     assert (north["id"], east["id"]) == ("n", "e")
     assert (north["event"], north["station"], north["component"]) == ("Q", "S, T", "0")
@@ -57,14 +52,14 @@ def test_json_has_the_records_of_results_and_the_measures(
 
 
 def test_csv_has_a_row_for_each_record(pair: tuple[Path, Path], capsys: pytest.CaptureFixture[str]) -> None:
-    assert ended("list", *pair, "--csv") == 0
+    assert ended("records", "list", *pair, "--csv") == 0
     north, _ = csv.DictReader(io.StringIO(capsys.readouterr().out))
     assert (north["npts"], north["station"], north["vertical"]) == ("2000", "S, T", "False")
     assert float(north["d5_95_s"]) > float(north["d5_75_s"]) > 0.0
 
 
 def test_the_table_is_for_reading(pair: tuple[Path, Path], capsys: pytest.CaptureFixture[str]) -> None:
-    assert ended("list", *pair) == 0
+    assert ended("records", "list", *pair) == 0
     header, north, east = capsys.readouterr().out.splitlines()
     assert header.startswith("record")
     assert (north.split()[0], east.split()[0]) == ("n", "e")
@@ -73,7 +68,7 @@ def test_the_table_is_for_reading(pair: tuple[Path, Path], capsys: pytest.Captur
 @pytest.mark.parametrize("ending", ["csv", "CSV", "at2", "AT2"])
 def test_what_is_written_is_read_again(tmp_path: Path, pair: tuple[Path, Path], ending: str) -> None:
     out = tmp_path / f"out.{ending}"
-    assert ended("convert", pair[0], "-o", out) == 0
+    assert ended("records", "convert", pair[0], "-o", out) == 0
     (before,), (after,) = read_records(pair[0]), read_records(out)
     np.testing.assert_allclose(after.acceleration, before.acceleration, rtol=1e-7, atol=1e-12)
     assert (after.dt, after.event, after.station, after.component) == (before.dt, "Q", "S, T", "0")
@@ -83,7 +78,7 @@ def test_what_is_written_is_read_again(tmp_path: Path, pair: tuple[Path, Path], 
 
 @pytest.mark.parametrize("options", [("--azimuth", 30), ("--rotd", 100)])
 def test_two_components_are_turned(tmp_path: Path, pair: tuple[Path, Path], options: tuple[str, int]) -> None:
-    assert ended("convert", *pair, *options, "-o", tmp_path / "out.csv") == 0
+    assert ended("records", "convert", *pair, *options, "-o", tmp_path / "out.csv") == 0
     np.testing.assert_allclose(read_records(tmp_path / "out.csv")[0].acceleration, SAMPLES, rtol=0, atol=1e-6)
 
 
@@ -91,7 +86,7 @@ def test_processing_in_its_order(tmp_path: Path, pair: tuple[Path, Path], capsys
     out = tmp_path / "out.csv"
     corrected = ["--baseline", "1", "--low-cut", "0.1", "--high-cut", "20"]
     cut = ["--trim", "0.001", "0.999", "--resample", "0.005", "--scale", "2"]
-    assert ended("convert", pair[0], *corrected, *cut, "-o", out) == 0
+    assert ended("records", "convert", pair[0], *corrected, *cut, "-o", out) == 0
     said = capsys.readouterr().out
     steps = ["baseline of degree 1", "acausal Butterworth", "trimmed to", "resampled from", "scaled by 2"]
     assert [said.index(step) for step in steps] == sorted(said.index(step) for step in steps)
@@ -107,7 +102,7 @@ def test_hostile_names_are_text_on_one_line(tmp_path: Path, capsys: pytest.Captu
         path.write_text(text, encoding="utf-8")
         (record,) = read_records(path)
         np.testing.assert_allclose(record.acceleration, SAMPLES, rtol=1e-6, atol=1e-9)
-        assert ended("list", path) == 0
+        assert ended("records", "list", path) == 0
         assert len(capsys.readouterr().out.splitlines()) == 2
 
 
@@ -157,7 +152,7 @@ def test_wrong_input_is_one_line_and_exit_2(
     monkeypatch.chdir(tmp_path)
     (tmp_path / "bare.txt").write_text("0.1\n-0.2\n0.3\n")
     before = sorted(path.name for path in tmp_path.iterdir())
-    assert ended(*arguments) == 2
+    assert ended("records", *arguments) == 2
     captured = capsys.readouterr()
     assert captured.out == ""
     assert words in captured.err
@@ -166,7 +161,12 @@ def test_wrong_input_is_one_line_and_exit_2(
 
 
 def test_without_a_command_the_help_is_printed(capsys: pytest.CaptureFixture[str]) -> None:
-    assert ended() == 2
+    assert (
+        ended(
+            "records",
+        )
+        == 2
+    )
     assert "convert" in capsys.readouterr().out
 
 
@@ -212,7 +212,7 @@ def described() -> Record:
 def test_a_round_trip_keeps_all_that_is_known(tmp_path: Path, unit: str) -> None:
     before = described()
     (tmp_path / "a.csv").write_text(csv_text(before), encoding="utf-8")
-    assert ended("convert", tmp_path / "a.csv", "--to-unit", unit, "-o", tmp_path / "b.csv") == 0
+    assert ended("records", "convert", tmp_path / "a.csv", "--to-unit", unit, "-o", tmp_path / "b.csv") == 0
     (after,) = read_records(tmp_path / "b.csv")
     kept = ("event", "station", "component", "earthquake", "site", "distance")
     assert [getattr(after, name) for name in kept] == [getattr(before, name) for name in kept]
@@ -226,7 +226,7 @@ def test_a_file_of_ours_that_was_cut_is_refused(tmp_path: Path, capsys: pytest.C
     whole = csv_text(described())
     for share in (0.5, 0.9, 0.999):
         (tmp_path / "a.csv").write_text(whole[: int(share * len(whole))].rpartition("\n")[0], encoding="utf-8")
-        assert ended("list", tmp_path / "a.csv") == 2
+        assert ended("records", "list", tmp_path / "a.csv") == 2
         assert re.search(r"a\.csv: \d+ rows, and 2000 by its comment `# samples`", capsys.readouterr().err)
 
 
@@ -253,7 +253,7 @@ def test_a_component_is_found_whatever_its_capitals(tmp_path: Path) -> None:
     for name, component in (("a", "Up"), ("b", "90 Deg")):
         (tmp_path / f"{name}.csv").write_text(csv_text(make_record("x", SAMPLES, DT, component=component)))
     files = tmp_path / "a.csv", tmp_path / "b.csv"
-    assert ended("convert", *files, "--component", "90 deg", "-o", tmp_path / "out.csv") == 0
+    assert ended("records", "convert", *files, "--component", "90 deg", "-o", tmp_path / "out.csv") == 0
     assert read_records(tmp_path / "out.csv")[0].component == "90 Deg"
 
 
@@ -275,12 +275,12 @@ def test_a_peak_that_cannot_be_is_warned_of(
     path = tmp_path / "bare.csv"
     path.write_text("".join(f"{i * DT:.2f},{factor * a / np.abs(SAMPLES).max():.9g}\n" for i, a in enumerate(SAMPLES)))
     for form in ((), ("--json",)):
-        assert ended("list", path, "--unit", unit, *form) == 0
+        assert ended("records", "list", path, "--unit", unit, *form) == 0
         captured = capsys.readouterr()
         assert captured.err.startswith("assess: warning: bare: ")
         assert words in captured.err
 
 
 def test_a_usual_peak_is_not_warned_of(pair: tuple[Path, Path], capsys: pytest.CaptureFixture[str]) -> None:
-    assert ended("list", *pair) == 0
+    assert ended("records", "list", *pair) == 0
     assert capsys.readouterr().err == ""

@@ -10,12 +10,11 @@ from scipy.constants import g
 from scipy.integrate import solve_ivp
 
 from assess.dynamics.history import Jobs, free_rocking, peaks, trace
-from assess.geometry.planar import planar_body
-from assess.geometry.solid import box
 from assess.loads.load import Tie
 from assess.mechanisms.single_block import single_block
 from assess.oscillator import energy
 from records.record import make_record
+from tests.support.bodies import planar_box
 
 T, L, H, RHO = 0.8, 2.0, 5.0, 1900.0
 M = RHO * T * L * H
@@ -23,7 +22,7 @@ R, ALPHA = hypot(T / 2, H / 2), atan2(T, H)
 INERTIA = 4.0 / 3.0 * M * R**2
 PULL, UP, UNTIL = 9000.0, 4.5, 0.15
 AT = 2 * asin(UNTIL / (2 * UP))
-WALL = planar_body(box(thickness=T, length=L, height=H, base=(0, 0, 0), density=RHO, name="wall"), direction=(1, 0, 0))
+WALL = planar_box(T, H, length=L, density=RHO)
 TIE = Tie("tie", PULL, (T / 2, UP), direction=(-1.0, 0.0), until=UNTIL)
 ROCKER = single_block("w", WALL, loads=(TIE,), sides="one", restitution=(0.0, 0.0)).variants.breaking
 

@@ -22,10 +22,12 @@ from assess.mechanisms.chain import Joint
 from assess.mechanisms.single_block import single_block
 from assess.oscillator import Oscillator, energy, interpolant
 from records.record import make_record
+from tests.support.motions import noise
 
 B, H, L = 1.0, 6.0, 2.0
 MASS, J = 1800.0 * B * H * L, 1800.0 * B * H * L * (B**2 + H**2) / 12
 W, LAW = MASS * g, JointLaw(2e8, 1.5e6)
+SHAKING = {"peak": 2.4, "npts": 160, "dt": 0.025, "smooth": 12, "bell": 1.0}
 
 
 def wall(*, model="flexible", loads=(), law=LAW) -> Oscillator:
@@ -51,12 +53,6 @@ def body_named(name: str) -> Oscillator:
 @pytest.fixture
 def body(request) -> Oscillator:
     return body_named(request.param)
-
-
-def shaking(seed=3, *, npts=160, dt=0.025, peak=2.4):
-    raw = np.convolve(np.random.default_rng(seed).standard_normal(npts + 11), np.hanning(12), mode="valid")
-    raw *= np.sin(np.linspace(0.0, np.pi, npts))
-    return make_record("shaking", peak * raw / np.abs(raw).max(), dt)
 
 
 @dataclass(frozen=True)
@@ -102,7 +98,7 @@ def by_scipy(body, record, tolerance=1e-12):
 
 @EVERY
 def test_a_record_against_scipy(body):
-    record = shaking()
+    record = noise(3, **SHAKING)
     expected = by_scipy(body, record)
     found = trace(body, record, scale=1.0, equation="exact")
     limit = body.positive.unstable
@@ -114,7 +110,7 @@ def test_a_record_against_scipy(body):
 
 @EVERY
 def test_the_largest_rotation_against_scipy(body):
-    shaken = shaking(4)
+    shaken = noise(4, **SHAKING)
     record = make_record("then still", np.r_[shaken.acceleration, np.zeros(60)], shaken.dt)
     expected = by_scipy(body, record).largest
     found = peaks([body], [record], product(1, 1, 1.0), equation="exact")
@@ -248,7 +244,7 @@ def test_any_shaking_moves_a_wall_on_a_flexible_joint():
 
 
 def test_the_ratio_is_to_overturning_of_the_rigid_wall():
-    found = peaks([body_named("flexible")], [shaking()], product(1, 1, 1.0), equation="exact")
+    found = peaks([body_named("flexible")], [noise(3, **SHAKING)], product(1, 1, 1.0), equation="exact")
     rigid = body_named("flexible").positive.overturning
     assert found.max_ratio[0] == pytest.approx(abs(found.max_rotation[0]) / rigid, rel=1e-12)
     assert body_named("flexible").positive.overturning_flexible < 0.95 * rigid

@@ -21,21 +21,9 @@ from assess.dynamics.history import Jobs, Peaks, peaks
 from assess.dynamics.kernel.events import REST
 from assess.oscillator import Branch, Oscillator, interpolant
 from records.record import Record, make_record
+from tests.support.blocks import block
+from tests.support.motions import noise
 from tests.support.places import PEER, needs_real_records
-
-
-def branch(p: float, alpha: float, restitution: float) -> Branch:
-    phi = np.linspace(0.0, 1.5 * alpha, 257)
-    one = np.ones_like(phi)
-    return Branch(
-        phi, g / p**2 * one, g * np.sin(alpha - phi), np.cos(alpha - phi), one, one, restitution, alpha, alpha
-    )
-
-
-def block(p: float = 2.0, alpha: float = 0.2, restitution: float = 0.9, sides: int = 2) -> Oscillator:
-    """A rectangular block of M R = 1 kg m."""
-    side = branch(p, alpha, restitution)
-    return Oscillator(side, side if sides == 2 else None, 1.0)
 
 
 @dataclass(frozen=True)
@@ -168,13 +156,6 @@ def sine(amplitude: float, frequency: float, periods: float = 1.0, n: int = 100,
     return make_record("sine", -amplitude * np.sin(2 * np.pi * t), 1.0 / (n * frequency) if dt is None else dt)
 
 
-def noise(seed: int, peak: float, npts: int = 300, dt: float = 0.02) -> Record:
-    """Smoothed white noise under a bell, with its largest value at `peak`."""
-    raw = np.convolve(np.random.default_rng(seed).standard_normal(npts + 24), np.hanning(25), mode="valid")
-    shaped = raw * np.sin(np.linspace(0.0, np.pi, npts)) ** 0.5
-    return make_record("noise", peak * shaped / np.abs(shaped).max(), dt)
-
-
 def one(oscillator: Oscillator, record: Record, scale: float, equation: str = "exact") -> Peaks:
     return peaks([oscillator], [record], Jobs(*(np.array([x]) for x in (0, 0, scale))), equation=equation, threads=1)
 
@@ -202,16 +183,16 @@ CASES = {
     "sine, overturns after an impact": (sine(3.5, 0.64), 1.0, 2.0, 0.2, 0.9, 2),
     "three sines, one-sided": (sine(4.0, 1.3, 3.0), 1.0, 2.0, 0.2, 0.4, 1),
     "coarse sine": (sine(5.0, 1.0, 2.0, n=12), 1.0, 2.0, 0.2, 0.85, 2),
-    "noise 1": (noise(1, 3.6), 1.0, 1.6, 0.25, 0.85, 2),
-    "noise 2, overturns": (noise(2, 4.0), -1.0, 2.5, 0.2, 0.7, 2),
-    "noise 3, one-sided": (noise(3, 5.0), 1.0, 1.5, 0.2, 0.5, 1),
+    "noise 1": (noise(1, peak=3.6, npts=300, smooth=25, bell=0.5), 1.0, 1.6, 0.25, 0.85, 2),
+    "noise 2, overturns": (noise(2, peak=4.0, npts=300, smooth=25, bell=0.5), -1.0, 2.5, 0.2, 0.7, 2),
+    "noise 3, one-sided": (noise(3, peak=5.0, npts=300, smooth=25, bell=0.5), 1.0, 1.5, 0.2, 0.5, 1),
 }
 
 
 @pytest.mark.parametrize("case", CASES)
 def test_exact_equation_is_that_of_dop853(case: str) -> None:
     record, scale, p, alpha, restitution, sides = CASES[case]
-    body = block(p, alpha, restitution, sides)
+    body = block(p, alpha, restitution, sides=sides)
     theirs = reference((exact_side(p, alpha, restitution),) * sides, record, scale)
     agree(one(body, record, scale), theirs, one(body, record, scale * (1 + 1e-12)), rtol=BLOCK)
 
@@ -219,7 +200,7 @@ def test_exact_equation_is_that_of_dop853(case: str) -> None:
 @pytest.mark.parametrize("case", CASES)
 def test_linearised_equation_is_that_of_dop853(case: str) -> None:
     record, scale, p, alpha, restitution, sides = CASES[case]
-    body = block(p, alpha, restitution, sides)
+    body = block(p, alpha, restitution, sides=sides)
     theirs = reference((linearised_side(body.positive, record.pga),) * sides, record, scale)
     agree(
         one(body, record, scale, "linearised"),

@@ -6,12 +6,12 @@ from pathlib import Path
 
 import pytest
 
-from assess import cli
 from assess.errors import ProjectError
 from assess.examples import EXAMPLES, copy_example, source
 from assess.project.build import build
 from assess.project.project_file import Project, json_schema, load
 from assess.study.study import Study
+from tests.support.command import ended
 from tests.support.examples import example_run
 
 
@@ -28,17 +28,10 @@ def require_readers(name: str) -> None:
         pytest.importorskip("ifcopenshell", reason="the extra 'ifc' is not installed")
 
 
-def assess(*words) -> int:
-    """The command's exit code."""
-    with pytest.raises(SystemExit) as ended:
-        cli.main([str(word) for word in words])
-    return int(ended.value.code or 0)
-
-
 def test_every_folder_of_examples_is_listed_once_in_one_line(capsys) -> None:
     assert {path.name for path in source("x").parent.iterdir() if path.is_dir()} == set(EXAMPLES)
     assert all((source(name) / each.file).is_file() for name, each in EXAMPLES.items())
-    assert assess("new", "--list") == 0
+    assert ended("new", "--list") == 0
     lines = capsys.readouterr().out.splitlines()
     assert [line.split()[0] for line in lines] == list(EXAMPLES)
     assert all(re.fullmatch(r"\w+ +\S.{20,98}", line) for line in lines)
@@ -117,8 +110,8 @@ def test_an_example_runs_from_check_to_the_verdict_of_its_readme(
     require_readers(name)
     run = example_run(name)
     capsys.readouterr()
-    assert assess("check", run.project) == 0
-    assert assess("parameters", run.project, "--json") == 0
+    assert ended("check", run.project) == 0
+    assert ended("parameters", run.project, "--json") == 0
     printed = capsys.readouterr().out
     assert run.code == VERDICTS[name]
     results = json.loads((run.outputs / "results.json").read_text())

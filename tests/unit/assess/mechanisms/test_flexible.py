@@ -22,6 +22,7 @@ from assess.loads.load import Force, PointMass, Tie
 from assess.mechanisms.chain import Chain, Joint, RigidBlock, virtual_work
 from assess.mechanisms.flexible_chain import FlexibleChain
 from assess.mechanisms.four_hinge import divide_arch, weakest_hinges
+from tests.support.bodies import rectangle_block as block_of
 
 SOFT = JointLaw(2e8, 1.5e6)
 LENGTH = 1.0  # of every contact along the axis of rotation [m]
@@ -64,12 +65,6 @@ def level(*ways, depth, law=SOFT):
     return tuple(Bed(complex(way), 1j, depth, law) for way in ways)
 
 
-def block(x, z, width, height, *, density=1800.0):
-    """A block of 1 m length by its lower left corner."""
-    mass = density * width * height
-    return RigidBlock(mass, (x + width / 2, z + height / 2), mass * (width**2 + height**2) / 12)
-
-
 def arch():
     """Nine voussoirs over 150 degrees, hinged where they resist least; beds along the radial joints."""
     angles, inside, outside = np.linspace(0.92 * pi, 0.10 * pi, 10), 5.0, 5.9
@@ -89,12 +84,12 @@ def arch():
 
 
 AT = (2e-4, 2e-3, 9e-3, 0.03, 0.07)
-WALL = block(-0.5, 0.0, 1.0, 6.0)
-HALVES = block(-0.25, 0.0, 0.5, 2.4), block(-0.25, 2.4, 0.5, 1.6)
+WALL = block_of(-0.5, 0.0, 1.0, 6.0)
+HALVES = block_of(-0.25, 0.0, 0.5, 2.4), block_of(-0.25, 2.4, 0.5, 1.6)
 EDGES = (0.25, 0.0), (-0.25, 2.4), (0.25, 4.0)
 OVER = Force("overburden", (0.0, -2e4), (0.25, 4.0), 1)
-LEGS = block(-0.3, 0.0, 0.6, 3.0), block(-0.3, 3.0, 5.2, 0.7), block(4.3, 0.0, 0.6, 3.0)
-UNEVEN = block(-0.3, 0.0, 0.6, 3.0), RigidBlock(6600.0, (2.2, 3.9), 15000.0), block(4.2, 0.9, 0.8, 2.7)
+LEGS = block_of(-0.3, 0.0, 0.6, 3.0), block_of(-0.3, 3.0, 5.2, 0.7), block_of(4.3, 0.0, 0.6, 3.0)
+UNEVEN = block_of(-0.3, 0.0, 0.6, 3.0), RigidBlock(6600.0, (2.2, 3.9), 15000.0), block_of(4.2, 0.9, 0.8, 2.7)
 CASES = {
     "wall": Case((WALL,), ((0.5, 0.0),), level(-1, depth=1.0), at=(2e-4, 3e-3, 0.02, 0.1)),
     "elastic wall": Case(
@@ -331,7 +326,7 @@ def test_table_6_2_forces_of_a_portal():
 
 def test_table_6_3_forces_of_an_uneven_frame():
     """The beam's centroid midway between the middles of its joints; at D it is W_3 + W_2 / 2 (errata)."""
-    blocks = block(-0.3, 0.0, 0.6, 3.0), RigidBlock(6600.0, (2.3, 3.9), 15000.0), block(4.2, 0.9, 0.8, 2.7)
+    blocks = block_of(-0.3, 0.0, 0.6, 3.0), RigidBlock(6600.0, (2.3, 3.9), 15000.0), block_of(4.2, 0.9, 0.8, 2.7)
     case = Case(blocks, ((0.3, 0.0), (-0.3, 3.0), (4.2, 3.6), (5.0, 0.9)), tuple(
         Bed(complex(way), 1j, depth) for way, depth in ((-1, 0.6), (1, 0.6), (1, 0.8), (-1, 0.8))))  # fmt: skip
     W1, W2, W3 = (each.mass * g for each in blocks)
@@ -509,7 +504,7 @@ def test_a_joint_that_is_pulled():
 
 def test_a_joint_that_would_open_at_its_hinge():
     """A bar over a leg that leans in: at B it first turns less than the leading leg, and then overtakes it."""
-    blocks = block(-0.3, 0.0, 0.6, 3.8), RigidBlock(6600.0, (2.8, 4.2), 15000.0), block(1.7, 0.9, 0.6, 1.7)
+    blocks = block_of(-0.3, 0.0, 0.6, 3.8), RigidBlock(6600.0, (2.8, 4.2), 15000.0), block_of(1.7, 0.9, 0.6, 1.7)
     bed = (None, *level(1, depth=0.6), None, None)
     case = Case(blocks, ((0.0, 0.0), (0.8, 3.8), (4.8, 2.6), (2.3, 0.9)), bed)
     with pytest.raises(MechanismError, match=r'mechanism "m", interface B: its faces turn by 0\.01\d+ rad away'):

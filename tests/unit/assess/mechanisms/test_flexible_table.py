@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import partial
 from math import asin, atan2, cos, hypot, inf, pi, sin, sqrt
 
 import numpy as np
@@ -12,7 +13,6 @@ from scipy.integrate import quad
 from scipy.optimize import brentq
 
 from assess.errors import MechanismError
-from assess.geometry.planar import planar_body_from_values
 from assess.interfaces.contact import JointLaw
 from assess.interfaces.section import rectangle
 from assess.loads.load import Force, PointMass, mirror_load
@@ -32,16 +32,14 @@ from assess.oscillator import (
     multiplier,
     restoring_moment,
 )
+from tests.support.bodies import body_of_block, rectangle_block
 
 B, H, L, RHO = 1.0, 6.0, 2.0, 1800.0
+block_of = partial(rectangle_block, length=L)
 MASS = B * H * L * RHO
 W = MASS * g
 LAW = JointLaw(2e8, 1.5e6)
 THESIS = ("thesis", "thesis")
-
-
-def body(mass, centroid, inertia):
-    return planar_body_from_values(mass=mass, centroid=centroid, inertia=inertia, name="b")
 
 
 def bed(way, depth, *, law=LAW, model="flexible", length=L):
@@ -52,19 +50,16 @@ def wall(*, law=LAW, model="flexible", loads=(), sides="two", size=1.0):
     """A wall of 1 x 6 x 2 m, times `size`, on a level joint."""
     b, h, l, m = (size * each for each in (B, H, L, size**2 * MASS))  # noqa: E741
     ends = {"hinge": (b / 2, 0.0)} | ({"hinge_negative": (-b / 2, 0.0)} if sides == "two" else {})
-    rigid = single_block("w", body(m, (0.0, h / 2), m * (b**2 + h**2) / 12), sides=sides, loads=loads, **ends)
+    rigid = single_block(
+        "w", body_of_block(RigidBlock(m, (0.0, h / 2), m * (b**2 + h**2) / 12)), sides=sides, loads=loads, **ends
+    )
     joint = (bed(-1, b, law=law, model=model, length=l),)
     return add_joints(rigid, joint, joint, restitution=THESIS)
 
 
-def block(x, z, width, height):
-    mass = RHO * width * height * L
-    return RigidBlock(mass, (x + width / 2, z + height / 2), mass * (width**2 + height**2) / 12)
-
-
 def chain_of(blocks, front, back, ways, *, over=0.0, depth, law=LAW, model="flexible"):
     """Level joints; over: a force down through the hinge at the top of a wall, whichever way it moves."""
-    bodies = [body(each.mass, each.centroid, each.inertia) for each in blocks]
+    bodies = [body_of_block(each) for each in blocks]
     joints = tuple(bed(way, depth, law=law, model=model) for way in ways)
     if len(bodies) == 2:
         rigid = two_block("m", *bodies, hinges=front, hinges_negative=back)
@@ -78,13 +73,13 @@ def chain_of(blocks, front, back, ways, *, over=0.0, depth, law=LAW, model="flex
 
 def storey(**more):
     """A wall between floors, cracked at 2.4 m of 4 m."""
-    halves = block(-0.25, 0.0, 0.5, 2.4), block(-0.25, 2.4, 0.5, 1.6)
+    halves = block_of(-0.25, 0.0, 0.5, 2.4), block_of(-0.25, 2.4, 0.5, 1.6)
     edges = ((0.25, 0.0), (-0.25, 2.4), (0.25, 4.0)), ((-0.25, 0.0), (0.25, 2.4), (-0.25, 4.0))
     return chain_of(halves, *edges, (-1, 1, -1), over=4e4, depth=0.5, **more)
 
 
 def portal(**more):
-    legs = block(-0.3, 0.0, 0.6, 3.0), block(-0.3, 3.0, 5.2, 0.7), block(4.3, 0.0, 0.6, 3.0)
+    legs = block_of(-0.3, 0.0, 0.6, 3.0), block_of(-0.3, 3.0, 5.2, 0.7), block_of(4.3, 0.0, 0.6, 3.0)
     front = ((0.3, 0.0), (-0.3, 3.0), (4.3, 3.0), (4.9, 0.0))
     back = ((-0.3, 0.0), (0.3, 3.0), (4.9, 3.0), (4.3, 0.0))
     return chain_of(legs, front, back, (-1, 1, 1, -1), depth=0.6, **more)

@@ -7,11 +7,10 @@ from math import atan2, sin
 import pytest
 
 from assess.errors import MechanismError
-from assess.geometry.planar import planar_body
-from assess.geometry.solid import box
 from assess.loads.load import Force, PointMass
 from assess.mechanisms.single_block import single_block
 from assess.mechanisms.two_block import two_block
+from tests.support.bodies import planar_box
 
 T, H, LENGTH, RHO = 0.6, 4.0, 2.0, 1800.0
 M = RHO * T * H * LENGTH
@@ -20,8 +19,7 @@ HALF = T / 2.0
 
 
 def wall(*, thickness=T, height=H, foot=0.0):
-    solid = box(thickness=thickness, length=LENGTH, height=height, base=(0, 0, foot), density=RHO, name="wall")
-    return planar_body(solid, direction=(1, 0, 0))
+    return planar_box(thickness, height, base=foot, length=LENGTH, density=RHO)
 
 
 def kept_by_hand(*masses):

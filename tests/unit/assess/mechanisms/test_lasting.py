@@ -27,11 +27,12 @@ from assess.mechanisms.oscillators import collapse_branch
 from assess.mechanisms.single_block import single_block
 from assess.mechanisms.two_block import two_block
 from assess.oscillator import interpolant, restoring_moment
+from tests.support.bodies import planar_box
 
 T, L, H, RHO = 0.8, 2.0, 5.0, 1900.0
 M = RHO * T * L * H
 R, ALPHA = hypot(T / 2, H / 2), atan2(T, H)
-WALL = planar_body(box(thickness=T, length=L, height=H, base=(0, 0, 0), density=RHO, name="wall"), direction=(1, 0, 0))
+WALL = planar_box(T, H, length=L, density=RHO)
 TOP = (0.4, 4.5)  # straight above hinge A
 THRUST = Force("thrust", (3000.0, 0.0), TOP)
 INWARD = Tie("tie", 3000.0, TOP, direction=(-1.0, 0.0))

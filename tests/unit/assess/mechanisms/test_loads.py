@@ -9,15 +9,15 @@ import pytest
 from scipy.constants import g
 
 from assess.errors import MechanismError
-from assess.geometry.planar import join_planar, planar_body, planar_body_from_values
-from assess.geometry.solid import box
+from assess.geometry.planar import join_planar, planar_body_from_values
 from assess.loads.load import Force, PointMass, Tie, pull_at_rest
 from assess.mechanisms.chain import Chain, RigidBlock, require_stable
 from assess.mechanisms.single_block import single_block
 from assess.oscillator import multiplier, participation_ratio, restoring_moment
+from tests.support.bodies import planar_box
 
 T, L, H, RHO = 0.8, 2.0, 5.0, 1900.0
-WALL = planar_body(box(thickness=T, length=L, height=H, base=(0, 0, 0), density=RHO, name="wall"), direction=(1, 0, 0))
+WALL = planar_box(T, H, length=L, density=RHO)
 M = RHO * T * L * H
 FLOOR = PointMass("floor", 900.0, (0.2, 4.0), True)
 ROOF = PointMass("roof", 400.0, (-0.1, 4.8), False)

@@ -1,0 +1,49 @@
+"""Planar bodies of tests, from the blocks of a chain or from boxes that face +x, and the walls made of them."""
+
+from __future__ import annotations
+
+from assess.geometry.planar import PlanarBody, planar_body, planar_body_from_values
+from assess.geometry.solid import box
+from assess.mechanisms.chain import RigidBlock
+from assess.oscillator import Oscillator
+
+
+def rectangle_block(
+    x: float, z: float, width: float, height: float, *, length: float = 1.0, density: float = 1800.0
+) -> RigidBlock:
+    """Return a rectangular block by its lower left corner [m]; density [kg/m3]."""
+    mass = density * width * height * length
+    return RigidBlock(mass, (x + width / 2, z + height / 2), mass * (width**2 + height**2) / 12)
+
+
+def body_of_block(block: RigidBlock, *, name: str = "b") -> PlanarBody:
+    """Return the planar body with the mass, the centroid and the inertia of a block."""
+    return planar_body_from_values(mass=block.mass, centroid=block.centroid, inertia=block.inertia, name=name)
+
+
+def planar_box(
+    thickness: float,
+    height: float,
+    *,
+    x: float = 0.0,
+    base: float = 0.0,
+    length: float = 1.0,
+    density: float = 1800.0,
+    name: str = "wall",
+) -> PlanarBody:
+    """Return the planar body of a box that turns towards +x.
+
+    Parameters
+    ----------
+    thickness, height, length : sizes along x, z and y [m]; x : of the middle of the box [m]
+    base : elevation of its foot [m]; density [kg/m3]
+    """
+    solid = box(thickness=thickness, length=length, height=height, base=(x, 0.0, base), density=density, name=name)
+    return planar_body(solid, direction=(1, 0, 0))
+
+
+def free_wall(thickness: float = 0.6, height: float = 6.0, *, base: float = 0.0) -> Oscillator:
+    """Return a free-standing wall of 1800 kg/m3 and 1 m length [m] that rocks to both sides."""
+    from assess.mechanisms.single_block import single_block
+
+    return single_block("wall", planar_box(thickness, height, base=base)).oscillator

@@ -63,6 +63,18 @@ def test_every_name_is_in_the_source(name):
     assert [each for each in dict.fromkeys(named) if each not in known and each not in ("BASE", "Makefile")] == []
 
 
+def test_every_function_is_in_the_file_named_beside_it():
+    """As "`assess/codes/verdict.py`: `decide`" and "`decide` (`assess/codes/verdict.py`)"."""
+    text = text_of("docs/architecture.md")
+    pairs = [*re.findall(r"`([\w/]+\.py)`: `(\w+)`", text)]
+    pairs += [(path, name) for name, path in re.findall(r"`(\w+)`[ ,(\n]+`([\w/]+\.py)`", text)]
+    assert len(pairs) > 20
+    known = {
+        path: re.findall(r"^(?:def|class) (\w+)|^(\w+)\b.*=", place_of(path).read_text(), re.M) for path, _ in pairs
+    }
+    assert [each for each in pairs if each[1] not in {name for names in known[each[0]] for name in names}] == []
+
+
 def text_of(name: str) -> str:
     return (ROOT / name).read_text(encoding="utf-8")
 

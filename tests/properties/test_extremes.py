@@ -19,6 +19,7 @@ from assess.project.project_file import load
 from assess.study.mechanism_results import parameters
 from assess.study.run import run_study
 from spectra.spectrum import SpectrumError
+from tests.support.projects import study_of
 
 SITE = """
 [site]
@@ -193,8 +194,7 @@ def test_what_stands_only_by_a_tie_that_ends_is_not_answered(tmp_path: Path) -> 
     loaded = MECHANISMS["loaded"].replace("cut = 1\n", "").replace(SRSS, "")
     text = f"{SITE}[mechanisms.k]\n{loaded}".replace("thickness = 0.5", "thickness = 0.001")
     text = text.replace("levels = [1.0]", 'levels = [1.0]\nprocedures = ["dmi2008-nonlinear", "ntc2018-nonlinear"]')
-    (tmp_path / "project.toml").write_text(text)
-    (result,) = run_study(build(load(tmp_path))).mechanisms
+    (result,) = run_study(study_of(tmp_path, text)).mechanisms
     assert {check.verdict for check in result.checks} == {"not-answered"}
     assert all(check.demand is None and check.capacity is None for check in result.checks)
 

@@ -25,9 +25,8 @@ from assess.mechanisms.restitution import find_restitution
 from assess.mechanisms.single_block import single_block
 from assess.mechanisms.two_block import two_block
 from assess.oscillator import energy, interpolant, multiplier
-from assess.project.build import build
-from assess.project.project_file import load
 from tests.support.bodies import body_of_block, rectangle_block
+from tests.support.projects import study_of
 
 LOOKS_DOWN = (0.0, -1.0)
 TABLES = ("rotation", "inertia", "restoring", "excitation", "participation", "lift")
@@ -421,8 +420,7 @@ def project_of(kind, share):
 def test_a_block_of_several_bodies_in_a_project_file(tmp_path, kind):
     found = []
     for share in (1.0, 0.37):
-        (tmp_path / "project.toml").write_text(project_of(kind, share))
-        found.append(build(load(tmp_path)).mechanisms[0])
+        found.append(study_of(tmp_path, project_of(kind, share)).mechanisms[0])
     assert found[0].restitution == pytest.approx(found[1].restitution, rel=1e-9)
     for a, b in zip(*(each.oscillator.branches for each in found), strict=True):
         same_tables(a, b, 1e-9)

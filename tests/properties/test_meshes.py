@@ -7,7 +7,6 @@ from dataclasses import fields
 import numpy as np
 import pytest
 from scipy.constants import g
-from scipy.spatial import ConvexHull
 from scipy.spatial.transform import Rotation
 
 from assess.geometry.cut import divide, level_plane
@@ -17,6 +16,7 @@ from assess.geometry.solid import Solid, box, polyhedron, profile
 from assess.geometry.surface import merge_vertices
 from assess.mechanisms.single_block import single_block
 from assess.oscillator import Branch, Oscillator
+from tests.support.solids import convex_hull
 
 DENSITY = 2100.0
 X = (1.0, 0.0, 0.0)
@@ -28,12 +28,7 @@ def boulder() -> Solid:
     points = points[points[:, 2] > 0.5]
     foot = np.array([[-0.9, -1.0, 0.0], [0.8, -1.2, 0.0], [1.1, 1.0, 0.0], [-0.7, 1.3, 0.0]])
     cloud = np.vstack([points, foot])
-    hull = ConvexHull(cloud)
-    corners = cloud[hull.simplices]
-    normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-    outwards = np.einsum("mi,mi->m", normals, hull.equations[:, :3]) > 0.0
-    faces = np.where(outwards[:, None], hull.simplices, hull.simplices[:, ::-1])
-    return polyhedron(cloud, faces, density=DENSITY, name="boulder")
+    return convex_hull(cloud, density=DENSITY, name="boulder")
 
 
 ARCHED = [

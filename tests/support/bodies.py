@@ -2,9 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from assess.geometry.planar import PlanarBody, planar_body, planar_body_from_values
 from assess.geometry.solid import box
-from assess.mechanisms.chain import RigidBlock
+from assess.interfaces.contact import JointLaw
+from assess.interfaces.section import rectangle
+from assess.loads.load import Force
+from assess.mechanisms.assembly import add_joints
+from assess.mechanisms.chain import Joint, RigidBlock
+from assess.mechanisms.mechanism import Mechanism
+from assess.mechanisms.single_block import single_block
 from assess.oscillator import Oscillator
 
 
@@ -44,6 +52,30 @@ def planar_box(
 
 def free_wall(thickness: float = 0.6, height: float = 6.0, *, base: float = 0.0) -> Oscillator:
     """Return a free-standing wall of 1800 kg/m3 and 1 m length [m] that rocks to both sides."""
-    from assess.mechanisms.single_block import single_block
-
     return single_block("wall", planar_box(thickness, height, base=base)).oscillator
+
+
+def wall_on_joints(
+    thickness: float,
+    height: float,
+    law: JointLaw,
+    *,
+    length: float,
+    density: float = 1800.0,
+    model: str = "flexible",
+    loads: Sequence[Force] = (),
+    restitution: tuple[float | str, float | str],
+) -> Mechanism:
+    """Return a wall [m] on a level joint over its whole base, which rocks to both sides about its edges."""
+    joints = (Joint((-1.0, 0.0), rectangle(thickness, length), law, model),)
+    rigid = rigid_wall(thickness, height, length=length, density=density, loads=loads)
+    return add_joints(rigid, joints, joints, restitution=restitution)
+
+
+def rigid_wall(
+    thickness: float, height: float, *, length: float, density: float = 1800.0, loads: Sequence[Force] = ()
+) -> Mechanism:
+    """Return the same wall on a rigid base."""
+    body = body_of_block(rectangle_block(-thickness / 2, 0.0, thickness, height, length=length, density=density))
+    half = thickness / 2
+    return single_block("w", body, hinge=(half, 0.0), hinge_negative=(-half, 0.0), loads=loads)

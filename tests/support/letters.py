@@ -29,6 +29,11 @@ def letters(text: Text) -> str:
     return ENGLISH.text(text).replace("\u00a0", " ")
 
 
+def lines_of(texts: Iterable[Text]) -> str:
+    """Texts in English and SI units, a line each, with plain spaces."""
+    return "\n".join(map(letters, texts))
+
+
 def cell_letters(cell: Cell) -> str:
     """A cell: numbers as they are, a dash for none."""
     if cell is None:

@@ -6,6 +6,7 @@ on a joint has a moment other than zero when upright; asin(R_O / R0) = 0.13146 r
 
 from __future__ import annotations
 
+from functools import partial
 from math import asin, cos, inf, sin
 
 import numpy as np
@@ -15,11 +16,12 @@ from scipy.constants import g
 from assess.errors import MechanismError
 from assess.geometry.planar import planar_body_from_values
 from assess.interfaces.contact import JointLaw, thresholds
-from assess.interfaces.section import annulus, rectangle
+from assess.interfaces.section import annulus
 from assess.mechanisms.assembly import add_joints
 from assess.mechanisms.chain import Chain, Joint, RigidBlock
 from assess.mechanisms.flexible_chain import FlexibleChain
 from assess.mechanisms.single_block import single_block
+from tests.support.bodies import wall_on_joints
 
 R_O, R_I, W, R_0, ALPHA_0 = 3.99, 2.12, 24003.94e3, 30.44, 0.125  # Table 7.1
 CONSISTENT = asin(R_O / R_0)
@@ -32,6 +34,9 @@ def tower(law, *, alpha=CONSISTENT):
     rigid = single_block("tower", body, hinge=(half, 0.0), hinge_negative=(-half, 0.0))
     joints = (Joint((-1.0, 0.0), annulus(2 * R_O, inner=2 * R_I), law, "flexible"),)
     return add_joints(rigid, joints, joints, restitution=(0.98, 0.98))
+
+
+block_on = partial(wall_on_joints, 1.0, 6.0, length=2.0, restitution=("thesis", "thesis"))
 
 
 def test_table_7_1_contradicts_itself():
@@ -62,19 +67,11 @@ def test_figure_7_6_which_joints_of_15_mpa_stay_elastic():
 # ------------------------------------------------------------------- the block b = 1, l = 2, H = 6 m, 1800 kg/m3
 
 
-def block(law):
-    mass = 1800.0 * 12.0
-    body = planar_body_from_values(mass=mass, centroid=(0.0, 3.0), inertia=mass * 37 / 12, name="block")
-    rigid = single_block("block", body, hinge=(0.5, 0.0), hinge_negative=(-0.5, 0.0))
-    joints = (Joint((-1.0, 0.0), rectangle(1.0, 2.0), law, "flexible"),)
-    return add_joints(rigid, joints, joints, restitution=("thesis", "thesis"))
-
-
 def test_figure_7_2_e_capacity_grows_with_stiffness_and_strength():
-    by_stiffness = [block(JointLaw(k, 1.28e6)).oscillator.positive for k in (85e6, 170e6, 340e6, 680e6, 1350e6)]
-    by_strength = [block(JointLaw(340e6, f)).oscillator.positive for f in (0.32e6, 0.64e6, 1.28e6)]
+    by_stiffness = [block_on(JointLaw(k, 1.28e6)).oscillator.positive for k in (85e6, 170e6, 340e6, 680e6, 1350e6)]
+    by_strength = [block_on(JointLaw(340e6, f)).oscillator.positive for f in (0.32e6, 0.64e6, 1.28e6)]
     for sides in (by_stiffness, by_strength):
         assert (np.diff([side.restoring.max() for side in sides]) > 0).all()
         assert (np.diff([side.overturning_flexible for side in sides]) > 0).all()
-    stronger = block(JointLaw(340e6, 2.56e6)).oscillator.positive.restoring.max()
+    stronger = block_on(JointLaw(340e6, 2.56e6)).oscillator.positive.restoring.max()
     assert stronger == pytest.approx(by_strength[-1].restoring.max(), rel=1e-4)  # the peak is elastic from 1.28 MPa on

@@ -13,10 +13,9 @@ import pytest
 import trimesh
 from scipy.constants import g
 
-from assess.project.build import build
-from assess.project.project_file import load
 from assess.results import MechanismResult
 from assess.study.mechanism_results import case_parameters
+from tests.support.projects import study_of
 
 RADIUS, HEIGHT, SIDES = 2.0, 9.0, 32
 PROJECT = """
@@ -49,8 +48,7 @@ def folder(tmp_path: Path) -> Path:
 
 
 def swept(folder: Path, sweep: str, *, crack: float) -> tuple[MechanismResult, ...]:
-    (folder / "project.toml").write_text(PROJECT.format(sweep=sweep, crack=crack))
-    return case_parameters(build(load(folder)))
+    return case_parameters(study_of(folder, PROJECT.format(sweep=sweep, crack=crack)))
 
 
 def oblique(angle: float, *, crack: float) -> tuple[float, float]:
@@ -94,8 +92,7 @@ def test_the_angle_is_the_normal_in_the_plane_of_motion(folder: Path) -> None:
     normal = turned.replace('angle = "45 deg"', "normal = [0, -1, 1]")
     results = []
     for content in (text, turned, normal):
-        (folder / "project.toml").write_text(content)
-        results.append(build(load(folder)).mechanisms[0].positive)
+        results.append(study_of(folder, content).mechanisms[0].positive)
     assert results[1].hinges[0] == pytest.approx(results[2].hinges[0], rel=1e-12)
     assert results[1].blocks[0].inertia == pytest.approx(results[2].blocks[0].inertia, rel=1e-12)
     assert results[0].blocks[0].inertia == pytest.approx(results[1].blocks[0].inertia, rel=1e-9)  # 32 sides: the same

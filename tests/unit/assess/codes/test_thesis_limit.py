@@ -10,25 +10,11 @@ from scipy.constants import g
 from scipy.optimize import brentq
 
 from assess.codes.asce43_05 import inertia_ratio, thesis_limit, thesis_limit_ratio
-from assess.geometry.planar import planar_body_from_values
 from assess.interfaces.contact import JointLaw
-from assess.interfaces.section import rectangle
-from assess.mechanisms.assembly import add_joints
-from assess.mechanisms.chain import Joint
-from assess.mechanisms.single_block import single_block
 from assess.oscillator import block_at, equivalent_block
+from tests.support.bodies import rigid_wall, wall_on_joints
 
 L, RHO = 1.0, 2000.0
-
-
-def wall(b, h, stiffness):
-    mass = RHO * b * h * L
-    body = planar_body_from_values(mass=mass, centroid=(0.0, h / 2), inertia=mass * (b**2 + h**2) / 12, name="w")
-    rigid = single_block("w", body, hinge=(b / 2, 0.0), hinge_negative=(-b / 2, 0.0))
-    if stiffness is None:
-        return rigid
-    joint = (Joint((-1.0, 0.0), rectangle(b, L), JointLaw(stiffness, inf), "flexible"),)
-    return add_joints(rigid, joint, joint, restitution=(0.9, 0.9))
 
 
 def limit_of(block):
@@ -42,7 +28,7 @@ def test_of_a_plain_block_it_is_the_formula(slender):
     """k = 4/3 for any box: 0.667 of alpha for one that is very slender, and more for others."""
     h = 3.0
     b = h * np.tan(slender)
-    made = wall(b, h, None).oscillator
+    made = rigid_wall(b, h, length=L, density=RHO).oscillator
     block = equivalent_block(made.positive, mass=made.mass)
     expected = limit_of((made.mass, hypot(b, h) / 2, slender, made.mass * (b**2 + h**2) / 3))
     assert inertia_ratio(block) == pytest.approx(4 / 3, rel=1e-9)
@@ -53,7 +39,7 @@ def test_of_a_plain_block_it_is_the_formula(slender):
 @pytest.mark.parametrize(("b", "h", "stiffness"), [(0.5, 4.0, 1e8), (0.6, 4.0, 2e8), (1.0, 5.0, 1e9)])
 def test_on_an_elastic_joint_it_is_the_formula_of_the_block_at_that_rotation(b, h, stiffness):
     """An open joint turns the block about a_f = sqrt(2 N / (k s L)) / 3 inside its edge, s = sin theta (thesis 6.3)."""
-    made = wall(b, h, stiffness).oscillator
+    made = wall_on_joints(b, h, JointLaw(stiffness, inf), length=L, density=RHO, restitution=(0.9, 0.9)).oscillator
     found, mass = thesis_limit(made.positive, mass=made.mass), RHO * b * h * L
 
     def shifted(theta):

@@ -13,15 +13,11 @@ from scipy.integrate import solve_ivp
 
 from assess.dynamics.history import free_rocking, peaks, product, trace
 from assess.dynamics.packing import canonical_form
-from assess.geometry.planar import planar_body_from_values
 from assess.interfaces.contact import JointLaw
-from assess.interfaces.section import rectangle
 from assess.loads.load import Force
-from assess.mechanisms.assembly import add_joints
-from assess.mechanisms.chain import Joint
-from assess.mechanisms.single_block import single_block
 from assess.oscillator import Oscillator, energy, interpolant
 from records.record import make_record
+from tests.support.bodies import wall_on_joints
 from tests.support.motions import noise
 
 B, H, L = 1.0, 6.0, 2.0
@@ -30,11 +26,8 @@ W, LAW = MASS * g, JointLaw(2e8, 1.5e6)
 SHAKING = {"peak": 2.4, "npts": 160, "dt": 0.025, "smooth": 12, "bell": 1.0}
 
 
-def wall(*, model="flexible", loads=(), law=LAW) -> Oscillator:
-    body = planar_body_from_values(mass=MASS, centroid=(0.0, H / 2), inertia=J, name="wall")
-    rigid = single_block("w", body, hinge=(B / 2, 0.0), hinge_negative=(-B / 2, 0.0), loads=loads)
-    joints = (Joint((-1.0, 0.0), rectangle(B, L), law, model),)
-    return add_joints(rigid, joints, joints, restitution=(0.92, 0.92)).oscillator
+def wall(**joint) -> Oscillator:
+    return wall_on_joints(B, H, **{"law": LAW, "length": L, "restitution": (0.92, 0.92)} | joint).oscillator
 
 
 BODIES = {

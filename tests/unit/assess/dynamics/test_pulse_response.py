@@ -19,14 +19,10 @@ from scipy.optimize import brentq, minimize_scalar
 from assess.dynamics.kernel.events import REST
 from assess.dynamics.packing import Equation
 from assess.dynamics.pulses import PIECES, PulseJobs, envelope, make_pulse_solver, pulse_outcomes, pulse_polynomials
-from assess.geometry.planar import planar_body_from_values
 from assess.interfaces.contact import JointLaw
-from assess.interfaces.section import rectangle
-from assess.mechanisms.assembly import add_joints
-from assess.mechanisms.chain import Joint
-from assess.mechanisms.single_block import single_block
 from assess.oscillator import Branch, Oscillator, RockingBlock, interpolant, plain_branch
 from records.pulses import PULSE_SHAPES, PulseShape, mavroeidis_papageorgiou
+from tests.support.bodies import wall_on_joints
 
 
 def frame() -> Oscillator:
@@ -41,20 +37,13 @@ def frame() -> Oscillator:
     return Oscillator(make(0.25, 1.8, 2.0, 0.8), make(0.2, 2.1, -1.0, 0.9), 1.0)
 
 
-def wall() -> Oscillator:
-    """6 m high, 1 m thick, on a joint of 0.2 GPa/m that crushes at 1.5 MPa."""
-    body = planar_body_from_values(mass=21600.0, centroid=(0.0, 3.0), inertia=21600.0 * 37 / 12, name="wall")
-    rigid = single_block("w", body, hinge=(0.5, 0.0), hinge_negative=(-0.5, 0.0))
-    joints = (Joint((-1.0, 0.0), rectangle(1.0, 2.0), JointLaw(2e8, 1.5e6), "flexible"),)
-    return add_joints(rigid, joints, joints, restitution=(0.92, 0.92)).oscillator
-
-
 PLAIN = plain_branch(RockingBlock(1.0, 1.0, 0.2, g / 4.0), restitution=0.85)
 BLOCK, ONE_SIDED, FRAME, WALL = (
     Oscillator(PLAIN, PLAIN, 1.0),
     Oscillator(replace(PLAIN, restitution=0.4), None, 1.0),
     frame(),
-    wall(),
+    # 6 m high, 1 m thick, on a joint of 0.2 GPa/m that crushes at 1.5 MPa
+    wall_on_joints(1.0, 6.0, JointLaw(2e8, 1.5e6), length=2.0, restitution=(0.92, 0.92)).oscillator,
 )
 SYSTEMS: dict[str, tuple[Oscillator, Equation]] = {
     "linearised": (BLOCK, "linearised"),

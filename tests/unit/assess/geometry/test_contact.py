@@ -10,15 +10,8 @@ import shapely
 from scipy.spatial.transform import Rotation
 
 from assess.geometry.contact import find_contact
-from assess.geometry.solid import Solid, box, polyhedron, profile
-from tests.support.solids import refine_mesh
-
-
-def cuboid(low, high, name="body") -> Solid:
-    """The box between two corners."""
-    (x, y, z), (X, Y, Z) = low, high
-    base = ((x + X) / 2, (y + Y) / 2, z)
-    return box(thickness=X - x, length=Y - y, height=Z - z, base=base, density=1000.0, name=name)
+from assess.geometry.solid import Solid, polyhedron, profile
+from tests.support.solids import cuboid, refine_mesh
 
 
 def moved(solid: Solid, turn: Rotation, shift) -> Solid:

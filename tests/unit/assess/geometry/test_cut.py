@@ -4,7 +4,6 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from scipy.spatial import ConvexHull
 from scipy.spatial.transform import Rotation
 
 from assess.errors import GeometryError
@@ -13,8 +12,10 @@ from assess.geometry.boolean import intersect, shortest_distance
 from assess.geometry.cut import Division, divide, inclined_plane, level_plane, split_upright
 from assess.geometry.planar import base_of_section, lowest_corners, planar_body, slope_across, turns_about_a_corner
 from assess.geometry.solid import Solid, box, join, polyhedron, profile
+from tests.support.solids import assert_same_mass, irregular_tower
 
 DENSITY = 1900.0
+TOWER = irregular_tower(density=DENSITY)
 WALL = {"thickness": 1.0, "length": 3.0, "height": 8.2, "base": (0.0, 0.0, 0.0), "density": DENSITY, "name": "wall"}
 TAPERED = [[-1.0, 0.0], [1.0, 0.0], [0.4, 9.0], [-0.4, 9.0]]
 T_SHAPE = [[0.0, 0], [1, 0], [1, 2], [1.5, 2], [1.5, 4], [-0.5, 4], [-0.5, 2], [0, 2]]
@@ -47,17 +48,6 @@ def upside_down(solid: Solid) -> Solid:
     return polyhedron(solid.vertices * [-1.0, 1.0, -1.0], solid.triangles, density=DENSITY, name=solid.name)
 
 
-def tower() -> Solid:
-    """A convex body without any symmetry."""
-    points = np.random.default_rng(7).normal(size=(40, 3)) * [1.0, 2.0, 5.0] + [3.0, -2.0, 6.0]
-    found = ConvexHull(points)
-    corners = points[found.simplices]
-    normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-    outwards = np.einsum("mi,mi->m", normals, found.equations[:, :3]) > 0.0
-    faces = np.where(outwards[:, None], found.simplices, found.simplices[:, ::-1])
-    return polyhedron(points, faces, density=DENSITY, name="tower")
-
-
 def hollow() -> Solid:
     """A box of 2 x 3 x 6 m around a closed cavity of 1 x 1 x 4 m."""
     outer = wall(thickness=2.0, height=6.0)
@@ -67,16 +57,9 @@ def hollow() -> Solid:
     return polyhedron(vertices, triangles, density=DENSITY, name="hollow")
 
 
-def same(found: Solid, wanted: Solid, *, rtol: float) -> None:
-    size = float(np.ptp(wanted.vertices, axis=0).max())
-    np.testing.assert_allclose(found.mass, wanted.mass, rtol=rtol, atol=0.0)
-    np.testing.assert_allclose(found.centroid, wanted.centroid, rtol=0.0, atol=rtol * size)
-    np.testing.assert_allclose(found.inertia, wanted.inertia, rtol=0.0, atol=rtol * np.trace(wanted.inertia))
-
-
 def test_level_cut_of_a_box_is_a_lower_box() -> None:
     upper = cut(wall(), level_plane(4.77))
-    same(upper.above[0], wall(height=8.2 - 4.77, base=(0.0, 0.0, 4.77)), rtol=1e-12)
+    assert_same_mass(upper.above[0], wall(height=8.2 - 4.77, base=(0.0, 0.0, 4.77)), rtol=1e-12)
     assert upper.above[0].name == "wall"
     body = planar_body(upper.above[0], direction=[1, 0, 0])
     ring = [(-0.5, 4.77), (0.5, 4.77), (0.5, 8.2), (-0.5, 8.2), (-0.5, 4.77)]
@@ -106,7 +89,7 @@ def test_tapered_prism_cut_level_and_inclined(slope: float) -> None:
     half, taper = 1.0 - 0.6 * 4.0 / 9.0, slope * 0.6 / 9.0
     ends = [(x, 4.0 + slope * x) for x in (-half / (1.0 - taper), half / (1.0 + taper))]
     upper = cut(prism(TAPERED), plane_of([0.0, 7.0, 4.0], [-slope, 0.0, 1.0]))
-    same(upper.above[0], prism([*ends, *TAPERED[2:]]), rtol=1e-11)
+    assert_same_mass(upper.above[0], prism([*ends, *TAPERED[2:]]), rtol=1e-11)
     np.testing.assert_allclose(base_of_section(upper.foot, direction=[1, 0, 0]), ends, rtol=0.0, atol=1e-11)
     mirrored = [(-x, z) for x, z in ends[::-1]]
     np.testing.assert_allclose(base_of_section(upper.foot, direction=[-1, 0, 0]), mirrored, rtol=0.0, atol=1e-11)
@@ -114,38 +97,38 @@ def test_tapered_prism_cut_level_and_inclined(slope: float) -> None:
 
 
 def test_length_of_the_normal_and_place_of_the_point_do_not_count() -> None:
-    wanted = cut(tower(), plane_of([3.0, -2.0, 6.0], [0.3, -0.2, 1.0]))
+    wanted = cut(TOWER, plane_of([3.0, -2.0, 6.0], [0.3, -0.2, 1.0]))
     for factor, along in ((1e-9, 0.0), (7.0, 3.0), (1e9, -40.0)):
         point = np.array([3.0, -2.0, 6.0]) + along * np.array([1.0, 0.0, -0.3])
-        found = cut(tower(), plane_of(point, np.array([0.3, -0.2, 1.0]) * factor))
-        same(found.above[0], wanted.above[0], rtol=1e-12)
+        found = cut(TOWER, plane_of(point, np.array([0.3, -0.2, 1.0]) * factor))
+        assert_same_mass(found.above[0], wanted.above[0], rtol=1e-12)
 
 
-@pytest.mark.parametrize("solid", [wall(), tower(), hollow(), prism(L_SHAPE)], ids=lambda solid: solid.name)
+@pytest.mark.parametrize("solid", [wall(), TOWER, hollow(), prism(L_SHAPE)], ids=lambda solid: solid.name)
 @pytest.mark.parametrize("normal", [(0.0, 0.0, 1.0), (0.4, 0.0, 1.0), (-0.5, 0.7, 1.0), (1.0, 0.0, 0.01)])
 def test_what_lies_above_and_below_is_the_whole(solid: Solid, normal: tuple[float, ...]) -> None:
     point = solid.centroid + np.array([0.01, 0.02, 0.03])
     upper = upper_part(solid, plane_of(point, normal))
     turned = upper_part(upside_down(solid), plane_of(point * [-1.0, 1.0, -1.0], np.array(normal) * [1.0, -1.0, 1.0]))
-    same(join([upper, upside_down(turned)], name=solid.name), solid, rtol=1e-11)
+    assert_same_mass(join([upper, upside_down(turned)], name=solid.name), solid, rtol=1e-11)
     assert np.all((upper.vertices - point) @ normal > -1e-11)
 
 
 def test_a_cut_of_a_cut_is_the_higher_cut() -> None:
     sloping = [plane_of([3.0, -2.0, z], [0.3, 0.1, 1.0]) for z in (4.0, 6.0)]
     for first, second in ((level_plane(2.0), level_plane(4.0)), (level_plane(1.0), sloping[1]), sloping):
-        once, twice = cut(tower(), second), cut(upper_part(tower(), first), second)
-        same(twice.above[0], once.above[0], rtol=1e-11)
+        once, twice = cut(TOWER, second), cut(upper_part(TOWER, first), second)
+        assert_same_mass(twice.above[0], once.above[0], rtol=1e-11)
         bases = [base_of_section(each.foot, direction=[0.6, 0.8, 0]) for each in (once, twice)]
         np.testing.assert_allclose(*bases, rtol=0.0, atol=1e-10)
-    again = cut(upper_part(tower(), level_plane(4.0)), level_plane(4.0))  # touches: nothing is left to remove
-    same(again.above[0], upper_part(tower(), level_plane(4.0)), rtol=1e-15)
+    again = cut(upper_part(TOWER, level_plane(4.0)), level_plane(4.0))  # touches: nothing is left to remove
+    assert_same_mass(again.above[0], upper_part(TOWER, level_plane(4.0)), rtol=1e-15)
 
 
 def test_turning_the_body_and_the_plane_changes_nothing() -> None:
     normal, turn = np.array([0.3, 0.1, 1.0]), Rotation.from_rotvec([0.0, 0.0, 2.1]).as_matrix()
-    still = cut(tower(), plane_of([3.0, -2.0, 6.0], normal))
-    solid = polyhedron(tower().vertices @ turn.T, tower().triangles, density=DENSITY, name="tower")
+    still = cut(TOWER, plane_of([3.0, -2.0, 6.0], normal))
+    solid = polyhedron(TOWER.vertices @ turn.T, TOWER.triangles, density=DENSITY, name="tower")
     moved = cut(solid, plane_of(turn @ [3.0, -2.0, 6.0], turn @ normal))
     here, there = np.array([1.0, 0.0, 0.0]), turn @ [1.0, 0.0, 0.0]
     bodies = planar_body(still.above[0], direction=here), planar_body(moved.above[0], direction=there)
@@ -197,7 +180,7 @@ def test_bodies_above_are_kept_below_dropped_and_between_cut() -> None:
     upper = cut(plinth, level_plane(3.0), shaft, cornice)
     assert [body.name for body in upper.above] == ["shaft", "cornice"]
     assert upper.above[1] is cornice
-    same(upper.above[0], wall(height=3.0, base=(0.0, 0.0, 3.0)), rtol=1e-12)
+    assert_same_mass(upper.above[0], wall(height=3.0, base=(0.0, 0.0, 3.0)), rtol=1e-12)
     assert base_of_section(upper.foot, direction=[1, 0, 0]) == ((-0.5, 3.0), (0.5, 3.0))
     for elevation, kept in ((1.0, (shaft, cornice)), (6.0, (cornice,))):  # at the joints
         at_joint = cut(plinth, level_plane(elevation), shaft, cornice)
@@ -301,11 +284,11 @@ def test_surface_that_is_no_solid_is_refused() -> None:
 
 def test_both_sides_make_the_whole():
     for plane in (level_plane(3.3), inclined_plane([0.0, 0.0, 4.0], [0.3, 0.2, 1.0], where="m")):
-        parts = divide([tower()], plane, where="m")
+        parts = divide([TOWER], plane, where="m")
         mass = sum(part.mass for part in (*parts.above, *parts.below))
         centroid = sum(part.mass * part.centroid for part in (*parts.above, *parts.below)) / mass
-        assert mass == pytest.approx(tower().mass, rel=1e-12)
-        np.testing.assert_allclose(centroid, tower().centroid, rtol=0.0, atol=1e-12)
+        assert mass == pytest.approx(TOWER.mass, rel=1e-12)
+        np.testing.assert_allclose(centroid, TOWER.centroid, rtol=0.0, atol=1e-12)
         assert max(part.centroid[2] for part in parts.below) < min(part.centroid[2] for part in parts.above)
 
 
@@ -327,7 +310,7 @@ def test_distance_of_two_bodies():
 
 
 def test_halves_of_a_body_about_an_upright_plane():
-    body = tower()
+    body = TOWER
     normal = np.array([0.6, 0.8, 0.0])
     behind, before = split_upright(body, point=body.centroid, normal=normal)
     assert behind.mass + before.mass == pytest.approx(body.mass, rel=1e-9)

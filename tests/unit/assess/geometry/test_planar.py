@@ -11,20 +11,11 @@ from scipy.spatial.transform import Rotation
 from assess.errors import GeometryError
 from assess.geometry.planar import PlanarBody, join_planar, planar_body, planar_body_from_values
 from assess.geometry.solid import Solid, box, join, polyhedron, profile
+from tests.support.solids import irregular_tower
 
 DENSITY = 1900.0
+TOWER = irregular_tower(seed=11, corners=30, density=DENSITY)
 L_CORNERS = [[0.0, 0], [2, 0], [2, 1], [1, 1], [1, 3], [0, 3]]
-
-
-def tower() -> Solid:
-    rng = np.random.default_rng(11)
-    points = rng.normal(size=(30, 3)) * [1.0, 2.0, 5.0] + [3.0, -2.0, 6.0]
-    found = ConvexHull(points)
-    corners = points[found.simplices]
-    normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-    outwards = np.einsum("mi,mi->m", normals, found.equations[:, :3]) > 0.0
-    triangles = np.where(outwards[:, None], found.simplices, found.simplices[:, ::-1])
-    return polyhedron(points, triangles, density=DENSITY, name="tower")
 
 
 def turned(solid: Solid, *, angle: float) -> Solid:
@@ -79,7 +70,7 @@ def test_inertia_is_that_of_the_mass_seen_from_the_side() -> None:
 
 
 def test_turning_body_and_direction_together_changes_nothing() -> None:
-    body = tower()
+    body = TOWER
     still = planar_body(body, direction=[1.0, 0.0, 0.0])
     for angle in (0.3, 2.0, -2.7):
         moved = planar_body(turned(body, angle=angle), direction=[np.cos(angle), np.sin(angle), 0.0])
@@ -90,7 +81,7 @@ def test_turning_body_and_direction_together_changes_nothing() -> None:
 
 
 def test_length_of_the_direction_does_not_count() -> None:
-    body = tower()
+    body = TOWER
     wanted = planar_body(body, direction=[0.6, 0.8, 0.0])
     for factor in (1e-200, 7.0, 1e200):
         found = planar_body(body, direction=[0.6 * factor, 0.8 * factor, 0.0])
@@ -98,7 +89,7 @@ def test_length_of_the_direction_does_not_count() -> None:
 
 
 def test_outline_of_a_convex_body_is_the_hull_of_its_shadow() -> None:
-    body = tower()
+    body = TOWER
     direction = np.array([0.28, 0.96, 0.0])
     shadow = np.column_stack([body.vertices @ direction, body.vertices[:, 2]])
     found = planar_body(body, direction=direction)

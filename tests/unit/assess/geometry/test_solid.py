@@ -6,36 +6,15 @@ from scipy.spatial import ConvexHull
 from scipy.spatial.transform import Rotation
 
 from assess.errors import GeometryError
-from assess.geometry.solid import Solid, box, join, polyhedron, profile
+from assess.geometry.solid import box, join, polyhedron, profile
+from tests.support.solids import assert_same_mass, irregular_tower
 
 DENSITY = 2240.0
+TOWER = irregular_tower(density=DENSITY)
 TETRAHEDRON = (
     np.array([[0.0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]),
     np.array([[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]]),
 )
-
-
-def same(found: Solid, wanted: Solid, *, rtol: float) -> None:
-    size = float(np.ptp(wanted.vertices, axis=0).max())
-    np.testing.assert_allclose(found.mass, wanted.mass, rtol=rtol, atol=0.0)
-    np.testing.assert_allclose(found.centroid, wanted.centroid, rtol=0.0, atol=rtol * size)
-    np.testing.assert_allclose(found.inertia, wanted.inertia, rtol=0.0, atol=rtol * np.trace(wanted.inertia))
-
-
-def hull(points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Convex hull with outward triangles."""
-    found = ConvexHull(points)
-    corners = points[found.simplices]
-    outwards = np.einsum(
-        "mi,mi->m", np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), found.equations[:, :3]
-    )
-    return points, np.where(outwards[:, None] > 0.0, found.simplices, found.simplices[:, ::-1])
-
-
-def tower() -> Solid:
-    """A body without any symmetry."""
-    points, triangles = hull(np.random.default_rng(7).normal(size=(40, 3)) * [1.0, 2.0, 5.0] + [3.0, -2.0, 6.0])
-    return polyhedron(points, triangles, density=DENSITY, name="tower")
 
 
 def test_box_is_the_textbook_box() -> None:
@@ -51,7 +30,7 @@ def test_box_is_the_textbook_box() -> None:
 
 def test_the_drawn_surface_of_a_box_encloses_the_box() -> None:
     wall = box(thickness=1.1, length=3.3, height=8.7, base=[1.0, 2.0, 3.0], density=DENSITY, name="wall")
-    same(polyhedron(wall.vertices, wall.triangles, density=DENSITY, name="wall"), wall, rtol=1e-14)
+    assert_same_mass(polyhedron(wall.vertices, wall.triangles, density=DENSITY, name="wall"), wall, rtol=1e-14)
 
 
 def test_tetrahedron_closed_form() -> None:
@@ -87,21 +66,21 @@ def test_profile_of_a_triangle_has_the_textbook_product_of_inertia() -> None:
 def test_profile_is_the_body_its_surface_encloses() -> None:
     corners = [[500.0, 3], [502, 3], [502.5, 4], [501, 4.2], [501.2, 9], [500.1, 9], [499.8, 5]]
     pier = profile(corners, length=2.0, density=DENSITY, name="pier")
-    same(polyhedron(pier.vertices, pier.triangles, density=DENSITY, name="pier"), pier, rtol=1e-12)
+    assert_same_mass(polyhedron(pier.vertices, pier.triangles, density=DENSITY, name="pier"), pier, rtol=1e-12)
 
 
 def test_profile_either_way_round_and_closed_or_not_is_one_body() -> None:
     corners = [[0.0, 0], [2, 0], [2, 1], [1, 1], [1, 3], [0, 3]]
     forward = profile(corners, length=2.0, density=DENSITY, name="L")
     for other in (corners[::-1], [*corners, corners[0]], corners[3:] + corners[:3]):
-        same(profile(other, length=2.0, density=DENSITY, name="L"), forward, rtol=1e-14)
+        assert_same_mass(profile(other, length=2.0, density=DENSITY, name="L"), forward, rtol=1e-14)
 
 
 def test_profile_in_the_form_of_an_L_is_two_boxes() -> None:
     corner = profile([[0, 0], [2, 0], [2, 1], [1, 1], [1, 3], [0, 3]], length=2.0, density=DENSITY, name="L")
     foot = box(thickness=2.0, length=2.0, height=1.0, base=[1.0, 0.0, 0.0], density=DENSITY, name="foot")
     stem = box(thickness=1.0, length=2.0, height=2.0, base=[0.5, 0.0, 1.0], density=DENSITY, name="stem")
-    same(corner, join([foot, stem], name="L"), rtol=1e-14)
+    assert_same_mass(corner, join([foot, stem], name="L"), rtol=1e-14)
 
 
 def test_a_box_cut_into_boxes_and_joined_is_the_box() -> None:
@@ -119,7 +98,7 @@ def test_a_box_cut_into_boxes_and_joined_is_the_box() -> None:
         for k in range(2)
     ]
     found = join(parts, name="whole")
-    same(found, whole, rtol=1e-13)
+    assert_same_mass(found, whole, rtol=1e-13)
     assert found.triangles.max() == len(found.vertices) - 1 == 47
 
 
@@ -133,7 +112,7 @@ def test_joined_bodies_of_two_densities_balance_at_the_heavier() -> None:
 
 
 def test_random_convex_body_against_chance() -> None:
-    body = tower()
+    body = TOWER
     rng = np.random.default_rng(3)
     low, high = body.vertices.min(axis=0), body.vertices.max(axis=0)
     points = rng.uniform(low, high, size=(400_000, 3))
@@ -147,17 +126,17 @@ def test_random_convex_body_against_chance() -> None:
 
 
 def test_finer_triangles_of_the_same_faces_change_nothing() -> None:
-    body = tower()
+    body = TOWER
     corners = body.vertices[body.triangles]
     a, b, c = corners[:, 0], corners[:, 1], corners[:, 2]
     u, v, w = (a + b) / 2.0, (b + c) / 2.0, (c + a) / 2.0
     fine = np.concatenate([np.stack(each, axis=1) for each in ((a, u, w), (u, b, v), (w, v, c), (u, v, w))])
     triangles = np.arange(3 * len(fine)).reshape(-1, 3)
-    same(polyhedron(fine.reshape(-1, 3), triangles, density=DENSITY, name="tower"), body, rtol=1e-13)
+    assert_same_mass(polyhedron(fine.reshape(-1, 3), triangles, density=DENSITY, name="tower"), body, rtol=1e-13)
 
 
 def test_turning_a_body_turns_its_inertia_tensor() -> None:
-    body, turn = tower(), Rotation.from_rotvec([0.3, -1.1, 0.7]).as_matrix()
+    body, turn = TOWER, Rotation.from_rotvec([0.3, -1.1, 0.7]).as_matrix()
     turned = polyhedron(body.vertices @ turn.T, body.triangles, density=DENSITY, name="tower")
     np.testing.assert_allclose(turned.centroid, turn @ body.centroid, rtol=1e-13, atol=0.0)
     np.testing.assert_allclose(

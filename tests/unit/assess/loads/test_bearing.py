@@ -9,14 +9,9 @@ from scipy.optimize import minimize
 
 from assess.errors import GeometryError
 from assess.geometry.contact import ContactArea
-from assess.geometry.solid import Solid, box, join
+from assess.geometry.solid import join
 from assess.loads.bearing import bearing_contacts, overburden, share_of, shares, support
-
-
-def cuboid(low, high, name, density=1000.0) -> Solid:
-    (x, y, z), (X, Y, Z) = low, high
-    base = ((x + X) / 2, (y + Y) / 2, z)
-    return box(thickness=X - x, length=Y - y, height=Z - z, base=base, density=density, name=name)
+from tests.support.solids import cuboid
 
 
 def resting(area, x, y) -> ContactArea:

@@ -8,8 +8,6 @@ import pytest
 from scipy.constants import g
 
 from assess.errors import GeometryError, ProjectError
-from assess.project.build import build
-from assess.project.project_file import load
 from tests.support.projects import block, project_toml, study_of, wall
 
 PROJECT = project_toml(
@@ -72,8 +70,7 @@ def test_the_search_is_as_near_wherever_the_wall_stands(tmp_path):
     for base in (0.0, -4.0, 1000.0):
         lines = 'crack = "minimum"\nloads = [{ kind = "overburden", force = "20 kN" }]'
         placed = PROJECT.replace("height = 4 }", f"height = 4, base = [0, 0, {base}] }}", 1)
-        (tmp_path / "project.toml").write_text(placed + lines)
-        found.append(build(load(tmp_path)).mechanisms[0].positive.hinges[1][1] - base)
+        found.append(study_of(tmp_path, placed + lines).mechanisms[0].positive.hinges[1][1] - base)
     assert found == pytest.approx([found[0]] * 3, abs=2e-5)  # 1e-6 of the height, and the flatness of a minimum
 
 

@@ -80,8 +80,7 @@ def test_the_chosen_direction_is_the_mechanisms(tmp_path: Path) -> None:
     body = "box = { thickness = 4, length = 0.5, height = 10, base = [1, 2, 0] }"
     mechanism = built(tmp_path, body)
     text = swept(body).replace('"sweep"', "[0, 1, 0]")
-    (tmp_path / "project.toml").write_text(text)
-    study = build(load(tmp_path))
+    study = study_of(tmp_path, text)
     assert study.mechanisms[0].positive == mechanism.positive
     assert study.mechanisms[0].directions is None
 
@@ -188,8 +187,7 @@ def test_the_parameters_are_those_of_the_mechanism_towards_each_angle(tmp_path: 
     body = "box = { thickness = 2, length = 3, height = 10 }"
     found = sought(tmp_path, body)
     text = swept(body).replace('"sweep"', "[0.5, 0.8660254037844386, 0]")
-    (tmp_path / "project.toml").write_text(text)
-    one = parameters(build(load(tmp_path)))[0].oscillator
+    one = parameters(study_of(tmp_path, text))[0].oscillator
     place = found.angle.index(60.0)
     assert found.p[place] == pytest.approx(one.p_eq_per_s, rel=1e-12)
     assert found.overturning[place] == pytest.approx(one.overturning_rad, rel=1e-12)

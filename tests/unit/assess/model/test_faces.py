@@ -9,10 +9,9 @@ import pytest
 
 from assess.mechanisms.mechanism import Face, Mechanism
 from assess.messages.message import Term
-from assess.project.build import build
-from assess.project.project_file import load
 from assess.study.mechanism_results import parameters
 from assess.study.study import Study
+from tests.support.projects import study_of
 
 HEAD = """
 [materials.stone]
@@ -42,8 +41,7 @@ FLEXIBLE = f'{SLOPED}\ninterface = {{ model = "flexible", stiffness = "10 GPa/m"
 
 
 def study(folder: Path, text: str, *, brick: str = "") -> Study:
-    (folder / "project.toml").write_text(HEAD.format(brick=brick) + text)
-    return build(load(folder))
+    return study_of(folder, HEAD.format(brick=brick) + text)
 
 
 def mechanism(folder: Path, text: str, *, brick: str = "") -> Mechanism:
@@ -121,8 +119,7 @@ def test_sliding_is_asked_where_a_material_has_friction_or_the_user_asks(tmp_pat
         (friction_free + single(), False),
         (friction_free + asked + single(), True),
     ):
-        (tmp_path / "project.toml").write_text(text)
-        made = build(load(tmp_path))
+        made = study_of(tmp_path, text)
         assert ("sliding" in made.procedures) is expected
         assert made.resolved["analysis.procedures"].value == list(made.procedures)
         assert made.resolved["analysis.procedures"].given is (asked in text)

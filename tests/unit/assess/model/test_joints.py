@@ -12,9 +12,8 @@ from scipy.constants import g
 
 from assess.errors import AssessError
 from assess.oscillator import elastic_frequency
-from assess.project.build import build
-from assess.project.project_file import load
 from assess.study.mechanism_results import parameters
+from tests.support.projects import study_of
 
 STONE = """
 [materials.stone]
@@ -50,13 +49,8 @@ hinges_negative = { A = [-0.3, 0], B = [0.3, 3], C = [4.9, 3], D = [4.3, 0] }
 """
 
 
-def study(tmp_path, text):
-    (tmp_path / "project.toml").write_text(text)
-    return build(load(tmp_path))
-
-
 def mechanism(tmp_path, lines="", *, text=STONE + SINGLE):
-    (found,) = study(tmp_path, text + lines).mechanisms
+    (found,) = study_of(tmp_path, text + lines).mechanisms
     return found
 
 
@@ -210,7 +204,7 @@ def test_one_interface_for_all_but_one(tmp_path):
 
 
 def test_results_hold_every_hinge(tmp_path):
-    (found,) = parameters(study(tmp_path, STONE + LEGS + SOFT))
+    (found,) = parameters(study_of(tmp_path, STONE + LEGS + SOFT))
     assert [one["hinge"] for one in found.interfaces] == ["A", "B", "C", "D", "A'", "B'", "C'", "D'"]
     W1, W2 = 3 * 0.6 * 1800 * g, 5.2 * 0.7 * 1800 * g
     forces = [one["normal_force_n"] for one in found.interfaces[:4]]
@@ -350,17 +344,17 @@ def test_blocks_that_do_not_touch_at_a_hinge(tmp_path):
 
 def test_a_contact_that_is_not_in_one_place_for_both_directions_is_told(tmp_path):
     lines = SOFT.replace(" }", ", shape = { rectangle = [0.6, 2] } }")
-    told = [notice.text for notice in study(tmp_path, STONE + SINGLE + lines).messages]
+    told = [notice.text for notice in study_of(tmp_path, STONE + SINGLE + lines).messages]
     assert any("interface A: its contact lies 0.4 m apart for the two directions" in text for text in told)
     lines = SOFT.replace(" }", ", shape = { rectangle = [1, 2] } }")
-    assert not any("apart" in notice.text for notice in study(tmp_path, STONE + SINGLE + lines).messages)
+    assert not any("apart" in notice.text for notice in study_of(tmp_path, STONE + SINGLE + lines).messages)
 
 
 @pytest.mark.parametrize(("eccentricity", "told"), [(0.0, True), (0.1, False)])
 def test_a_load_that_comes_through_the_joint_at_the_top_is_told(tmp_path, eccentricity, told):
     wall = SINGLE.replace("single-block", "two-block") + "crack = 3.6\n"
     load = f'loads = [{{ kind = "overburden", force = "40 kN", eccentricity = {eccentricity} }}]\n'
-    texts = [notice.text for notice in study(tmp_path, STONE + wall + SOFT + load).messages]
+    texts = [notice.text for notice in study_of(tmp_path, STONE + wall + SOFT + load).messages]
     assert (
         any("interface C: the load on the middle of the top comes through the joint" in each for each in texts) == told
     )

@@ -16,7 +16,7 @@ from assess.project.project_file import load, resolve
 from assess.study.mechanism_results import parameters
 from assess.study.run import run_study
 from assess.study.study import Study
-from tests.support.projects import ASCE7, tables_toml
+from tests.support.projects import ASCE7, study_of, tables_toml
 
 MECHANISM = '\n[mechanisms.m]\nkind = "single-block"\ndirection = {direction}\nblocks = [{blocks}]\n'
 HEAD = tables_toml(materials={"stone": {"density": 2400}, "rubble": {"density": 1800}})
@@ -40,8 +40,7 @@ def wall(**changes: object) -> Solid:
 
 def study(folder: Path, bodies: str, *, blocks: str = '["w"]', more: str = "", direction: str = "[1, 0, 0]") -> Study:
     table = MECHANISM.format(blocks=blocks, direction=direction)
-    (folder / "project.toml").write_text(HEAD + bodies + table + more)
-    return build(load(folder))
+    return study_of(folder, HEAD + bodies + table + more)
 
 
 def of_bodies(made: Study) -> list[Message]:
@@ -149,8 +148,7 @@ def test_blocks_of_one_chain_that_overlap_are_told(
     over = box_form(width, 1.2, x=(width - 0.6) / 2, z=4.5 - deep)
     bodies = body("w", box_form(0.6, 4.5)) + body("v", over) + body("u", box_form(0.6, 4.5, x=4.0))
     chain = f'[mechanisms.m]\nkind = "{kind}"\nblocks = [{CHAINS[kind]}'
-    (tmp_path / "project.toml").write_text(HEAD + bodies + chain)
-    warnings = of_bodies(build(load(tmp_path)))
+    warnings = of_bodies(study_of(tmp_path, HEAD + bodies + chain))
     told = [(each.key, each.where, each.text.split(" one;")[0]) for each in warnings]
     shared = f"0.48 m3, {100 * deep * 0.6 * 4 / min(0.6 * 4 * 4.5, width * 4 * 1.2):.3g} % of the smaller"
     named = ['bodies "{}" and "{}"'.format(*pair.split()) for pair in pairs if deep]
@@ -249,7 +247,6 @@ def test_a_file_is_read_once_however_many_bodies_and_cases_of_a_sweep_name_it(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     from assess.geometry import mesh
-    from assess.project.build import build
     from assess.project.project_file import load
 
     corners = [(x, y, z) for z in (0, 4) for x, y in ((0, 0), (0.6, 0), (0.6, 3), (0, 3))]

@@ -12,11 +12,9 @@ from scipy.constants import g
 
 from assess.errors import FallingError, ProjectError
 from assess.mechanisms.mechanism import Mechanism
-from assess.project.build import build
-from assess.project.project_file import load
 from assess.study.mechanism_results import parameters
 from assess.study.study import Study
-from tests.support.projects import tables_toml
+from tests.support.projects import study_of, tables_toml
 
 HEAD = tables_toml(materials={"m": {"density": 2000, "tensile_strength": "0.02 MPa"}})
 WALL = """
@@ -38,8 +36,7 @@ def box(name: str, size: tuple[float, float, float], base: tuple[float, float, f
 
 
 def study(folder: Path, *tables: str) -> Study:
-    (folder / "project.toml").write_text(HEAD + "".join(tables))
-    return build(load(folder))
+    return study_of(folder, HEAD + "".join(tables))
 
 
 def found(folder: Path, *tables: str) -> Mechanism:

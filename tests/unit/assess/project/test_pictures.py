@@ -16,12 +16,12 @@ from PIL.PngImagePlugin import PngInfo
 
 from assess.errors import ProjectError
 from assess.project import report
-from assess.project.build import build
 from assess.project.project_file import load
 from assess.project.report import read_picture, report_matter_of
 from assess.results import Picture
 from assess.results.json import dumps, loads
 from assess.study.run import run_study
+from tests.support.projects import study_of
 
 ORIENTATION = 0x0112
 SPIRE = '[mechanisms.spire]\nkind = "equivalent-block"\np = 1.6\nuplift = 0.14\nradius = 2.8\n'
@@ -185,8 +185,7 @@ def test_pictures_are_among_the_inputs_and_in_the_results(tmp_path):
     spectrum = '[site.spectrum]\ncode = "ec8"\na_g = "0.1 g"\nground_type = "A"\ntype = 1\n'
     asked = '[analysis]\nprocedures = ["ec8-element"]\n'
     table = '[report]\nlogo = "logo.png"\nfigures = [{ file = "north.jpg" }, { file = "north.jpg" }]\n'
-    (tmp_path / "project.toml").write_text(SPIRE + spectrum + asked + table, encoding="utf-8")
-    found = run_study(build(load(tmp_path)))
+    found = run_study(study_of(tmp_path, SPIRE + spectrum + asked + table))
     hashes = {each.path: each.sha256 for each in found.inputs}
     assert list(hashes) == ["project.toml", "logo.png", "north.jpg"]
     assert hashes["north.jpg"] == hashlib.sha256(path.read_bytes()).hexdigest()

@@ -6,9 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from assess.project.build import build
-from assess.project.project_file import load
-from tests.support.projects import NTC, block, project_toml, wall
+from tests.support.projects import NTC, block, project_toml, study_of, wall
 
 
 @pytest.mark.parametrize(
@@ -33,6 +31,5 @@ def test_implausible_numbers_get_a_warning(
         mechanisms={"wall": block("wall")},
         analysis={"levels": [level]},
     )
-    (tmp_path / "project.toml").write_text(text)
-    found = {each.key for each in build(load(tmp_path / "project.toml")).messages}
+    found = {each.key for each in study_of(tmp_path, text).messages}
     assert found & {"density-odd", "friction-large", "level-large", "corner-long"} == keys

@@ -10,12 +10,10 @@ import pytest
 
 from assess.codes.verdict import Decision
 from assess.messages.message import Message, Severity
-from assess.project.build import build
-from assess.project.project_file import load
 from assess.results import ResolvedValue, Results, SensitivityResult, SweepResult
 from assess.results.diff import KINDS, Difference, differences, same
 from assess.study.run import run_envelopes, run_study
-from tests.support.projects import ASCE7, block, project_toml, published, wall
+from tests.support.projects import ASCE7, block, project_toml, published, study_of, wall
 
 PROJECT = project_toml(
     verdict={"basis": "dmi2008", "procedures": ["dmi2008-linear"]},
@@ -45,8 +43,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def results_of(folder: Path, text: str) -> Results:
-    (folder / "project.toml").write_text(text)
-    return run_study(build(load(folder)), jobs=1)
+    return run_study(study_of(folder, text), jobs=1)
 
 
 @pytest.fixture(scope="module")
@@ -224,8 +221,8 @@ def test_envelopes_are_compared_by_their_least_pulse(folder: Path) -> None:
     )
     found = []
     for uplift in (0.2, 0.3):
-        (folder / "project.toml").write_text(PROJECT.replace("uplift = 0.2", f"uplift = {uplift}") + pulses)
-        found.append(run_envelopes(build(load(folder)), jobs=1))
+        text = PROJECT.replace("uplift = 0.2", f"uplift = {uplift}") + pulses
+        found.append(run_envelopes(study_of(folder, text), jobs=1))
     least = next(c for c in of_kind(differences(*found), "envelope") if c.where == "parapet")
     ends = [min(b for b in each.mechanisms[1].envelope.lower_bound_g if b is not None) for each in found]  # type: ignore[union-attr]
     assert (least.what, least.before, least.after) == ("least pulse that overturns", *ends)

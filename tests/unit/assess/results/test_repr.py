@@ -11,11 +11,9 @@ import numpy as np
 import pytest
 
 from assess import results as tree
-from assess.project.build import build
-from assess.project.project_file import load
 from assess.short_repr import ShortRepr
 from assess.study.run import run_study
-from tests.support.projects import EC8, block, project_toml, wall
+from tests.support.projects import EC8, block, project_toml, study_of, wall
 
 PROJECT = project_toml(
     site={"spectrum": EC8},
@@ -50,9 +48,7 @@ def pieces(value: Any) -> Iterator[Any]:
 
 
 def test_every_piece_of_a_run_has_a_repr_of_one_short_line(tmp_path: Path) -> None:
-    file = tmp_path / "project.toml"
-    file.write_text(PROJECT)
-    found = list(pieces(run_study(build(load(file)), jobs=1)))
+    found = list(pieces(run_study(study_of(tmp_path, PROJECT), jobs=1)))
     kinds = {type(each).__name__ for each in found}
     assert {"Results", "HistoryTrace", "BranchCurve", "EnvelopeResult", "Check", "Message"} <= kinds
     long = {type(each).__name__ for each in found if len(repr(each)) >= 200 or "\n" in repr(each)}

@@ -9,14 +9,12 @@ import pytest
 from scipy.constants import g
 
 from assess.oscillator import Oscillator, RockingBlock, elastic_frequency, plain_branch
-from assess.project.build import build
-from assess.project.project_file import load
 from assess.results import Results
 from assess.study.run import EnvelopeCase, coarse_record_messages, longest_step, run_study
 from assess.study.study import ScaledRecord
 from records.record import make_record
 from records.scaling import Scaling
-from tests.support.projects import ASCE7, block, project_toml, wall
+from tests.support.projects import ASCE7, block, project_toml, study_of, wall
 
 PROJECT = project_toml(
     site={"spectrum": ASCE7 | {"s_ds": "0.3 g", "s_d1": "0.1 g"}},
@@ -65,8 +63,7 @@ def results(folder: Path, *, dt: float) -> Results:
     time = np.arange(0.0, 6.0, dt)
     rows = "\n".join(f"{t:.6f},{a:.6f}" for t, a in zip(time, np.sin(4.0 * time), strict=True))
     (folder / "motion.csv").write_text(f"time [s],acceleration [m/s2]\n{rows}\n")
-    (folder / "project.toml").write_text(PROJECT)
-    return run_study(build(load(folder)))
+    return run_study(study_of(folder, PROJECT))
 
 
 def test_a_run_tells_which_mechanism_record_and_step(tmp_path: Path) -> None:

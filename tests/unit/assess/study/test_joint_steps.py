@@ -11,11 +11,10 @@ from scipy.integrate import quad
 
 from assess.codes.calculation_sheet import Step, substitute
 from assess.interfaces.section import annulus, hollow_rectangle, rectangle, stress_integrals
-from assess.project.build import build
-from assess.project.project_file import load
 from assess.results import MechanismResult
 from assess.study.mechanism_results import parameters
 from tests.languages.fixed_terms import fixed_terms
+from tests.support.projects import study_of
 from tests.support.sheets import of_formula
 from tests.unit.assess.model.test_joints import ARCH, LEGS, SINGLE, STONE
 
@@ -36,8 +35,7 @@ def joint(model: str = "flexible", *, stiffness: str = "0.2 GPa/m", strength: st
 
 
 def computed(folder: Path, text: str) -> MechanismResult:
-    (folder / "project.toml").write_text(text)
-    (found,) = parameters(build(load(folder / "project.toml")))
+    (found,) = parameters(study_of(folder, text))
     return found
 
 

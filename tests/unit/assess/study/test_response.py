@@ -10,14 +10,12 @@ import pytest
 from scipy.constants import g
 
 from assess.oscillator import Oscillator, RockingBlock, plain_branch
-from assess.project.build import build
-from assess.project.project_file import load
 from assess.study.histories import find_envelope, respond, with_restitution_factor
 from assess.study.run import run_study
 from assess.study.suites import motions_of
 from records.errors import RecordError
 from records.record import make_record
-from tests.support.projects import EC8, block, project_toml, wall
+from tests.support.projects import EC8, block, project_toml, study_of, wall
 
 PROJECT = project_toml(
     site={"spectrum": EC8},
@@ -40,9 +38,7 @@ BLOCK = Oscillator(BRANCH, BRANCH, 1.0)
 
 
 def test_the_same_numbers_as_from_a_run(tmp_path: Path) -> None:
-    file = tmp_path / "project.toml"
-    file.write_text(PROJECT)
-    study = build(load(file))
+    study = study_of(tmp_path, PROJECT)
     (found,) = run_study(study, jobs=1).mechanisms
     assert study.spectrum is not None
     records = {each.record.id: each.record for each in motions_of(study, study.spectrum)}

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from dataclasses import replace
 
 from assess.codes.check import Family, Outcome, PgaCurve
@@ -10,13 +10,9 @@ from assess.results import Results
 from reports.chapters import comparison
 from reports.document import Cell, Figure, OutcomeCell
 from reports.language.locale import Locale
-from reports.language.texts import Text
+from tests.support.letters import lines_of
 
 EN = Locale()
-
-
-def told(texts: Iterable[Text]) -> str:
-    return "\n".join(map(EN.text, texts)).replace("\u00a0", " ")
 
 
 def shown(cell: Cell) -> str:
@@ -65,13 +61,13 @@ def test_disagreement_names_who_fails_by_which_method(
     results: Results, judged_at: Callable[[Results, float], Results]
 ) -> None:
     judged = judged_at(results, 0.45)
-    said = told(comparison.findings(judged))
+    said = lines_of(comparison.findings(judged))
     assert "At the site’s own action the methods disagree on M1" in said
     assert "DMI 2008, linear fails M1 and M2. It compares the acceleration that starts the motion" in said
     agreed = tuple(
         replace(m, checks=tuple(replace(c, verdict=Outcome.PASS) for c in m.checks)) for m in judged.mechanisms
     )
-    assert "disagree" not in told(comparison.findings(replace(judged, mechanisms=agreed)))
+    assert "disagree" not in lines_of(comparison.findings(replace(judged, mechanisms=agreed)))
 
 
 def test_a_pass_above_the_pga_at_capacity_is_explained(results: Results) -> None:
@@ -79,21 +75,21 @@ def test_a_pass_above_the_pga_at_capacity_is_explained(results: Results) -> None
 
     def said(capacity: float) -> str:
         passing = replace(first.checks[4], verdict=Outcome.PASS, level_pga_g=0.3, capacity_pga_g=capacity)
-        return told(comparison.findings(replace(results, mechanisms=(replace(first, checks=(passing,)),))))
+        return lines_of(comparison.findings(replace(results, mechanisms=(replace(first, checks=(passing,)),))))
 
     assert "For M1 a record that overturns" in said(0.28)
     assert "For M1 a record that overturns" not in said(0.31)
 
 
 def test_overturning_records_are_counted(results: Results) -> None:
-    said = told(comparison.findings(results))
+    said = lines_of(comparison.findings(results))
     assert "Records overturn M2 parapet at 0.45 g (1 of 5). No other history overturns a mechanism." in said
     standing = replace(results, mechanisms=results.mechanisms[:1])
-    assert "No record overturns a mechanism at the levels requested." in told(comparison.findings(standing))
+    assert "No record overturns a mechanism at the levels requested." in lines_of(comparison.findings(standing))
 
 
 def test_swept_mechanisms_are_represented_by_a_case(results: Results) -> None:
-    assert told(comparison.introduction(results)).startswith(
+    assert lines_of(comparison.introduction(results)).startswith(
         "Each swept mechanism is represented by its most critical case: M2."
     )
 
@@ -116,7 +112,7 @@ def test_a_method_without_an_answer_passes_nothing(results: Results) -> None:
     silent = replace(first, procedure="ntc2018-history", verdict=Outcome.NOT_ANSWERED)
     passed = replace(silent, verdict=Outcome.PASS)
     apart = (replace(wall, checks=(one, two, silent)), replace(parapet, checks=(one, two, passed)))
-    said = told(comparison.findings(replace(results, mechanisms=apart)))
+    said = lines_of(comparison.findings(replace(results, mechanisms=apart)))
     assert "All of these are passed by NTC 2018, non-linear kinematic." in said
     assert "M2 is passed by NTC 2018, response history." in said
     assert "NTC 2018, linear kinematic fails M1 and M2." in said
@@ -131,7 +127,7 @@ def test_a_method_is_named_with_every_mechanism_that_it_fails(results: Results) 
     two = replace(first, procedure="ntc2018-nonlinear", verdict=Outcome.PASS)
     failed = replace(two, verdict=Outcome.FAIL)
     apart = (replace(wall, checks=(one, two)), replace(parapet, checks=(one, failed)))
-    said = told(comparison.findings(replace(results, mechanisms=apart)))
+    said = lines_of(comparison.findings(replace(results, mechanisms=apart)))
     assert "the methods disagree on M1." in said
     assert "NTC 2018, linear kinematic fails M1 and M2." in said
     assert "M1 is passed by NTC 2018, non-linear kinematic." in said
@@ -154,7 +150,7 @@ def test_a_figure_without_anything_to_draw_is_left_out(results: Results) -> None
 
 def test_a_method_without_an_answer_is_not_compared(results: Results) -> None:
     """The ground motion unamplified at a height may fail a mechanism: the PGA at its capacity is no capacity."""
-    said = told(comparison.findings(results))
+    said = lines_of(comparison.findings(results))
     assert "PGA at capacity" in said
     silent = tuple(
         replace(
@@ -163,4 +159,4 @@ def test_a_method_without_an_answer_is_not_compared(results: Results) -> None:
         )
         for each in results.mechanisms
     )
-    assert "PGA at capacity by" not in told(comparison.findings(replace(results, mechanisms=silent)))
+    assert "PGA at capacity by" not in lines_of(comparison.findings(replace(results, mechanisms=silent)))

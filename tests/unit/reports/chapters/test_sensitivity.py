@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from dataclasses import replace
 from math import inf
 from typing import Any
@@ -15,7 +14,7 @@ from reports.chapters import sensitivity
 from reports.chapters.sensitivity import rank_inputs
 from reports.document import Figure, Prose, Section, Table
 from reports.language.locale import Locale
-from reports.language.texts import Text
+from tests.support.letters import lines_of
 
 EN = Locale()
 
@@ -59,17 +58,13 @@ def found() -> tuple[SensitivityResult, ...]:
     return (*still, *loses, *rows("thickness", 0.17, 0.205), history("thickness", 0.45))
 
 
-def told(texts: Iterable[Text]) -> str:
-    return "\n".join(map(EN.text, texts)).replace("\u00a0", " ")
-
-
 def chapter(results: Results, found: tuple[SensitivityResult, ...]) -> Section:
     (section,) = sensitivity.sections(replace(results, sensitivity=found))
     return section
 
 
 def prose(section: Section) -> str:
-    return "\n".join(told(block.paragraphs) for block in section.blocks if isinstance(block, Prose))
+    return "\n".join(lines_of(block.paragraphs) for block in section.blocks if isinstance(block, Prose))
 
 
 def test_what_moves_the_answer_most_stands_first(found: tuple[SensitivityResult, ...]) -> None:
@@ -97,7 +92,7 @@ def test_an_input_has_one_row_in_the_mechanism_that_it_moves_most(
 ) -> None:
     other = tuple(rows("thickness", 0.10, 0.35, mechanism="parapet"))
     table = next(block for block in chapter(results, (*found, *other)).blocks if isinstance(block, Table))
-    cells = [told(row).split("\n") for row in table.rows]  # type: ignore[arg-type]  all are texts
+    cells = [lines_of(row).split("\n") for row in table.rows]  # type: ignore[arg-type]  all are texts
     assert [row[0] for row in cells].count("thickness") == 1
     first = cells[0]
     assert first[:7] == ["thickness", "0.57 m to 0.63 m", "M2 parapet", "PGA at capacity", "0.1 g", "0.18 g", "0.35 g"]
@@ -131,16 +126,16 @@ def test_a_tornado_begins_at_the_answer_as_assessed(found: tuple[SensitivityResu
     assert [(bar.low, bar.high) for bar in capacity.bars[:2]] == [(0.17, 0.205), (0.18, 0.18)]
     assert ratio.limit is not None
     assert ratio.limit[0] == 1.0
-    assert [told(text for text in bar.verdicts if text is not None) for bar in ratio.bars] == ["pass", "", ""]
+    assert [lines_of(text for text in bar.verdicts if text is not None) for bar in ratio.bars] == ["pass", "", ""]
     assert shaken.bars[1].high == inf
-    assert told(capacity.bars[2].lines) == "density of caliche\n2128 kg/m³ to 2352 kg/m³"
+    assert lines_of(capacity.bars[2].lines) == "density of caliche\n2128 kg/m³ to 2352 kg/m³"
 
 
 def test_names_tell_entries_and_joints() -> None:
     row = replace(rows("p", 0.1, 0.2)[0], parameter="loads", key="mechanisms.wall-6.loads[2].force[1]")
-    assert told([sensitivity.input_name(row)]) == "load 2"
+    assert lines_of([sensitivity.input_name(row)]) == "load 2"
     joint = replace(row, parameter="stiffness", key="mechanisms.wall-6.interfaces.B.stiffness")
-    assert told([sensitivity.input_name(joint)]) == "stiffness, joint B"
+    assert lines_of([sensitivity.input_name(joint)]) == "stiffness, joint B"
 
 
 def test_what_is_not_varied_is_told_even_where_nothing_is(results: Results) -> None:
@@ -154,7 +149,7 @@ def test_where_no_answer_is_known_the_chapter_is_still_made(
 ) -> None:
     silent: dict[str, Any] = {"verdict_base": Outcome.NOT_ANSWERED, "verdict_low": None, "verdict_high": None}
     unknown = tuple(replace(row, at_base=None, at_low=None, at_high=None, **silent) for row in found)
-    assert "not known" in [told([cell]) for cell in table_of(results, unknown).rows[0][4:7]]  # type: ignore[list-item]
+    assert "not known" in [lines_of([cell]) for cell in table_of(results, unknown).rows[0][4:7]]  # type: ignore[list-item]
 
 
 def table_of(results: Results, found: tuple[SensitivityResult, ...]) -> Table:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from dataclasses import replace
 from typing import Literal
 
@@ -12,18 +11,14 @@ from assess.results import GroundMotionResult, RequirementResult, ResolvedValue,
 from reports.chapters import site, suite
 from reports.document import OutcomeCell, Prose, Table
 from reports.language.locale import Locale
-from reports.language.texts import Text
+from tests.support.letters import lines_of
 
 EN = Locale()
 
 
-def told(texts: Iterable[Text]) -> str:
-    return "\n".join(map(EN.text, texts)).replace("\u00a0", " ")
-
-
 def prose(results: Results) -> str:
     blocks = (block for section in site.sections(results) for block in section.blocks)
-    return "\n".join(told(block.paragraphs) for block in blocks if isinstance(block, Prose))
+    return "\n".join(lines_of(block.paragraphs) for block in blocks if isinstance(block, Prose))
 
 
 def rule(verdict: Literal["met", "not met", "not answered"], *, code: str = "ASCE 43-05") -> RequirementResult:
@@ -46,13 +41,13 @@ def test_parameters_have_their_units_and_sources(results: Results) -> None:
         "report.sources.site.spectrum": ResolvedValue("literature: <b>a study</b>", True),
     }
     table = site.parameters_table(replace(results, project=project), results.spectrum)
-    rows = {told([row[0]]): told(row[1:]) for row in table.rows}  # type: ignore[list-item, arg-type]  all are texts
+    rows = {lines_of([row[0]]): lines_of(row[1:]) for row in table.rows}  # type: ignore[list-item, arg-type]  all are texts
     assert rows["S_DS, design, at short periods"] == "0.167 g\nliterature: <b>a study</b>"
     assert rows["S_D1, design, at 1 s"] == "0.053 g\nas above"
     assert rows["Damping ratio"] == "0.05\ndefault"
     assert "T_L, long-period transition" not in rows
     calculated = site.calculated_parameters_table(replace(results, project=project), results.spectrum)
-    cells = [told([cell]) for row in calculated.rows for cell in row]  # type: ignore[list-item]  all are texts
+    cells = [lines_of([cell]) for row in calculated.rows for cell in row]  # type: ignore[list-item]  all are texts
     assert cells[cells.index("T_L, long-period transition") + 1] == "6 s"
     assert {len(row) for row in calculated.rows} == {2 * site.PAIRS_IN_ROW}
 
@@ -90,7 +85,7 @@ def test_loads_that_are_alike_share_a_row(results: Results) -> None:
     wall, parapet = results.mechanisms
     both = replace(results, mechanisms=(replace(wall, loads=parapet.loads[:1]), parapet))
     rows = site.loads_table(both).rows
-    assert [told([row[0], row[1], row[2]]) for row in rows] == [  # type: ignore[list-item]  all are texts
+    assert [lines_of([row[0], row[1], row[2]]) for row in rows] == [  # type: ignore[list-item]  all are texts
         "floor <beam>\nM1 and M2\nweight and mass",
         "=cmd()\nM2\nforce",
     ]
@@ -107,25 +102,25 @@ def test_artificial_records_share_a_row_and_recorded_ones_do_not(results: Result
     recorded = replace(results.records[0], path="a.AT2", event="Friuli", date="1976-05-06", component="NS")
     rows = suite.records_table(replace(results, records=(*results.records, recorded))).rows
     assert len(rows) == 2
-    assert told([rows[0][1]]) == "Friuli 1976"  # type: ignore[list-item]  a text
-    assert told([rows[1][0]]) == "5 artificial records"  # type: ignore[list-item]  a text
-    assert told([rows[1][4]]) == "1.01 to 1.05"  # type: ignore[list-item]  a text
+    assert lines_of([rows[0][1]]) == "Friuli 1976"  # type: ignore[list-item]  a text
+    assert lines_of([rows[1][0]]) == "5 artificial records"  # type: ignore[list-item]  a text
+    assert lines_of([rows[1][4]]) == "1.01 to 1.05"  # type: ignore[list-item]  a text
 
 
 def test_the_suite_is_judged_by_the_rules_of_the_basis_alone(results: Results) -> None:
     met = with_rules(results, rule("met"), rule("not met", code="NTC 2018"))
-    assert told(suite.suite_sentences(met)).endswith("The suite meets the one requirement of ASCE 43-05 on suites.")
+    assert lines_of(suite.suite_sentences(met)).endswith("The suite meets the one requirement of ASCE 43-05 on suites.")
     missed = with_rules(results, rule("met"), rule("not met"))
-    assert told(suite.suite_sentences(missed)).endswith(
+    assert lines_of(suite.suite_sentences(missed)).endswith(
         "The suite does not meet these requirements of ASCE 43-05: largest time step."
     )
     silent = with_rules(results, rule("not answered"))
-    assert "These requirements of ASCE 43-05 could not be checked: largest time step." in told(
+    assert "These requirements of ASCE 43-05 could not be checked: largest time step." in lines_of(
         suite.suite_sentences(silent)
     )
     table = suite.basis_requirements_table(missed)
     assert [row[-1].outcome for row in table.rows if isinstance(row[-1], OutcomeCell)] == ["pass", "fail"]
-    assert told([table.rows[0][3]]) == "≤ 0.01 s"  # type: ignore[list-item]  a text
+    assert lines_of([table.rows[0][3]]) == "≤ 0.01 s"  # type: ignore[list-item]  a text
 
 
 def test_tables_have_as_many_cells_as_columns(results: Results) -> None:

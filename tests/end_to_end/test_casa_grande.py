@@ -18,6 +18,7 @@ from reports.language.locale import Locale
 from tests.support.command import ended
 from tests.support.document_numbers import misread, shown_numbers, strange_numbers
 from tests.support.examples import example_run
+from tests.support.letters import without_spaces
 from tests.support.places import NO_RECORDS, PEER
 
 FIVE = (
@@ -66,10 +67,6 @@ def pages(outputs) -> list[str]:
 @pytest.fixture(scope="module")
 def report(pages) -> str:
     return " ".join("\n".join(pages).split())
-
-
-def squeezed(text: str) -> str:
-    return "".join(text.split())
 
 
 def test_every_output_is_there(outputs):
@@ -132,7 +129,7 @@ def test_each_mechanism_has_its_page_with_every_answer_at_the_site_s_own_action(
         )
         for check in own:
             if check["verdict"] == "not-answered" and check["reading"] == "letter":
-                assert squeezed(check["reason"]["text"]) in squeezed(page)
+                assert without_spaces(check["reason"]["text"]) in without_spaces(page)
 
 
 @pytest.mark.parametrize("locale", [Locale("en", "US"), Locale("it", "SI")], ids=["US", "Italian"])

@@ -50,3 +50,8 @@ def question(basis: str | None, *, state: str | None = "SLV", periods: bool = Fa
 def decide(asked: Question, checks: Iterable[Check], *, missing: Iterable[Missing] = (), **more) -> Verdict:
     """The verdict on one mechanism."""
     return verdict(asked, [MechanismChecks("wall", tuple(checks), tuple(missing), **more)])
+
+
+def step_values(check: Check) -> dict[str, float]:
+    """The value of each line of a calculation sheet, by its symbol."""
+    return {step.symbol: step.value for step in check.steps}

@@ -1,11 +1,11 @@
-"""Rocking blocks of tests, in closed form."""
+"""Rocking blocks of tests, in closed form or tabulated by the program."""
 
 from __future__ import annotations
 
 import numpy as np
 from scipy.constants import g
 
-from assess.oscillator import Branch, Oscillator
+from assess.oscillator import Branch, Oscillator, RockingBlock, plain_branch
 
 
 def branch(
@@ -27,4 +27,12 @@ def branch(
 def block(p: float = 2.0, alpha: float = 0.2, restitution: float = 0.9, *, sides: int = 2) -> Oscillator:
     """Return a rectangular block of M R = 1 kg m that rocks to both sides, or to one."""
     side = branch(p, alpha, restitution)
+    return Oscillator(side, side if sides == 2 else None, 1.0)
+
+
+def tabulated_block(
+    p: float, alpha: float = 0.2, restitution: float = 0.9, *, sides: int = 2, end: float = 1.5
+) -> Oscillator:
+    """Return the block as the program tabulates it, up to `end` alpha."""
+    side = plain_branch(RockingBlock(1.0, 1.0, alpha, g / p**2), restitution=restitution, end=end)
     return Oscillator(side, side if sides == 2 else None, 1.0)

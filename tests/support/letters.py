@@ -34,6 +34,11 @@ def lines_of(texts: Iterable[Text]) -> str:
     return "\n".join(map(letters, texts))
 
 
+def without_spaces(text: str) -> str:
+    """A text without spaces and line ends, which pages place as they like."""
+    return "".join(text.split())
+
+
 def cell_letters(cell: Cell) -> str:
     """A cell: numbers as they are, a dash for none."""
     if cell is None:

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import numpy as np
 
+from records.pulses import PulseShape
 from records.record import Record, make_record
 
 
@@ -38,3 +39,8 @@ def write_noise(file: Path, *, duration: float = 12.0, seed: int = 3, amplitude:
     smooth = np.convolve(noise, np.hanning(15), mode="same") * np.sin(np.pi * t / duration)
     rows = "\n".join(f"{x:.2f},{amplitude * y:.6f}" for x, y in zip(t, smooth, strict=True))
     file.write_text(f"time [s],acceleration [m/s2]\n{rows}\n")
+
+
+def pulse_id(pulse: PulseShape) -> str:
+    """Return the id of a test of a pulse shape."""
+    return pulse.name if pulse.gamma is None else f"{pulse.name}-{pulse.gamma}-{pulse.nu}"

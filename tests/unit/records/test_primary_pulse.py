@@ -17,13 +17,10 @@ from records.pulses import (
 )
 from records.reading import read_records
 from records.record import Record, make_record, scale
+from tests.support.motions import pulse_id
 from tests.support.places import PEER, needs_real_records
 
 EVERY = [*PULSE_SHAPES.values(), mavroeidis_papageorgiou(gamma=1.4, nu=1.0)]
-
-
-def label(one: PulseShape) -> str:
-    return one.name if one.gamma is None else f"{one.name}-{one.gamma}-{one.nu}"
 
 
 def buried(
@@ -44,7 +41,7 @@ def violent(seed: int = 5) -> Record:
     return make_record("violent", 4.0 * smooth * t * np.exp(-0.4 * t), 0.01)
 
 
-@pytest.mark.parametrize("one", EVERY, ids=label)
+@pytest.mark.parametrize("one", EVERY, ids=pulse_id)
 def test_a_pulse_alone_is_all_of_the_energy(one: PulseShape) -> None:
     record = pulse_record(one, frequency=1.3, amplitude=2.5, dt=0.005)
     best = primary_pulses(record, shape=one)[0]
@@ -57,7 +54,7 @@ def test_a_pulse_alone_is_all_of_the_energy(one: PulseShape) -> None:
     np.testing.assert_allclose(best.acceleration(record.time)[2:-2], record.acceleration[2:-2], rtol=0, atol=2e-3)
 
 
-@pytest.mark.parametrize("one", EVERY, ids=label)
+@pytest.mark.parametrize("one", EVERY, ids=pulse_id)
 @pytest.mark.parametrize("frequency", [0.35, 1.1])
 def test_a_pulse_in_noise_is_found(one: PulseShape, frequency: float) -> None:
     """With noise of a tenth of its amplitude in every sample."""
@@ -172,7 +169,7 @@ def test_refused(samples: np.ndarray, dt: float, period: list[float], text: str)
         primary_pulses(make_record("bad", samples, dt), period=period)
 
 
-@pytest.mark.parametrize("one", EVERY, ids=label)
+@pytest.mark.parametrize("one", EVERY, ids=pulse_id)
 @pytest.mark.parametrize("count", [1, 3])
 def test_the_best_are_the_first_of_all(one: PulseShape, count: int) -> None:
     """A maximum that is not refined could not have become one of them."""

@@ -10,6 +10,7 @@ from scipy.special import eval_hermitenorm
 
 from records.errors import RecordError
 from records.pulses import PULSE_SHAPES, PulseShape, mavroeidis_papageorgiou, pulse_record, pulse_shape
+from tests.support.motions import pulse_id
 
 FAMILY = [
     mavroeidis_papageorgiou(gamma=gamma, nu=nu) for gamma in (1.01, 1.5, 2.0, 5.0, 31.7) for nu in (0.0, 0.6, -2.0)
@@ -18,17 +19,13 @@ EVERY = [*PULSE_SHAPES.values(), *FAMILY]
 CONTINUOUS = [one for one in EVERY if one.name != "cosine"]
 
 
-def label(one: PulseShape) -> str:
-    return one.name if one.gamma is None else f"{one.name}-{one.gamma}-{one.nu}"
-
-
 def inside(one: PulseShape, n: int) -> np.ndarray:
     """Phases within the shape where it is not yet negligible."""
     margin = 0.3 * (one.end - one.start) if "ricker" in one.name else 0.01
     return np.linspace(one.start + margin, one.end - margin, n)
 
 
-@pytest.mark.parametrize("one", EVERY, ids=label)
+@pytest.mark.parametrize("one", EVERY, ids=pulse_id)
 def test_each_derivative_is_that_of_the_one_before(one: PulseShape) -> None:
     theta, h = inside(one, 101), 2e-3
     ahead = [one.derivatives(theta + k * h) for k in (-2, -1, 1, 2)]
@@ -36,14 +33,14 @@ def test_each_derivative_is_that_of_the_one_before(one: PulseShape) -> None:
     np.testing.assert_allclose(slope[:5], one.derivatives(theta)[1:], rtol=0, atol=2e-9)
 
 
-@pytest.mark.parametrize("one", EVERY, ids=label)
+@pytest.mark.parametrize("one", EVERY, ids=pulse_id)
 def test_the_largest_value_is_one(one: PulseShape) -> None:
     theta = np.linspace(one.start, one.end, 200_001)
     assert np.max(np.abs(one.value(theta))) == pytest.approx(1.0, rel=0, abs=2e-7)
     assert np.max(np.abs(one.value(theta))) <= 1.0 + 1e-14
 
 
-@pytest.mark.parametrize("one", EVERY, ids=label)
+@pytest.mark.parametrize("one", EVERY, ids=pulse_id)
 def test_nothing_outside_and_limits_from_within_at_the_ends(one: PulseShape) -> None:
     np.testing.assert_array_equal(one.derivatives([one.start - 1e-9, one.end + 1e-9, 1e9, -1e9]), 0.0)
     ends, near = one.derivatives([one.start, one.end]), one.derivatives([one.start + 1e-9, one.end - 1e-9])
@@ -90,7 +87,7 @@ def test_rickers_are_cut_where_nothing_is_left(name: str) -> None:
     assert np.max(np.abs(one.value([one.start, one.end]))) < 1e-12
 
 
-@pytest.mark.parametrize("one", FAMILY, ids=label)
+@pytest.mark.parametrize("one", FAMILY, ids=pulse_id)
 def test_acceleration_integrates_to_the_published_velocity_pulse(one: PulseShape) -> None:
     theta = np.linspace(one.start, one.end, 20_001)
     carrier = np.cos(theta + one.nu)
@@ -105,7 +102,7 @@ def test_acceleration_integrates_to_the_published_velocity_pulse(one: PulseShape
 @pytest.mark.parametrize(
     ("one", "area"),
     [(one, 2.0 if one.name == "half-sine" else 0.0) for one in EVERY],
-    ids=[label(one) for one in EVERY],
+    ids=[pulse_id(one) for one in EVERY],
 )
 def test_net_velocity(one: PulseShape, area: float) -> None:
     theta = np.linspace(one.start, one.end, 40_001)
@@ -157,7 +154,7 @@ def test_shapes_refused(name: str, values: dict[str, float], text: str) -> None:
         pulse_shape(name, **values)
 
 
-@pytest.mark.parametrize("one", EVERY, ids=label)
+@pytest.mark.parametrize("one", EVERY, ids=pulse_id)
 @pytest.mark.parametrize("dt", [0.01, 0.0123])
 def test_a_record_begins_and_ends_at_zero(one: PulseShape, dt: float) -> None:
     record = pulse_record(one, frequency=0.8, amplitude=-3.0, dt=dt)
@@ -167,7 +164,7 @@ def test_a_record_begins_and_ends_at_zero(one: PulseShape, dt: float) -> None:
     assert one.name in str(record.processing_history[0])
 
 
-@pytest.mark.parametrize("one", CONTINUOUS, ids=label)
+@pytest.mark.parametrize("one", CONTINUOUS, ids=pulse_id)
 def test_a_continuous_pulse_starts_with_the_record(one: PulseShape) -> None:
     record = pulse_record(one, frequency=0.8, amplitude=3.0, dt=0.01)
     expected = 3.0 * one.value(one.start + 2 * np.pi * 0.8 * record.time)

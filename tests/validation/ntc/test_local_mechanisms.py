@@ -24,6 +24,7 @@ from assess.mechanisms.single_block import equivalent_block, single_block
 from spectra import ntc
 from spectra.asce7 import design_spectrum
 from spectra.table import table_spectrum
+from tests.support.answered import step_values
 from tests.support.bodies import free_wall
 
 A_G, F_0, S, T_C, T_D = 0.261 * g, 2.364, 1.1532, 0.4717, 2.644
@@ -56,10 +57,6 @@ def capacity_of(rocker, *, state, confidence_factor, T0=0.0):
 
 
 STIFF = {"SLV": StatedFirstMode(0.3, 0.05, "hardly cracked")}
-
-
-def steps(check):
-    return {step.symbol: step.value for step in check.steps}
 
 
 @pytest.mark.parametrize(
@@ -108,7 +105,7 @@ def test_nonlinear_stands_at_least_the_pga_of_activation():
 def test_floor_acceleration_and_activation_at_height(rocker):
     """a_Z = 0.5 g 9/7 sqrt(1 + 0.0004 25) = 0.6461 g, so a_g,SLD S = 0.1 g / 1.35 0.2 / 0.6461 (C7.2.7, .8)."""
     damage, life = ntc2018.assess_linear(rocker, top(), options=ItalianOptions(limit_states=("SLD", "SLV")))
-    assert steps(damage)["a_Z(T1)"] / g == pytest.approx(0.6461, rel=1e-4)
+    assert step_values(damage)["a_Z(T1)"] / g == pytest.approx(0.6461, rel=1e-4)
     assert damage.demand / g == pytest.approx(0.6461, rel=1e-4)
     assert damage.capacity_pga_g == pytest.approx(0.1 / LC1 * 0.2 / 0.6461, rel=MODEL)
     assert life.capacity_pga_g == pytest.approx(2 * 0.1 / LC1 * 0.2 / 0.6461, rel=MODEL)
@@ -137,7 +134,7 @@ def test_nonlinear_at_height(rocker):
     S_eZ = A a_Z / (1 + (A - 1) (T / 0.33 - 1)^1.2), at least S_e(T).
     """
     (check,) = ntc2018.assess_nonlinear(rocker, top(modes=STIFF), options=ItalianOptions())
-    found = steps(check)
+    found = step_values(check)
     T, A = 1.68 * pi * sqrt(0.12 / 0.4360), 1.1 / sqrt(0.05) * ETA_8
     assert found["T_SLV"] == pytest.approx(T, rel=MODEL)
     assert pytest.approx(A, rel=1e-9) == found["A"]
@@ -156,7 +153,7 @@ def test_stiff_mechanism_near_resonance_is_governed_by_the_floor():
     tower = Building(height=20.0, storeys=5, period=1.0, damping=0.05)
     at = Context(top().spectrum, (0.3 * g,), 0.0, 20.0, tower)
     (check,) = ntc2018.assess_nonlinear(rocker, at, options=ItalianOptions())
-    found = steps(check)
+    found = step_values(check)
     assert check.input_at == "mechanism base"
     assert found["S_eZ(T_SLV)"] > 2 * found["S_e(T)"]
     assert check.ratio > 1
@@ -166,7 +163,7 @@ def test_floor_is_never_taken_to_shake_less_than_the_ground(rocker):
     """Low in the house gamma psi tends to zero, and a_Z with it; the demand stays the PGA."""
     low = dataclasses.replace(top(), elevation=0.6)
     (check,) = ntc2018.assess_linear(rocker, low, options=ItalianOptions(limit_states=("SLD",)))
-    assert steps(check)["a_Z(T1)"] < 0.2 * g
+    assert step_values(check)["a_Z(T1)"] < 0.2 * g
     assert check.demand == pytest.approx(0.2 * g, rel=1e-12)
 
 
@@ -177,7 +174,8 @@ def test_largest_displacement_of_a_spectrum_that_is_not_monotone(rocker):
     at = Context(spectrum, (0.2 * g,), 0.0, 0.0, None)
     (check,) = ntc2018.assess_nonlinear(rocker, at, options=ItalianOptions())
     peak = float(spectrum.acceleration(1.5, damping=0.08)) * (1.5 / (2 * pi)) ** 2
-    end = float(spectrum.acceleration(steps(check)["T_SLV"], damping=0.08)) * (steps(check)["T_SLV"] / (2 * pi)) ** 2
+    T_SLV = step_values(check)["T_SLV"]
+    end = float(spectrum.acceleration(T_SLV, damping=0.08)) * (T_SLV / (2 * pi)) ** 2
     assert peak > 2 * end
     assert check.demand == pytest.approx(peak, rel=1e-2)  # between the periods that are tried
 

@@ -8,6 +8,7 @@ between, whose first harmonic is smaller by sinc^2(pi / 400): printed thresholds
 from __future__ import annotations
 
 from decimal import Decimal, getcontext
+from functools import partial
 from math import asin, pi, tan
 
 import numpy as np
@@ -18,10 +19,12 @@ from scipy.integrate import solve_ivp
 from assess.dynamics import sine_branches as sine
 from assess.dynamics.packing import Equation
 from assess.dynamics.pulses import PulseJobs, envelope, pulse_outcomes
-from assess.oscillator import Oscillator, RockingBlock, plain_branch
+from assess.oscillator import Oscillator
 from records.pulses import PULSE_SHAPES
+from tests.support.blocks import tabulated_block
 
 P, SAMPLED = 2.0, 1.0 / np.sinc(1 / 400) ** 2
+block_of = partial(tabulated_block, P)
 
 ONE_SINE = {
     0.5: 1.118049951788, 1.0: 1.418315335579, 2.0: 2.349903126956, 3.0: 3.631149872445,
@@ -32,12 +35,6 @@ HALF_SINE = {
 }  # fmt: skip
 ISLANDS = {2.0: (1.2252, 2.34), 3.0: (1.40, 3.5), 4.0: (1.7955, 4.85), 5.0: (3.0, 6.3), 6.0: (5.164, 7.68)}
 """Restitution 0.9: where one impact begins to overturn, and ceases to (to a few hundredths)."""
-
-
-def block(restitution: float, *, alpha: float = 0.2, sides: int = 2, end: float = 1.5) -> Oscillator:
-    """end: of the table, beyond which the exact body counts as overturned, over alpha."""
-    side = plain_branch(RockingBlock(1.0, 1.0, alpha, g / P**2), restitution=restitution, end=end)
-    return Oscillator(side, side if sides == 2 else None, 1.0)
 
 
 def unit(body: Oscillator, equation: Equation) -> tuple[float, float]:
@@ -93,7 +90,10 @@ def test_branches_with_one_impact_are_where_the_outcomes_change(omega: float) ->
     found = (*sine.impact_in_pulse(omega, 0.9), *sine.impact_after_pulse(omega, 0.9))
     assert found == pytest.approx((first, last), abs=0.03)
     for A in found:
-        assert falls(block(0.9), omega, [A * (1 - 1e-9), A * (1 + 1e-9)]) == [found[1] == A, found[0] == A]
+        assert falls(block_of(restitution=0.9), omega, [A * (1 - 1e-9), A * (1 + 1e-9)]) == [
+            found[1] == A,
+            found[0] == A,
+        ]
 
 
 @pytest.mark.parametrize("omega", ONE_SINE)
@@ -101,20 +101,23 @@ def test_branches_with_one_impact_are_where_the_outcomes_change(omega: float) ->
 def test_the_branch_without_impact_is_where_the_outcome_changes(omega: float, restitution: float) -> None:
     """To 1e-10; where an impact overturns the body just below it, it does so on the other side."""
     A = ONE_SINE[omega]
-    one_sided = block(0.0, sides=1)
+    one_sided = block_of(restitution=0.0, sides=1)
     amplitude, frequency = unit(one_sided, "linearised")
     jobs = PulseJobs(*np.zeros((2, 2), dtype=np.int64), -amplitude * A * np.array([1 - 1e-10, 1 + 1e-10]))
     found = pulse_outcomes(
         [one_sided], PULSE_SHAPES["sine"], np.array([omega * frequency]), jobs, equation="linearised", threads=1
     )
     assert found.overturned.tolist() == [False, True]
-    assert falls(block(restitution), omega, A * (1 + 1e-10)) == [True]
+    assert falls(block_of(restitution=restitution), omega, A * (1 + 1e-10)) == [True]
 
 
 @pytest.mark.parametrize("omega", HALF_SINE)
 def test_half_a_sine_overturns_from_its_branch_on(omega: float) -> None:
     A = sine.half_sine(omega)
-    assert falls(block(0.9), omega, [A * (1 - 1e-10), A * (1 + 1e-10)], name="half-sine") == [False, True]
+    assert falls(block_of(restitution=0.9), omega, [A * (1 - 1e-10), A * (1 + 1e-10)], name="half-sine") == [
+        False,
+        True,
+    ]
 
 
 @pytest.mark.parametrize("restitution", [0.3, 0.5, 0.7, 0.8, 0.9])
@@ -122,9 +125,9 @@ def test_lower_bound_of_the_envelope_is_the_least_branch(restitution: float) -> 
     """Below Omega = 1 a second or third impact can overturn: there the envelope is never above the branches."""
     omegas = [1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 10.0]
     least = [sine.least_overturning_amplitude(omega, restitution) for omega in omegas]
-    np.testing.assert_allclose(bounds(block(restitution), omegas, 40.0, "linearised"), least, rtol=1e-9)
+    np.testing.assert_allclose(bounds(block_of(restitution=restitution), omegas, 40.0, "linearised"), least, rtol=1e-9)
     long = [0.1, 0.2, 0.3, 0.5, 0.7]
-    found = bounds(block(restitution), long, 40.0, "linearised")
+    found = bounds(block_of(restitution=restitution), long, 40.0, "linearised")
     assert np.all(
         found <= np.array([sine.least_overturning_amplitude(omega, restitution) for omega in long]) * (1 + 1e-9)
     )
@@ -134,7 +137,7 @@ def test_a_branch_at_the_change_from_in_the_pulse_to_after_it() -> None:
     """Omega 4.4352, restitution 0.85: it lands at the very end of the pulse, nearly."""
     A = sine.least_overturning_amplitude(4.4351758793969855, 0.85)
     assert pytest.approx(sine.last_in_pulse(4.4351758793969855), rel=0.01) == A
-    assert falls(block(0.85), 4.4351758793969855, [A * (1 - 1e-9), A * (1 + 1e-9)]) == [False, True]
+    assert falls(block_of(restitution=0.85), 4.4351758793969855, [A * (1 - 1e-9), A * (1 + 1e-9)]) == [False, True]
 
 
 @pytest.mark.parametrize("restitution", [0.9, 0.7])
@@ -146,12 +149,12 @@ def test_outcomes_are_those_between_the_branches(omega: float, restitution: floa
         [*sine.impact_in_pulse(omega, restitution), *sine.impact_after_pulse(omega, restitution), ONE_SINE[omega]]
     )
     expected = np.searchsorted(branches, A) % 2 == 1
-    np.testing.assert_array_equal(falls(block(restitution), omega, A), expected)
+    np.testing.assert_array_equal(falls(block_of(restitution=restitution), omega, A), expected)
 
 
 def test_the_map_shows_the_safe_island() -> None:
     """Omega 4, restitution 0.9: overturned from 1.7955 to 4.8501, stands up to 5.2390."""
-    body = block(0.9)
+    body = block_of(restitution=0.9)
     amplitude, frequency = unit(body, "linearised")
     A = np.arange(0.0, 6.0, 0.05)
     found = envelope(
@@ -166,7 +169,7 @@ def test_the_map_shows_the_safe_island() -> None:
 @pytest.mark.parametrize("omega", HALF_SINE)
 def test_one_sided_rocking_needs_less_where_the_pulse_presses_first(omega: float) -> None:
     """The plot of the thesis shows the other polarity; the envelope takes the worse. Restitution 0.4 does not enter."""
-    body = block(0.4, sides=1)
+    body = block_of(restitution=0.4, sides=1)
     amplitude, frequency = unit(body, "linearised")
     lifting, pressing = ONE_SINE[omega], sine.half_sine(omega)
     assert falls(body, omega, [lifting * (1 - 1e-10), lifting * (1 + 1e-10)]) == [False, True]
@@ -195,7 +198,7 @@ LAST_DIGIT = {1.0: (1e-3, 1e-4), 2.0: (1e-4, 1e-4), 4.0: (1e-4, 1e-4), 6.0: (1e-
 @pytest.mark.parametrize("alpha", SECTION_5)
 def test_exact_block_against_the_printed_thresholds(alpha: float) -> None:
     """The table of rotation long enough for those that return from far beyond alpha while the pulse lasts."""
-    body = block(0.9, alpha=alpha, end=4.0)
+    body = block_of(restitution=0.9, alpha=alpha, end=4.0)
     found = bounds(body, [row[0] for row in SECTION_5[alpha]], 12.0, "exact") * SAMPLED
     for (omega, least, without), ours in zip(SECTION_5[alpha], found, strict=True):
         near, far = (0.6 * digit for digit in LAST_DIGIT[omega])
@@ -208,8 +211,8 @@ def test_leaving_the_table_counts_as_overturned() -> None:
     """Omega 2, alpha 0.2: between 0.98 and 1 of the amplitude without impact the block passes 1.5 alpha and would
     return under load. The table ends there, which is the safe side."""
     A = 0.99 * 2.3550
-    assert falls(block(0.9, end=4.0), 2.0, A, "exact") == [False]
-    assert falls(block(0.9, end=1.5), 2.0, A, "exact") == [True]
+    assert falls(block_of(restitution=0.9, end=4.0), 2.0, A, "exact") == [False]
+    assert falls(block_of(restitution=0.9, end=1.5), 2.0, A, "exact") == [True]
 
 
 @pytest.mark.parametrize(("omega", "A"), [(4.0, 1.9), (2.0, 1.9), (3.0, 1.3)])

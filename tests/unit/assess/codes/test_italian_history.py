@@ -20,12 +20,9 @@ from assess.mechanisms.single_block import equivalent_block
 from spectra.asce7 import design_spectrum
 
 ALPHA, RADIUS = 0.1, 3.0
+BLOCK = equivalent_block("w", p=1.6, uplift=ALPHA, radius=RADIUS).oscillator
 LEVEL = 0.2 * g
 SEVEN = (0.1, 0.2, 0.3, 0.3, 0.4, 0.5, 0.6)
-
-
-def block():
-    return equivalent_block("w", p=1.6, uplift=ALPHA, radius=RADIUS).oscillator
 
 
 def context(*ratios, pga=LEVEL, levels=(LEVEL,), **more):
@@ -41,7 +38,7 @@ def moved(ratio):
 
 
 def one(*ratios, state="SLV", **more):
-    (check,) = ntc2018.assess_history(block(), context(*ratios, **more), options=ItalianOptions(limit_states=(state,)))
+    (check,) = ntc2018.assess_history(BLOCK, context(*ratios, **more), options=ItalianOptions(limit_states=(state,)))
     return check
 
 
@@ -87,9 +84,9 @@ def test_confidence_factor_goes_with_the_motion():
         SuiteResponse(pga * g, (ratio,) * 7, "positive") for pga, ratio in ((0.2, 0.1), (0.24, 0.3), (0.3, 0.5))
     )
     at = dataclasses.replace(context(*(0.1,) * 7), incremental=scan, extra_suites=scan[1:2])
-    (plain,) = ntc2018.assess_history(block(), at, options=ItalianOptions())
+    (plain,) = ntc2018.assess_history(BLOCK, at, options=ItalianOptions())
     (less,) = ntc2018.assess_history(
-        block(), dataclasses.replace(at, knowledge={"ntc2018": "LC2"}), options=ItalianOptions()
+        BLOCK, dataclasses.replace(at, knowledge={"ntc2018": "LC2"}), options=ItalianOptions()
     )
     assert plain.ratio == pytest.approx(moved(0.1) / 0.4, rel=1e-9)
     assert less.ratio == pytest.approx(moved(0.3) / 0.4, rel=1e-9)
@@ -101,7 +98,7 @@ def test_confidence_factor_goes_with_the_motion():
 def test_without_crushing_the_suite_of_1_35_times_the_pga_decides_whatever_the_level():
     beside = SuiteResponse(1.35 * LEVEL, (0.3,) * 7, "positive")
     at = dataclasses.replace(context(*(0.1,) * 7), crushing=False, extra_suites=(beside,))
-    deciding, informing = ntc2018.assess_history(block(), at, options=ItalianOptions(confidence_factor=1.0))
+    deciding, informing = ntc2018.assess_history(BLOCK, at, options=ItalianOptions(confidence_factor=1.0))
     assert (deciding.ratio, deciding.informs) == (pytest.approx(moved(0.3) / 0.4, rel=1e-9), False)
     assert (informing.ratio, informing.informs) == (pytest.approx(moved(0.1) / 0.4, rel=1e-9), True)
 
@@ -124,7 +121,7 @@ def test_a_suite_that_fails_beside_the_levels_ends_the_scan():
     scan = (*scan, SuiteResponse(0.5 * g, (None,) * 7, "positive"))
     beside = SuiteResponse(0.27 * g, (None, *(0.1,) * 6), "positive")
     at = dataclasses.replace(context(*(0.1,) * 7), incremental=scan, extra_suites=(beside,), crushing=False)
-    (check,) = ntc2018.assess_history(block(), at, options=ItalianOptions())
+    (check,) = ntc2018.assess_history(BLOCK, at, options=ItalianOptions())
     assert check.verdict == "fail"
     assert check.capacity_pga_g == pytest.approx(0.26 / 1.35, rel=1e-9)
     assert check.safety_index < 1.0
@@ -133,7 +130,7 @@ def test_a_suite_that_fails_beside_the_levels_ends_the_scan():
 def test_histories_of_the_ground_cannot_pass_a_mechanism_above_it():
     def admitted_at(at):
         options = ItalianOptions()
-        (check,) = apply_procedure("ntc2018-history", partial(ntc2018.assess_history, options=options), block(), at)
+        (check,) = apply_procedure("ntc2018-history", partial(ntc2018.assess_history, options=options), BLOCK, at)
         return check
 
     low = dataclasses.replace(context(*(0.1,) * 7), elevation=5.0)
@@ -144,7 +141,7 @@ def test_histories_of_the_ground_cannot_pass_a_mechanism_above_it():
 
 
 def test_edition_of_2008_has_one_limit_state_and_the_same_share():
-    checks = dmi2008.assess_history(block(), context(*SEVEN), options=ItalianOptions(limit_states=("SLD", "SLV")))
+    checks = dmi2008.assess_history(BLOCK, context(*SEVEN), options=ItalianOptions(limit_states=("SLD", "SLV")))
     assert [check.limit_state for check in checks] == ["SLV"]
     assert checks[0].ratio == pytest.approx(one(*SEVEN).ratio, rel=1e-12)
 

@@ -16,20 +16,18 @@ from assess.codes.context import Context, LocalLimit
 from assess.codes.italian_limit_states import ItalianOptions
 from assess.mechanisms.single_block import equivalent_block
 from spectra import ntc
+from tests.support.answered import step_values
 from tests.support.curved import both, pulled, thrust
 
 ALPHA, RADIUS, LC1 = 0.1, 3.0, 1.35
+BLOCK = equivalent_block("w", p=1.6, uplift=ALPHA, radius=RADIUS).oscillator
 D0 = RADIUS * sin(ALPHA)
 SPECTRUM = ntc.elastic_spectrum(ntc.Hazard(0.2 * g, 2.4, 0.35), place=ntc.SoilAndTopography("B"))
 
 
-def block():
-    return equivalent_block("w", p=1.6, uplift=ALPHA, radius=RADIUS).oscillator
-
-
 def moment(lam):
     """Restoring moment of a multiplier of the block at rest [N m]."""
-    return lam * g * float(block().positive.excitation[0])
+    return lam * g * float(BLOCK.positive.excitation[0])
 
 
 def moved(share):
@@ -39,12 +37,8 @@ def moved(share):
 
 def asked(procedure=ntc2018.assess_nonlinear, *, rocker=None, state="SLV", **more):
     context = Context(SPECTRUM, (SPECTRUM.pga,), 0.0, 0.0, None, **more)
-    (check,) = procedure(rocker or block(), context, options=ItalianOptions(limit_states=(state,)))
+    (check,) = procedure(rocker or BLOCK, context, options=ItalianOptions(limit_states=(state,)))
     return check
-
-
-def steps(check):
-    return {step.symbol: step.value for step in check.steps}
 
 
 def ending(share, kind="break", branch="positive"):
@@ -52,16 +46,16 @@ def ending(share, kind="break", branch="positive"):
 
 
 def tied(lam, share):
-    return both(pulled(block().positive, moment(lam), until=share * ALPHA), block())
+    return both(pulled(BLOCK.positive, moment(lam), until=share * ALPHA), BLOCK)
 
 
 def test_a_break_that_takes_more_than_half_of_the_largest_acceleration_limits_slv():
     """lambda 0.1 + 0.2 at rest, 0.08 after the break at 0.2 alpha: less than 0.15. a(d_SLV) still has the tie."""
     check = asked(breaking=tied(0.2, 0.2), limits=(ending(0.2), ending(0.2, branch="negative")))
     assert check.capacity == pytest.approx(moved(0.2), rel=1e-9)
-    held = tan(0.8 * ALPHA) + moment(0.2) / (g * block().mass * RADIUS * sin(pi / 2 - 0.8 * ALPHA))
-    assert steps(check)["a(d_SLV)"] == pytest.approx(held * g / LC1, rel=1e-6)
-    assert steps(check)["λ / λ_max"] == pytest.approx(tan(0.8 * ALPHA) / (tan(ALPHA) + 0.2), rel=1e-6)
+    held = tan(0.8 * ALPHA) + moment(0.2) / (g * BLOCK.mass * RADIUS * sin(pi / 2 - 0.8 * ALPHA))
+    assert step_values(check)["a(d_SLV)"] == pytest.approx(held * g / LC1, rel=1e-6)
+    assert step_values(check)["λ / λ_max"] == pytest.approx(tan(0.8 * ALPHA) / (tan(ALPHA) + 0.2), rel=1e-6)
 
 
 def test_a_smaller_loss_limits_nothing_and_the_curve_goes_on_without_the_tie():
@@ -70,7 +64,7 @@ def test_a_smaller_loss_limits_nothing_and_the_curve_goes_on_without_the_tie():
     check = asked(breaking=tied(0.05, 0.2), limits=limits)
     plain = asked()
     assert check.capacity == pytest.approx(0.4 * D0, rel=1e-9)
-    assert steps(check)["a(d_SLV)"] == pytest.approx(steps(plain)["a(d_SLV)"], rel=1e-6)
+    assert step_values(check)["a(d_SLV)"] == pytest.approx(step_values(plain)["a(d_SLV)"], rel=1e-6)
 
 
 def test_a_break_beyond_the_share_of_d0_limits_nothing():
@@ -78,7 +72,7 @@ def test_a_break_beyond_the_share_of_d0_limits_nothing():
     limits = (ending(0.7), ending(0.7, branch="negative"))
     check, plain = asked(breaking=tied(0.2, 0.7), limits=limits), asked()
     assert check.capacity == plain.capacity
-    assert steps(check)["T_SLV"] < steps(plain)["T_SLV"]
+    assert step_values(check)["T_SLV"] < step_values(plain)["T_SLV"]
 
 
 def test_slc_is_limited_by_a_seat_and_not_by_a_break():
@@ -86,8 +80,8 @@ def test_slc_is_limited_by_a_seat_and_not_by_a_break():
     check = asked(state="SLC", breaking=tied(0.2, 0.2), limits=limits)
     assert check.capacity == pytest.approx(moved(0.3), rel=1e-9)
     assert check.branch == "positive"
-    T = 1.56 * pi * sqrt(check.capacity / steps(check)["a(d_SLC)"])
-    assert steps(check)["T_SLC"] == pytest.approx(T, rel=1e-9)
+    T = 1.56 * pi * sqrt(check.capacity / step_values(check)["a(d_SLC)"])
+    assert step_values(check)["T_SLC"] == pytest.approx(T, rel=1e-9)
 
 
 def test_a_seat_limits_slv_of_either_edition_too():
@@ -101,20 +95,20 @@ def test_an_inward_tie_and_an_outward_thrust_of_one_size_leave_d0_to_the_thrust(
 
     alpha0 is the block's in the linear check; no bound of the non-linear one, where it is 1 - 0.4 of that.
     """
-    rocker, half = block(), 0.4 * sin(ALPHA)
+    rocker, half = BLOCK, 0.4 * sin(ALPHA)
     driven = thrust(rocker.positive, half * g * rocker.mass * RADIUS)
     check = asked(rocker=both(driven, rocker), starting=rocker)
-    assert steps(check)["d0*"] == pytest.approx(RADIUS * (sin(ALPHA) - half), rel=1e-6)
+    assert step_values(check)["d0*"] == pytest.approx(RADIUS * (sin(ALPHA) - half), rel=1e-6)
     assert driven.overturning == pytest.approx(ALPHA - asin(half), rel=1e-5)
-    assert steps(check)["α0"] == pytest.approx(0.6 * tan(ALPHA), rel=1e-9)
+    assert step_values(check)["α0"] == pytest.approx(0.6 * tan(ALPHA), rel=1e-9)
     first = asked(ntc2018.assess_linear, rocker=both(driven, rocker), starting=rocker)
-    assert steps(first)["α0"] == pytest.approx(tan(ALPHA), rel=1e-9)
-    assert steps(check)["a(d_SLV)"] < 0.6 * tan(ALPHA) * g / LC1
+    assert step_values(first)["α0"] == pytest.approx(tan(ALPHA), rel=1e-9)
+    assert step_values(check)["a(d_SLV)"] < 0.6 * tan(ALPHA) * g / LC1
 
 
 def test_curves_are_paired_by_the_name_of_the_branch():
     """A tie on one side only: the mechanism without it is symmetric, and the other side is the worse."""
-    rocker = block()
+    rocker = BLOCK
     starting = replace(rocker, negative=pulled(rocker.positive, moment(0.2), until=10 * ALPHA))
     one_way = replace(rocker, positive=starting.negative, negative=rocker.positive)
     for state, worse in ((starting, "positive"), (one_way, "negative")):
@@ -128,6 +122,6 @@ def test_curves_are_paired_by_the_name_of_the_branch():
 def test_the_confidence_factor_divides_no_displacement():
     known = [asked(crushing=True, knowledge={"ntc2018": level}) for level in ("LC1", "LC2", "LC3")]
     assert [check.capacity for check in known] == [known[0].capacity] * 3
-    factors = [steps(check)["a0*"] * FC for check, FC in zip(known, (1.35, 1.2, 1.0), strict=True)]
+    factors = [step_values(check)["a0*"] * FC for check, FC in zip(known, (1.35, 1.2, 1.0), strict=True)]
     assert factors == pytest.approx([tan(ALPHA) * g] * 3, rel=1e-9)
-    assert [steps(check)["FC"] for check in known] == [1.35, 1.2, 1.0]
+    assert [step_values(check)["FC"] for check in known] == [1.35, 1.2, 1.0]

@@ -14,6 +14,7 @@ from scipy.optimize import brentq
 from assess.errors import InterfaceError
 from assess.interfaces.contact import Contact, JointLaw, contact, out_of_plane_warning, semi_flexible_shift, thresholds
 from assess.interfaces.section import ContactSection, annulus, circle, hollow_rectangle, mirror, polygon, rectangle
+from tests.support.regions import in_joint_frame
 
 K, F = 3e8, 2.5e6
 LAW = JointLaw(K, F)
@@ -31,15 +32,6 @@ DISCS = {"circle": (0.75, 0.0), "thick ring": (0.75, 0.4), "thin ring": (2.0, 1.
 
 
 # ------------------------------------------------------------------------------------------------- independent answers
-
-
-def turned(region, direction):
-    """The region by depth from its foremost point and offset to the left of its centroid."""
-    along = np.asarray(direction) / np.hypot(*direction)
-    across = np.array([-along[1], along[0]])
-    middle = shapely.get_coordinates(region.centroid)[0]
-    ahead = (shapely.get_coordinates(region) @ along).max()
-    return shapely.transform(region, lambda p: np.column_stack([ahead - p @ along, (p - middle) @ across]))
 
 
 def moments(region):
@@ -143,7 +135,7 @@ def agrees(section: ContactSection, face, *, share: float) -> None:
 @pytest.mark.parametrize("direction", DIRECTIONS)
 @pytest.mark.parametrize("name", REGIONS)
 def test_polygons(name, direction, share):
-    agrees(polygon(REGIONS[name], direction=direction), Clipped(turned(REGIONS[name], direction)), share=share)
+    agrees(polygon(REGIONS[name], direction=direction), Clipped(in_joint_frame(REGIONS[name], direction)), share=share)
 
 
 @pytest.mark.parametrize("share", [0.01, 0.3, 0.62, 0.97])
@@ -156,7 +148,7 @@ def test_discs(name, share):
 
 @pytest.mark.parametrize("name", REGIONS)
 def test_joint_without_limit_of_strength(name):
-    section, face = polygon(REGIONS[name], direction=(0.3, 1.0)), Clipped(turned(REGIONS[name], (0.3, 1.0)))
+    section, face = polygon(REGIONS[name], direction=(0.3, 1.0)), Clipped(in_joint_frame(REGIONS[name], (0.3, 1.0)))
     law, force = JointLaw(K), 1e6
     for phi in thresholds(section, law, normal_force=force)[0] * np.array([0.2, 1.5, 40.0]):
         found = contact(section, law, normal_force=force, rotation=phi)

@@ -15,6 +15,7 @@ from assess.geometry.cut import divide, heading, inclined_plane, level_plane
 from assess.geometry.solid import box, profile
 from assess.interfaces.kernel.moments import BEGIN, SUM_A, SUM_S, SUM_T, V0, V1, V2, W0, W1, A, S, T
 from assess.interfaces.section import ContactSection, annulus, circle, hollow_rectangle, mirror, polygon, rectangle
+from tests.support.regions import in_joint_frame
 
 EXACT = 1e-13
 L_SHAPE = shapely.Polygon([(0, 0), (2, 0), (2, 1), (1, 1), (1, 3), (0, 3)])
@@ -39,15 +40,6 @@ every_region = pytest.mark.parametrize("name", REGIONS)
 every_direction = pytest.mark.parametrize("direction", DIRECTIONS)
 
 
-def turned(region, direction):
-    """The region with depth, from its foremost point, as first coordinate and offset from the centroid as second."""
-    along = np.asarray(direction) / np.hypot(*direction)
-    across = np.array([-along[1], along[0]])
-    middle = shapely.get_coordinates(region.centroid)[0]
-    ahead = (shapely.get_coordinates(region) @ along).max()
-    return shapely.transform(region, lambda p: np.column_stack([ahead - p @ along, (p - middle) @ across]))
-
-
 def integral(region, power):
     """Of depth * offset^0 etc. over a region by triangles and a rule exact for quadratics."""
     total = 0.0
@@ -70,7 +62,7 @@ def width(section: ContactSection, x: float) -> float:
 @every_region
 @every_direction
 def test_whole_section(name, direction):
-    region = turned(REGIONS[name], direction)
+    region = in_joint_frame(REGIONS[name], direction)
     section = polygon(REGIONS[name], direction=direction)
     low_x, low_y, high_x, high_y = region.bounds
     assert section.depth == pytest.approx(high_x - low_x, rel=EXACT, abs=0.0)
@@ -82,7 +74,7 @@ def test_whole_section(name, direction):
 @every_region
 @every_direction
 def test_widths_are_chords(name, direction):
-    region = turned(REGIONS[name], direction)
+    region = in_joint_frame(REGIONS[name], direction)
     section = polygon(REGIONS[name], direction=direction)
     for x in section.depth * np.random.default_rng(1).random(25):
         chord = shapely.LineString([(x, -9.0), (x, 9.0)]).intersection(region).length
@@ -93,7 +85,7 @@ def test_widths_are_chords(name, direction):
 @every_direction
 def test_moments_up_to_each_knot(name, direction):
     """A, S, T by clipping; and their sums over depth, which are moments of the distance to the knot."""
-    region = turned(REGIONS[name], direction)
+    region = in_joint_frame(REGIONS[name], direction)
     for row in polygon(REGIONS[name], direction=direction).pieces[1:]:
         z = row[BEGIN]
         part = region.intersection(shapely.box(-1.0, -9.0, z, 9.0))

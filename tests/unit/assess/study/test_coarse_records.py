@@ -6,14 +6,14 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from scipy.constants import g
 
-from assess.oscillator import Oscillator, RockingBlock, elastic_frequency, plain_branch
+from assess.oscillator import elastic_frequency
 from assess.results import Results
 from assess.study.run import EnvelopeCase, coarse_record_messages, longest_step, run_study
 from assess.study.study import ScaledRecord
 from records.record import make_record
 from records.scaling import Scaling
+from tests.support.blocks import tabulated_block
 from tests.support.projects import ASCE7, block, project_toml, study_of, wall
 
 PROJECT = project_toml(
@@ -29,22 +29,17 @@ PROJECT = project_toml(
 )
 
 
-def block(p: float) -> Oscillator:
-    side = plain_branch(RockingBlock(1.0, 1.0, 0.2, g / p**2), restitution=0.9)
-    return Oscillator(side, side, 1.0)
-
-
 def motions(*steps: float) -> list[ScaledRecord]:
     return [ScaledRecord(make_record(f"r{k}", [0.0, 1.0, 0.0], dt), Scaling(1.0, 0.0)) for k, dt in enumerate(steps)]
 
 
 def notices(p: float, *steps: float) -> list[str]:
-    rocker = EnvelopeCase("tower", block(p), "exact", np.ones_like)
+    rocker = EnvelopeCase("tower", tabulated_block(p), "exact", np.ones_like)
     return [f"{n.key} {n.where} {n.text}" for n in coarse_record_messages([rocker], motions(*steps))]
 
 
 def test_ten_samples_within_1_over_p() -> None:
-    assert longest_step(block(2.5), equation="exact")[0] == pytest.approx(0.04, rel=1e-6)
+    assert longest_step(tabulated_block(2.5), equation="exact")[0] == pytest.approx(0.04, rel=1e-6)
     assert notices(2.0, 0.005, 0.02, 0.0499) == []
     (text,) = notices(2.0, 0.005, 0.06, 0.02)
     assert text.startswith("coarse-record mechanisms.tower ")
@@ -77,4 +72,4 @@ def test_a_run_tells_which_mechanism_record_and_step(tmp_path: Path) -> None:
 
 def test_a_fine_record_is_no_matter(tmp_path: Path) -> None:
     assert [n for n in results(tmp_path, dt=0.005).warnings if n.key == "coarse-record"] == []
-    assert elastic_frequency(block(2.0).positive) is None
+    assert elastic_frequency(tabulated_block(2.0).positive) is None

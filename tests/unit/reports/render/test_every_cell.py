@@ -16,6 +16,7 @@ from reports.language.locale import Locale
 from reports.render.csv import csv_field, write_csv
 from reports.render.spreadsheet import write_xlsx
 from reports.render.table_text import PlainCell, column_texts, plain_cell, sheet_as_table, sheet_rows
+from tests.support.letters import without_spaces
 from tests.support.sample_document import sample_document
 from tests.support.sample_page import write_page
 
@@ -77,12 +78,8 @@ def test_page(tmp_path: Path, locale: Locale) -> None:
         ]
         assert [[cell.text_content() for cell in row] for row in rows] == written
     (sheet,) = document.sheets
-    text = squeezed(tree.xpath("//table[@id='sheet-1']/tbody")[0].text_content())
+    text = without_spaces(tree.xpath("//table[@id='sheet-1']/tbody")[0].text_content())
     for row in sheet_rows(sheet, document.writer):
-        assert squeezed(visible(row.description)) in text
-        assert squeezed(row.result) in text
-        assert squeezed(row.beside) in text
-
-
-def squeezed(text: str) -> str:
-    return "".join(text.split())
+        assert without_spaces(visible(row.description)) in text
+        assert without_spaces(row.result) in text
+        assert without_spaces(row.beside) in text

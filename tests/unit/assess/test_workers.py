@@ -31,11 +31,11 @@ if __name__ == "__main__":
 COPIED = """
 import sys, time
 from assess.outputs.signals import Terminated, raise_on_signals
-from reports.render.vector import processes
+from reports.render.vector import document_processes
 def rest(_, seconds):
     time.sleep(seconds)
 try:
-    with raise_on_signals(), processes(2, None) as submit:
+    with raise_on_signals(), document_processes(2, None) as submit:
         made = [submit(rest, seconds) for seconds in (0.0, *[60.0] * 9)]
         made[0].result()
         print("ready", flush=True)

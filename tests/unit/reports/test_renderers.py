@@ -13,7 +13,6 @@ ROOT = Path(reports.__file__).parent
 RENDERERS = sorted(
     str(path.relative_to(ROOT))
     for path in (ROOT / "document.py", *(ROOT / "render").glob("*.py"), *(ROOT / "language").glob("*.py"))
-    if path.stem not in ("figure_file", "processes")
 )
 LETTERS = {
     "spectra.formulas",  # which text a spreadsheet would run
@@ -21,6 +20,8 @@ LETTERS = {
     "assess.messages.message",
     "assess.messages.texts",
 }
+FIGURES_AS_FILES = {"assess.outputs.writing", "assess.workers"}
+"""Figures are drawn in processes of their own, and written whole or not at all."""
 DATA = {
     *LETTERS,
     "spectra.arrays",  # the types of arrays
@@ -55,7 +56,7 @@ def imports(path: Path) -> set[str]:
 
 @pytest.mark.parametrize("name", RENDERERS)
 def test_renderers_import_nothing_of_assess_but_its_words(name: str) -> None:
-    others = imports(ROOT / name) - LETTERS
+    others = imports(ROOT / name) - LETTERS - (FIGURES_AS_FILES if name == "render/vector.py" else set())
     assert not any(module.split(".")[0] in {"assess", "records", "spectra"} for module in others)
 
 

@@ -14,6 +14,7 @@ from queue import SimpleQueue
 
 from tools.mutate.covering import Covering
 from tools.mutate.equivalent import reason
+from tools.mutate.kept import find_again, keep
 from tools.mutate.mutant import Mutant, draw
 from tools.mutate.report import outcome, report, score, table
 from tools.mutate.site import ROOT
@@ -25,13 +26,16 @@ FOLDER = ROOT / "build/mutate"
 def main() -> int:
     """Return 1 where fewer than the share asked for are killed."""
     asked = _parser().parse_args()
+    if asked.keep is not None:
+        keep(draw(asked.mutants, seed=asked.seed), asked.keep)
+        return 0
     started = time.monotonic()
     covering = Covering(FOLDER)
     covering.measure()
     below, again = tuple(asked.path or [""]), _survivors(asked.seed) if asked.again else None
     drawn = [
         each
-        for each in draw(asked.mutants, seed=asked.seed)
+        for each in (_found_again(asked.kept) if asked.kept else draw(asked.mutants, seed=asked.seed))
         if each.site.path.startswith(below) and (again is None or (_name(each) in again and reason(each) is None))
     ]
     trials = dict[Mutant, Trial]()
@@ -53,6 +57,14 @@ def main() -> int:
     minutes = (time.monotonic() - started) / 60
     sys.stdout.write(f"{table(list(trials.values()))}{minutes:.0f} minutes; {FOLDER / 'report.md'}\n")
     return int(100 * score(Counter(map(outcome, trials.values()))) < asked.least)
+
+
+def _found_again(file: Path) -> list[Mutant]:
+    """Return the mutants of a file, and print those that are lost."""
+    found, lost = find_again(file)
+    for each in lost:
+        sys.stdout.write(f"not found again: {each.path} {each.function}: {each.before}\n")
+    return found
 
 
 def _trials(mutants: Sequence[Mutant], covering: Covering, copies: Sequence[Path]) -> Iterator[Trial]:
@@ -102,6 +114,8 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument("--processes", type=int, default=2)
     parser.add_argument("--least", type=float, default=95.0, help="per cent to be killed of those not equivalent")
     parser.add_argument("--path", action="append", default=[], help="only mutants below it; repeat it; all if absent")
+    parser.add_argument("--keep", type=Path, metavar="FILE", help="write those drawn to FILE as text, and try none")
+    parser.add_argument("--kept", type=Path, metavar="FILE", help="those of FILE, found again by their text")
     parser.add_argument("--again", action="store_true", help="only what survived the last run with the seed")
     return parser
 

@@ -9,12 +9,6 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-from cosmic_ray.ast import ast_nodes, get_ast
-from cosmic_ray.mutating import mutate_code
-from cosmic_ray.operators.provider import OperatorProvider
-
-from tools.mutate.text import ReplaceText
-
 ROOT = Path(__file__).parents[2]
 TARGETS = (
     "assess/oscillator.py",
@@ -59,6 +53,10 @@ class Site:
 @cache
 def operators() -> dict[str, Any]:
     """Cosmic Ray's without arguments that change a result of this program, and ours, by name."""
+    from cosmic_ray.operators.provider import OperatorProvider
+
+    from tools.mutate.text import ReplaceText
+
     given = OperatorProvider()
     taken = {name: given[name]() for name in given if not given[name].arguments() and _kept(name)}
     return {**taken, "ReplaceText": ReplaceText()}
@@ -82,6 +80,8 @@ def files() -> list[str]:
 
 def sites(path: str) -> list[Site]:
     """The places of one file."""
+    from cosmic_ray.ast import ast_nodes, get_ast
+
     by_type, places = dict[str, list[Any]](), dict[tuple[Any, str], tuple[Any, list[tuple[str, int]]]]()
     every = list(ast_nodes(get_ast((ROOT / path).read_text(encoding="utf-8"))))
     for node in every:
@@ -101,6 +101,8 @@ def sites(path: str) -> list[Site]:
 
 def mutated(path: str, operator: str, occurrence: int) -> str | None:
     """The source with the mutant; None where it would not compile, or would compile to the same."""
+    from cosmic_ray.mutating import mutate_code
+
     source = (ROOT / path).read_text(encoding="utf-8")
     changed = mutate_code(source, operators()[operator], occurrence)
     try:

@@ -94,7 +94,7 @@ def report(made: Path, scratch: Path) -> dict[str, Any]:
         "told": ended["told"],
         "pages": [OWN_DIGEST.sub("#", page.replace(str(scratch), "")).splitlines() for page in pages],
         "tables": {
-            path.relative_to(folder).as_posix(): path.read_text(encoding="utf-8").splitlines()
+            path.relative_to(folder).as_posix(): path.read_text(encoding="utf-8").replace(str(scratch), "").splitlines()
             for path in sorted(folder.rglob("*.csv"))
         },
     }

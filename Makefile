@@ -1,5 +1,6 @@
 # The verbs of the project. A fresh machine needs Python 3.11+ with pip, and make.
 PYTHON ?= python3
+export PYTHONDONTWRITEBYTECODE :=   # packages are installed uncompiled: what is imported is compiled once, not by each process
 BIN := .venv/$(if $(filter Windows_NT,$(OS)),Scripts,bin)
 DEMO := build/demo
 KILLS ?= 120

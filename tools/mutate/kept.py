@@ -49,11 +49,11 @@ def keep(mutants: Sequence[Mutant], file: Path) -> None:
 
 
 def _around(mutant: Mutant) -> tuple[str, str]:
-    """The lines above and below the change, without what is blank."""
-    lines = [line[1:] for line in mutant.diff.splitlines() if not line.startswith("@@")]
-    marks = [line[:1] for line in mutant.diff.splitlines() if not line.startswith("@@")]
-    changed = [number for number, mark in enumerate(marks) if mark in "+-"]
-    return "\n".join(lines[: changed[0]]), "\n".join(lines[changed[-1] + 1 :])
+    """The lines above and below the change."""
+    lines = [line for line in mutant.diff.splitlines() if not line.startswith("@@")]
+    changed = [number for number, line in enumerate(lines) if line.startswith(("+", "-"))]
+    above, below = lines[: changed[0]], lines[changed[-1] + 1 :]
+    return "\n".join(line[1:] for line in above), "\n".join(line[1:] for line in below)
 
 
 def find_again(file: Path) -> tuple[list[Mutant], list[KeptMutant]]:

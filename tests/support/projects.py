@@ -4,13 +4,20 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from datetime import date
 from pathlib import Path
 from typing import Any
 
+import pytest
+
+from assess.errors import AssessError
+from assess.mechanisms.mechanism import Mechanism
 from assess.project.build import build
-from assess.project.project_file import load
+from assess.project.project_file import Project, load
+from assess.results import MechanismResult, Results
+from assess.study.mechanism_results import parameters
+from assess.study.run import run_study
 from assess.study.study import Study
 
 Table = dict[str, Any]
@@ -67,11 +74,60 @@ def lines(table: Mapping[str, Any], more: str = "") -> str:
     return "\n".join([*(f"{_key(key)} = {toml(value)}" for key, value in table.items()), more])
 
 
-def study_of(folder: Path, text: str) -> Study:
-    """Return the study of a project file, which is written into `folder`."""
-    path = folder / "project.toml"
-    path.write_text(text, encoding="utf-8")
-    return build(load(path))
+def body_toml(name: str, form: str, *, material: str = "m") -> str:
+    """Return the table of a body, its form as TOML."""
+    return f'[bodies.{name}]\nmaterial = "{material}"\n{form}\n'
+
+
+def box_toml(name: str, size: Sequence[float], base: Sequence[float] = (0, 0, 0), *, material: str = "m") -> str:
+    """Return the table of a body that is a box: thickness, length and height, and the middle of its foot."""
+    return tables_toml(bodies={name: wall(*size, material=material, base=list(base))})
+
+
+def mechanism_toml(more: str = "", *, kind: str = "single-block", name: str = "m", blocks: Any = ("wall",)) -> str:
+    """Return the table of a mechanism of these blocks, and `more` TOML in it."""
+    return f"[mechanisms.{name}]\n{lines({'kind': kind, 'blocks': list(blocks)}, more)}\n"
+
+
+def write_project(folder: Path, *texts: str | bytes, name: str = "project.toml") -> Path:
+    """Write a project file of these texts, one behind the other."""
+    (folder / name).write_bytes(b"".join(text if isinstance(text, bytes) else text.encode() for text in texts))
+    return folder / name
+
+
+def load_project(folder: Path, *texts: str | bytes) -> Project:
+    """Return the project of these texts, which are written into `folder`."""
+    return load(write_project(folder, *texts))
+
+
+def study_of(folder: Path, *texts: str) -> Study:
+    """Return the study of a project file of these texts, which is written into `folder`."""
+    return build(load_project(folder, *texts))
+
+
+def mechanism_of(folder: Path, *texts: str) -> Mechanism:
+    """Return the only mechanism of such a project."""
+    (mechanism,) = study_of(folder, *texts).mechanisms
+    return mechanism
+
+
+def parameters_of(folder: Path, *texts: str) -> MechanismResult:
+    """Return the parameters of the only mechanism of such a project."""
+    (result,) = parameters(study_of(folder, *texts))
+    return result
+
+
+def results_of(folder: Path, *texts: str, jobs: int = 0) -> Results:
+    """Return the results of such a project."""
+    return run_study(study_of(folder, *texts), jobs=jobs)
+
+
+def refusal_of(folder: Path, *texts: str) -> str:
+    """Return the one line in which such a project is refused."""
+    with pytest.raises(AssessError) as caught:
+        study_of(folder, *texts)
+    assert "\n" not in str(caught.value)
+    return str(caught.value)
 
 
 def toml(value: Any) -> str:

@@ -9,24 +9,22 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from tests.support import mesh_files
 from tests.support.command import ended
 
 CUBE = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [0, 0, 1], [1, 0, 1], [1, 1, 1], [0, 1, 1]], dtype=float)
-QUADS = [(1, 4, 3, 2), (5, 6, 7, 8), (1, 2, 6, 5), (2, 3, 7, 6), (3, 4, 8, 7), (4, 1, 5, 8)]
+QUADS = [(0, 3, 2, 1), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7)]
 
 
 def obj(folder: Path, **boxes: tuple[tuple[float, float, float], tuple[float, float, float], float]) -> Path:
     """Boxes by name: size, corner, turn about z [deg]."""
-    lines, count = [], 0
-    for name, (size, corner, turn) in boxes.items():
+    content = b""
+    for count, (name, (size, corner, turn)) in enumerate(boxes.items()):
         c, s = cos(radians(turn)), sin(radians(turn))
         places = CUBE * size @ np.array([[c, s, 0], [-s, c, 0], [0, 0, 1]]) + corner
-        lines += [f"o {name}", *(f"v {x:.17g} {y:.17g} {z:.17g}" for x, y, z in places)]
-        lines += ["f " + " ".join(str(corner + count) for corner in quad) for quad in QUADS]
-        count += 8
-    file = folder / "house.obj"
-    file.write_text("\n".join(lines) + "\n")
-    return file
+        content += mesh_files.obj(places, QUADS, name=name, before=8 * count)
+    (folder / "house.obj").write_bytes(content)
+    return folder / "house.obj"
 
 
 def listed(capsys: pytest.CaptureFixture[str], *arguments: str | Path) -> list[dict[str, object]]:

@@ -10,13 +10,8 @@ import shapely
 from scipy.spatial.transform import Rotation
 
 from assess.geometry.contact import find_contact
-from assess.geometry.solid import Solid, polyhedron, profile
-from tests.support.solids import cuboid, refine_mesh
-
-
-def moved(solid: Solid, turn: Rotation, shift) -> Solid:
-    return polyhedron(turn.apply(solid.vertices.copy()) + shift, solid.triangles, density=1000.0, name=solid.name)
-
+from assess.geometry.solid import profile
+from tests.support.solids import cuboid, moved_solid, refine_mesh
 
 WALL = cuboid((-0.3, -2, 0), (0.3, 2, 4), "wall")
 CASES = {  # body; area, centroid, bearing
@@ -48,7 +43,7 @@ def test_area_centroid_and_bearing(case):
 def test_turned_and_far_from_the_origin(case, degrees):
     body, area, centroid, bearing = CASES[case]
     turn, shift = Rotation.from_euler("z", degrees, degrees=True), np.array([4.5e5, 4.1e6, 120.0])
-    contact = find_contact(moved(WALL, turn, shift), moved(body, turn, shift))
+    contact = find_contact(moved_solid(WALL, turn, shift), moved_solid(body, turn, shift))
     assert contact is not None
     assert contact.bearing is bearing
     assert contact.area == pytest.approx(area, rel=1e-6)  # coordinates of 4e6 m resolve 1e-9 m
@@ -136,7 +131,7 @@ def test_any_two_footprints_meet_in_their_intersection():
         corners = [np.array(p.exterior.coords)[:-1] for p in polygons]
         lower, upper = (profile(c, length=1.0, density=1.0, name="p") for c in corners)
         lying = Rotation.from_matrix([[1, 0, 0], [0, 0, 1], [0, -1, 0]])  # x, y, z to x, z, -y
-        below, above = moved(lower, lying, [0, 0, -0.5]), moved(upper, lying, [0, 0, 0.5])
+        below, above = moved_solid(lower, lying, [0, 0, -0.5]), moved_solid(upper, lying, [0, 0, 0.5])
         shared = polygons[0].intersection(polygons[1])
         contact = find_contact(below, above)
         assert contact.area == pytest.approx(shared.area, rel=1e-9)

@@ -12,7 +12,7 @@ from assess.geometry.boolean import intersect, shortest_distance
 from assess.geometry.cut import Division, divide, inclined_plane, level_plane, split_upright
 from assess.geometry.planar import base_of_section, lowest_corners, planar_body, slope_across, turns_about_a_corner
 from assess.geometry.solid import Solid, box, join, polyhedron, profile
-from tests.support.solids import assert_same_mass, irregular_tower
+from tests.support.solids import assert_same_mass, inside_out, irregular_tower, surfaces_of
 
 DENSITY = 1900.0
 TOWER = irregular_tower(density=DENSITY)
@@ -28,6 +28,12 @@ def wall(**changes) -> Solid:
 
 def prism(corners) -> Solid:
     return profile(corners, length=2.0, density=DENSITY, name="prism")
+
+
+CAVITY = wall(length=1.0, height=4.0, base=(0.2, 0.1, 1.0))
+HOLLOW = polyhedron(  # a box of 2 x 3 x 6 m around a closed cavity of 1 x 1 x 4 m
+    *surfaces_of(wall(thickness=2.0, height=6.0), inside_out(CAVITY)), density=DENSITY, name="hollow"
+)
 
 
 def cut(solid: Solid, plane, *more: Solid) -> Division:
@@ -46,15 +52,6 @@ def upper_part(solid: Solid, plane) -> Solid:
 def upside_down(solid: Solid) -> Solid:
     """Turned half round the y axis: what lay below a plane lies above its image."""
     return polyhedron(solid.vertices * [-1.0, 1.0, -1.0], solid.triangles, density=DENSITY, name=solid.name)
-
-
-def hollow() -> Solid:
-    """A box of 2 x 3 x 6 m around a closed cavity of 1 x 1 x 4 m."""
-    outer = wall(thickness=2.0, height=6.0)
-    inner = wall(thickness=1.0, length=1.0, height=4.0, base=(0.2, 0.1, 1.0))
-    vertices = np.concatenate([outer.vertices, inner.vertices])
-    triangles = np.concatenate([outer.triangles, inner.triangles[:, ::-1] + len(outer.vertices)])
-    return polyhedron(vertices, triangles, density=DENSITY, name="hollow")
 
 
 def test_level_cut_of_a_box_is_a_lower_box() -> None:
@@ -104,7 +101,7 @@ def test_length_of_the_normal_and_place_of_the_point_do_not_count() -> None:
         assert_same_mass(found.above[0], wanted.above[0], rtol=1e-12)
 
 
-@pytest.mark.parametrize("solid", [wall(), TOWER, hollow(), prism(L_SHAPE)], ids=lambda solid: solid.name)
+@pytest.mark.parametrize("solid", [wall(), TOWER, HOLLOW, prism(L_SHAPE)], ids=lambda solid: solid.name)
 @pytest.mark.parametrize("normal", [(0.0, 0.0, 1.0), (0.4, 0.0, 1.0), (-0.5, 0.7, 1.0), (1.0, 0.0, 0.01)])
 def test_what_lies_above_and_below_is_the_whole(solid: Solid, normal: tuple[float, ...]) -> None:
     point = solid.centroid + np.array([0.01, 0.02, 0.03])
@@ -150,7 +147,7 @@ def test_opening_leaves_two_piers_and_a_base_from_one_to_the_other() -> None:
 
 
 def test_cavity_is_cut_to_a_hollow_section() -> None:
-    upper = cut(hollow(), level_plane(2.0))
+    upper = cut(HOLLOW, level_plane(2.0))
     assert upper.above[0].mass == pytest.approx(DENSITY * (2 * 3 * 4 - 1 * 1 * 3), rel=1e-12)
     assert base_of_section(upper.foot, direction=[1, 0, 0]) == ((-1.0, 2.0), (1.0, 2.0))
     assert len(upper.foot) == 8

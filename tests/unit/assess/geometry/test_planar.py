@@ -10,17 +10,12 @@ from scipy.spatial.transform import Rotation
 
 from assess.errors import GeometryError
 from assess.geometry.planar import PlanarBody, join_planar, planar_body, planar_body_from_values
-from assess.geometry.solid import Solid, box, join, polyhedron, profile
-from tests.support.solids import irregular_tower
+from assess.geometry.solid import box, join, profile
+from tests.support.solids import irregular_tower, moved_solid, solid_box
 
 DENSITY = 1900.0
 TOWER = irregular_tower(seed=11, corners=30, density=DENSITY)
 L_CORNERS = [[0.0, 0], [2, 0], [2, 1], [1, 1], [1, 3], [0, 3]]
-
-
-def turned(solid: Solid, *, angle: float) -> Solid:
-    turn = Rotation.from_rotvec([0.0, 0.0, angle]).as_matrix()
-    return polyhedron(solid.vertices @ turn.T, solid.triangles, density=DENSITY, name=solid.name)
 
 
 def area(body: PlanarBody) -> float:
@@ -58,7 +53,7 @@ def test_box_seen_over_its_corner() -> None:
 def test_inertia_is_that_of_the_mass_seen_from_the_side() -> None:
     """J = int (x2 + z2) dm with x along the direction: products of inertia with their sign."""
     wedge = profile([[0, 0], [3, 0], [0, 4]], length=2.0, density=DENSITY, name="wedge")
-    slanted = turned(wedge, angle=0.6)
+    slanted = moved_solid(wedge, Rotation.from_rotvec([0.0, 0.0, 0.6]), density=DENSITY)
     rng = np.random.default_rng(5)
     u, v = rng.uniform(size=(2, 500_000))
     x, z = np.where(u + v > 1.0, 1.0 - u, u) * 3.0, np.where(u + v > 1.0, 1.0 - v, v) * 4.0
@@ -73,7 +68,10 @@ def test_turning_body_and_direction_together_changes_nothing() -> None:
     body = TOWER
     still = planar_body(body, direction=[1.0, 0.0, 0.0])
     for angle in (0.3, 2.0, -2.7):
-        moved = planar_body(turned(body, angle=angle), direction=[np.cos(angle), np.sin(angle), 0.0])
+        moved = planar_body(
+            moved_solid(body, Rotation.from_rotvec([0.0, 0.0, angle]), density=DENSITY),
+            direction=[np.cos(angle), np.sin(angle), 0.0],
+        )
         assert moved.inertia == pytest.approx(still.inertia, rel=1e-12)
         np.testing.assert_allclose(moved.centroid, still.centroid, rtol=0.0, atol=1e-12)
         assert area(moved) == pytest.approx(area(still), rel=1e-12)
@@ -115,11 +113,11 @@ def test_outline_far_from_the_origin_keeps_its_corners() -> None:
 
 
 def test_outline_of_bodies_apart_touching_and_overlapping() -> None:
-    def part(x: float) -> Solid:
-        return box(thickness=1.0, length=1.0, height=2.0, base=[x, 0.0, 0.0], density=DENSITY, name="pier")
-
     for shift, rings, wanted in ((3.0, 2, 4.0), (1.0, 1, 4.0), (0.5, 1, 3.0)):
-        body = planar_body(join([part(0.0), part(shift)], name="piers"), direction=[1, 0, 0])
+        body = planar_body(
+            join([solid_box((1.0, 1.0, 2.0)), solid_box((1.0, 1.0, 2.0), (shift, 0.0, 0.0))], name="piers"),
+            direction=[1, 0, 0],
+        )
         assert len(body.outline) == rings
         assert area(body) == pytest.approx(wanted, rel=1e-14)
         assert all(len(ring) == 5 for ring in body.outline)

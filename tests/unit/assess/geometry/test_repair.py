@@ -2,13 +2,13 @@
 
 import numpy as np
 import pytest
-from scipy.spatial import ConvexHull
 
 from assess.errors import GeometryError
 from assess.geometry.repair import repair
 from assess.geometry.solid import box
 from assess.geometry.surface import Surface, find_edges, merge_vertices, volume
 from assess.messages.message import whole_number
+from tests.support.solids import convex_hull, solid_box
 
 WALL = box(thickness=1.25, length=3.0, height=8.5, base=[0.5, 0.25, 2.0], density=1.0, name="wall")
 SEED = 12
@@ -17,15 +17,8 @@ SEED = 12
 def ball(n: int = 900) -> Surface:
     """A convex polyhedron of n corners on a sphere of radius 2 m."""
     points = np.random.default_rng(SEED).normal(size=(n, 3))
-    points *= 2.0 / np.linalg.norm(points, axis=1, keepdims=True)
-    found = ConvexHull(points)
-    corners = points[found.simplices]
-    outwards = np.einsum(
-        "mi,mi->m", np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), corners[:, 0]
-    )
-    return merge_vertices(
-        points, np.where(outwards[:, None] > 0.0, found.simplices, found.simplices[:, ::-1]).astype(np.int64)
-    )
+    body = convex_hull(points * 2.0 / np.linalg.norm(points, axis=1, keepdims=True), density=1.0, name="ball")
+    return merge_vertices(body.vertices, body.triangles)
 
 
 def tube(n: int = 24) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -114,17 +107,14 @@ def test_a_surface_with_one_side_is_refused() -> None:
 
 
 def test_an_inner_wall_between_two_rooms_is_refused_by_its_edges() -> None:
-    """A face within a box: its border edges belong to three triangles."""
-    vertices, triangles = merge_vertices(*split_box())
+    """A face within a box, between two boxes one on the other: its border edges belong to three triangles."""
+    lower, upper = solid_box(), solid_box(base=(0, 0, 1))
+    at_joint = (upper.vertices[upper.triangles][:, :, 2] == 1.0).all(axis=1)
+    rest = upper.triangles[~at_joint] + len(lower.vertices)
+    vertices, triangles = merge_vertices(
+        np.vstack([lower.vertices, upper.vertices]), np.vstack([lower.triangles, rest])
+    )
     with pytest.raises(
         GeometryError, match=r"4 edges shared by three or more triangles .the first from .* remove inner faces"
     ):
         repair((vertices, triangles), where="box")
-
-
-def split_box() -> tuple[np.ndarray, np.ndarray]:
-    """Two boxes one on the other with a single face between them."""
-    lower = box(thickness=1.0, length=1.0, height=1.0, base=[0, 0, 0], density=1.0, name="lower")
-    upper = box(thickness=1.0, length=1.0, height=1.0, base=[0, 0, 1], density=1.0, name="upper")
-    at_joint = (upper.vertices[upper.triangles][:, :, 2] == 1.0).all(axis=1)
-    return np.vstack([lower.vertices, upper.vertices]), np.vstack([lower.triangles, upper.triangles[~at_joint] + 8])

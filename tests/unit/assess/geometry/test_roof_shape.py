@@ -8,6 +8,8 @@ from scipy.spatial.transform import Rotation
 
 from assess.geometry.solid import Solid, box, polyhedron, profile
 from assess.loads.roofs_and_vaults import extent_along, intrados_area, mean_lever_arm, overall_height, roof_slope
+from tests.support.solids import moved_solid
+from tests.support.vaults import barrel_section, groined_vault, thicken
 
 
 def gable(*, span=6.0, rise=2.5, thickness=0.2) -> Solid:
@@ -17,43 +19,17 @@ def gable(*, span=6.0, rise=2.5, thickness=0.2) -> Solid:
     return profile(points, length=4.0, density=500.0, name="roof")
 
 
-def ring(*, radius=3.0, half_angle=np.pi / 2, thickness=0.15, parts=240) -> Solid:
-    """A barrel vault of circular section, its mean radius given, centred on x = 0, z = 0."""
-    angle = np.linspace(-half_angle, half_angle, parts + 1)
-    inner, outer = (
-        np.column_stack([r * np.sin(angle), r * np.cos(angle)])
-        for r in (radius - thickness / 2, radius + thickness / 2)
-    )
-    return profile(np.concatenate([inner, outer[::-1]]), length=5.0, density=1800.0, name="vault")
+def ring(*, parts=240, **form) -> Solid:
+    """A barrel vault of circular section."""
+    return profile(barrel_section(parts=parts, **form), length=5.0, density=1800.0, name="vault")
 
 
-def groined(*, span=6.0, rise=2.0, thickness=0.125, cells=24) -> Solid:
-    """Two parabolic barrels that cross over a square bay, `thickness` measured upright."""
-    edge = np.linspace(-span / 2, span / 2, cells + 1)
-    x, y = (each.ravel() for each in np.meshgrid(edge, edge, indexing="ij"))
-    z = rise * (1 - (np.minimum(np.abs(x), np.abs(y)) * 2 / span) ** 2)
-    return thickened(x, y, z, n=cells + 1, thickness=thickness)
-
-
-def thickened(x, y, z, *, n, thickness) -> Solid:
-    """A closed shell over a grid of n by n points, row by row along x."""
-    below, above = np.column_stack([x, y, z]), np.column_stack([x, y, z + thickness])
-    i = np.arange(n * n).reshape(n, n)
-    a, b, c, d = (each.ravel() for each in (i[:-1, :-1], i[1:, :-1], i[1:, 1:], i[:-1, 1:]))
-    top = np.concatenate([np.column_stack([a, b, c]), np.column_stack([a, c, d])])
-    rim = np.concatenate([i[:-1, 0], i[-1, :-1], i[:0:-1, -1], i[0, :0:-1]])
-    after = np.roll(rim, -1)
-    sides = np.concatenate(
-        [np.column_stack([rim, after, after + n * n]), np.column_stack([rim, after + n * n, rim + n * n])]
-    )
-    triangles = np.concatenate([top[:, ::-1], top + n * n, sides])
-    return polyhedron(np.concatenate([below, above]), triangles, density=1800.0, name="vault")
+def groined(**form) -> Solid:
+    return polyhedron(*groined_vault(**form), density=1800.0, name="vault")
 
 
 def turned(solid: Solid, degrees: float) -> Solid:
-    turn = Rotation.from_euler("z", degrees, degrees=True)
-    points = turn.apply(solid.vertices.copy()) + np.array([500.0, -300.0, 40.0])
-    return polyhedron(points, solid.triangles, density=1800.0, name=solid.name)
+    return moved_solid(solid, Rotation.from_euler("z", degrees, degrees=True), [500.0, -300.0, 40.0])
 
 
 @pytest.mark.parametrize("degrees", [0.0, 35.0, 90.0, 200.0])
@@ -68,9 +44,9 @@ def test_the_axis_runs_across_the_ridge(covering, degrees):
 
 def test_a_groined_vault_and_a_hipped_roof_slope_both_ways():
     assert roof_slope(turned(groined(), 20.0)).both_ways
-    x, y = (each.ravel() for each in np.meshgrid(np.linspace(-2, 2, 9), np.linspace(-2, 2, 9), indexing="ij"))
-    hipped = thickened(x, y, 2 - np.maximum(np.abs(x), np.abs(y)), n=9, thickness=0.2)
-    assert roof_slope(hipped).both_ways
+    x, y = np.meshgrid(np.linspace(-2, 2, 9), np.linspace(-2, 2, 9), indexing="ij")
+    hipped = thicken(x, y, 2 - np.maximum(np.abs(x), np.abs(y)), thickness=0.2)
+    assert roof_slope(polyhedron(*hipped, density=1800.0, name="roof")).both_ways
 
 
 def test_a_single_slope_and_a_flat_roof():

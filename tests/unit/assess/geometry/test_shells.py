@@ -6,10 +6,10 @@ from scipy.optimize import linprog
 from scipy.spatial.transform import Rotation
 
 from assess.geometry.shells import separate_shells, unify_shells
-from assess.geometry.solid import box
 from assess.geometry.surface import Surface, merge_vertices, volume
+from tests.support.solids import solid_box
 
-CUBE = box(thickness=1.0, length=1.0, height=1.0, base=[0.0, 0.0, -0.5], density=1.0, name="cube")
+CUBE = solid_box(base=(0.0, 0.0, -0.5))
 
 
 def pair(one: np.ndarray, other: np.ndarray) -> Surface:

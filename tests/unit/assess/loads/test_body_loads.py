@@ -15,7 +15,9 @@ from assess.project.build import build
 from assess.project.project_file import load
 from assess.study.mechanism_results import parameters
 from tests.support import projects
-from tests.support.projects import block, project_toml, wall
+from tests.support.mesh_files import obj
+from tests.support.projects import block, body_toml, project_toml, wall
+from tests.support.vaults import barrel_section, groined_vault
 
 PROJECT = project_toml(
     site=None,
@@ -177,14 +179,8 @@ def test_a_roof_with_one_foot_in_the_project_stands_with_half_on_the_block(tmp_p
     assert "half of it is taken" in texts(study)
 
 
-def barrel(*, radius=2.85, thickness=0.3, springing=6.0, parts=120) -> str:
-    angle = np.linspace(-np.pi / 2, np.pi / 2, parts + 1)
-    inner, outer = (
-        np.column_stack([r * np.sin(angle), springing + r * np.cos(angle)])
-        for r in (radius - thickness / 2, radius + thickness / 2)
-    )
-    points = np.concatenate([inner, outer[::-1]]).round(12).tolist()
-    return f'[bodies.vault]\nmaterial = "stone"\nprofile = {points}\nlength = 5\n'
+SECTION = barrel_section(radius=2.85, thickness=0.3, springing=6.0, parts=120).round(12).tolist()
+BARREL = body_toml("vault", f"profile = {SECTION}\nlength = 5", material="stone")
 
 
 def test_a_barrel_vault_by_equilibrium_of_its_half(tmp_path):
@@ -192,20 +188,20 @@ def test_a_barrel_vault_by_equilibrium_of_its_half(tmp_path):
     a, b = 2.7, 3.0
     W = 2000 * g * 5 * np.pi / 2 * (b**2 - a**2)
     lever = b - 4 / (3 * np.pi) * (b**3 - a**3) / (b**2 - a**2)
-    mass, thrust = loads_of(tmp_path, barrel(), 'body = "vault", role = "vault", tied = false')
+    mass, thrust = loads_of(tmp_path, BARREL, 'body = "vault", role = "vault", tied = false')
     assert mass.mass * g == pytest.approx(W / 2, rel=5e-4)  # 120 chords stand for the circle
     assert mass.at == pytest.approx((2.85, 6.0), abs=1e-9)
     assert thrust.force[0] == pytest.approx(W / 2 * lever / b, rel=1e-3)
     (even,) = re.findall(r"L / 4 would give (\S+) N", thrust.source)
     assert float(even) == pytest.approx(W * 6.0 / (8 * 3.0), rel=1e-3)
-    along = loads_of(tmp_path, barrel(), 'body = "vault", role = "vault"', mechanism="direction = [0, 1, 0]")
+    along = loads_of(tmp_path, BARREL, 'body = "vault", role = "vault"', mechanism="direction = [0, 1, 0]")
     assert [load.name for load in along] == ["vault"]
 
 
 @pytest.mark.parametrize(("case", "thickness", "density"), [(1, 0.125, 1300), (4, 0.25, 1800), (5, 0.3, 2200)])
 def test_a_vault_by_ungewitters_constructions_and_fill(tmp_path, case, thickness, density):
     keys = f'body = "vault", role = "vault", construction = {case}, fill = "100 kg/m^2"'
-    mass, thrust = loads_of(tmp_path, barrel(), keys)
+    mass, thrust = loads_of(tmp_path, BARREL, keys)
     shell, fill = thickness * density * np.pi * 2.7 * 5, 100 * 5.4 * 5
     assert mass.mass == pytest.approx((shell + fill) / 2, rel=1e-3)
     assert f"Ungewitter's case {case}" in mass.source
@@ -214,29 +210,10 @@ def test_a_vault_by_ungewitters_constructions_and_fill(tmp_path, case, thickness
     assert thrust.force[0] == pytest.approx(H, rel=2e-3)
 
 
-def groined(folder: Path) -> str:
-    """Parabolic cross vault over the bay between the walls, from wall to wall, its edges upright."""
-    n, span, rise, t = 25, 5.4, 2.0, 0.15
-    edge = np.linspace(-span / 2, span / 2, n)
-    x, y = np.meshgrid(edge, edge, indexing="ij")
-    z = 3 + rise * (1 - (np.minimum(np.abs(x), np.abs(y)) * 2 / span) ** 2)
-    points = np.column_stack([np.tile(x.ravel(), 2), np.tile(y.ravel(), 2), np.concatenate([z.ravel(), z.ravel() + t])])
-    i = np.arange(n * n).reshape(n, n)
-    cells = np.stack([i[:-1, :-1], i[1:, :-1], i[1:, 1:], i[:-1, 1:]], axis=-1).reshape(-1, 4)
-    top = np.concatenate([cells[:, [0, 1, 2]], cells[:, [0, 2, 3]]]) + n * n
-    rim = np.concatenate([i[:-1, 0], i[-1, :-1], i[:0:-1, -1], i[0, :0:-1]])
-    after = np.roll(rim, -1)
-    sides = np.concatenate(
-        [np.column_stack([rim, after, after + n * n]), np.column_stack([rim, after + n * n, rim + n * n])]
-    )
-    faces = np.concatenate([top, top[:, ::-1] - n * n, sides]) + 1
-    lines = [f"v {a:.9f} {b:.9f} {c:.9f}" for a, b, c in points] + [f"f {a} {b} {c}" for a, b, c in faces]
-    (folder / "vault.obj").write_text("\n".join(lines))
-    return '[bodies.vault]\nmaterial = "stone"\nmesh = "vault.obj"\n'
-
-
 def test_a_quadripartite_vault_thrusts_along_either_motion_from_its_upright_edges(tmp_path):
-    vault = groined(tmp_path)
+    surface = groined_vault(span=5.4, springing=3, thickness=0.15)  # from wall to wall, its edges upright
+    (tmp_path / "vault.obj").write_bytes(obj(*surface))
+    vault = body_toml("vault", 'mesh = "vault.obj"', material="stone")
     mass, thrust = loads_of(tmp_path, vault, 'body = "vault", role = "vault"')
     W = 2000 * 5.4**2 * 0.15 * g  # its thickness is measured upright: spread evenly over the plan
     assert mass.bearing

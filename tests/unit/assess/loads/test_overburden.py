@@ -8,7 +8,7 @@ import pytest
 from scipy.constants import g
 
 from assess.errors import GeometryError, ProjectError
-from tests.support.projects import block, project_toml, study_of, wall
+from tests.support.projects import block, mechanism_of, project_toml, study_of, wall
 
 PROJECT = project_toml(
     site=None,
@@ -22,13 +22,8 @@ PROJECT = project_toml(
 )
 
 
-def mechanism(tmp_path, lines):
-    (found,) = study_of(tmp_path, PROJECT + lines).mechanisms
-    return found
-
-
 def test_a_floor_on_two_walls_brings_its_half_where_it_bears(tmp_path):
-    wall = mechanism(tmp_path, 'loads = [{ kind = "overburden", bodies = ["floor"] }]')
+    wall = mechanism_of(tmp_path, PROJECT, 'loads = [{ kind = "overburden", bodies = ["floor"] }]')
     (force,) = wall.positive.loads
     contact = 0.1  # it covers 0 to 0.2 m of the wall, and 4.8 to 5.1 m of the other
     far = (4.8 + 5.1) / 2
@@ -43,7 +38,9 @@ def test_a_floor_on_two_walls_brings_its_half_where_it_bears(tmp_path):
 
 
 def test_an_eccentricity_that_is_given_overrides_the_contact(tmp_path):
-    wall = mechanism(tmp_path, 'loads = [{ kind = "overburden", bodies = ["floor"], eccentricity = "-0.05 m" }]')
+    wall = mechanism_of(
+        tmp_path, PROJECT, 'loads = [{ kind = "overburden", bodies = ["floor"], eccentricity = "-0.05 m" }]'
+    )
     assert wall.positive.loads[0].at == pytest.approx((-0.05, 4.0), abs=1e-12)
 
 
@@ -53,7 +50,7 @@ def test_another_state_of_the_wall_carries_nothing_of_what_presses(tmp_path):
 material = "m"
 box = { thickness = 0.3, length = 3, height = 4 }
 """
-    alone, beside = mechanism(tmp_path, loads), mechanism(tmp_path, loads + eroded)
+    alone, beside = mechanism_of(tmp_path, PROJECT, loads), mechanism_of(tmp_path, PROJECT, loads + eroded)
     assert beside.positive.loads[0].force == pytest.approx(alone.positive.loads[0].force, rel=1e-12)
     assert "not shared with eroded, which stands where the wall does" in beside.positive.loads[0].source
 
@@ -61,8 +58,12 @@ box = { thickness = 0.3, length = 3, height = 4 }
 def test_a_mass_on_the_lower_block_does_not_hold_the_crack_down(tmp_path):
     """Eq. 3.27 knows the load that presses on the crack, which is that of the upper block."""
     press = '{ kind = "overburden", force = "20 kN" }'
-    low = mechanism(tmp_path, f'loads = [{press}, {{ kind = "mass", mass = 5000, at = [0, 1], block = 0 }}]')
-    assert low.positive.hinges[1] == pytest.approx(mechanism(tmp_path, f"loads = [{press}]").positive.hinges[1])
+    low = mechanism_of(
+        tmp_path, PROJECT, f'loads = [{press}, {{ kind = "mass", mass = 5000, at = [0, 1], block = 0 }}]'
+    )
+    assert low.positive.hinges[1] == pytest.approx(
+        mechanism_of(tmp_path, PROJECT, f"loads = [{press}]").positive.hinges[1]
+    )
 
 
 def test_the_search_is_as_near_wherever_the_wall_stands(tmp_path):
@@ -75,13 +76,15 @@ def test_the_search_is_as_near_wherever_the_wall_stands(tmp_path):
 
 
 def test_a_mass_that_bears_on_the_upper_block_holds_the_crack_down_as_a_force_does(tmp_path):
-    by_force = mechanism(tmp_path, 'loads = [{ kind = "overburden", force = "20 kN" }]')
+    by_force = mechanism_of(tmp_path, PROJECT, 'loads = [{ kind = "overburden", force = "20 kN" }]')
     mass = f'loads = [{{ kind = "mass", mass = {20e3 / g}, at = [0, 4], block = 1 }}]'
-    assert mechanism(tmp_path, mass).positive.hinges[1] == pytest.approx(by_force.positive.hinges[1], rel=1e-12)
+    assert mechanism_of(tmp_path, PROJECT, mass).positive.hinges[1] == pytest.approx(
+        by_force.positive.hinges[1], rel=1e-12
+    )
 
 
 def test_a_load_across_the_crack_is_pointed_out(tmp_path):
-    wall = mechanism(tmp_path, 'crack = 2.5\nloads = [{ kind = "mass", mass = 900, at = [0, 3.9] }]')
+    wall = mechanism_of(tmp_path, PROJECT, 'crack = 2.5\nloads = [{ kind = "mass", mass = 900, at = [0, 3.9] }]')
     assert any("write block = 1" in text for text in map(str, wall.warnings))
 
 
@@ -98,7 +101,7 @@ def test_a_load_across_the_crack_is_pointed_out(tmp_path):
 )
 def test_wrong_overburdens_are_refused_in_one_line(tmp_path, loads, error, words):
     with pytest.raises(error, match=words) as refused:
-        mechanism(tmp_path, f"loads = [{loads}]")
+        mechanism_of(tmp_path, PROJECT, f"loads = [{loads}]")
     assert "\n" not in str(refused.value)
 
 
@@ -106,10 +109,13 @@ def test_wrong_overburdens_are_refused_in_one_line(tmp_path, loads, error, words
 def test_a_load_beside_the_top_is_refused(tmp_path, load):
     lines = 'crack = 2\nloads = [{{ kind = "overburden", {}, eccentricity = "{} m" }}]'
     for eccentricity in (0.2, -0.2):
-        assert mechanism(tmp_path, lines.format(load, eccentricity)).positive.loads[0].at == (eccentricity, 4.0)
+        assert mechanism_of(tmp_path, PROJECT, lines.format(load, eccentricity)).positive.loads[0].at == (
+            eccentricity,
+            4.0,
+        )
     for eccentricity in ("0.3", "-0.3"):
         with pytest.raises(GeometryError, match=r"eccentricity -?0\.3 m is 0\.1 m outside the wall"):
-            mechanism(tmp_path, lines.format(load, eccentricity))
+            mechanism_of(tmp_path, PROJECT, lines.format(load, eccentricity))
 
 
 CRACKED = "crack = 2.5\n"
@@ -119,7 +125,7 @@ STIFF = 'interface = {{ model = "flexible", stiffness = "{} Pa/m", strength = "i
 
 def overturning(tmp_path, more, joint=""):
     """phi_ov of both directions, of the joints in use where there are any [rad]."""
-    found = mechanism(tmp_path, CRACKED + PRESSING.format(more) + joint).oscillator
+    found = mechanism_of(tmp_path, PROJECT, CRACKED + PRESSING.format(more) + joint).oscillator
     return [branch.unstable for branch in found.branches]
 
 
@@ -145,20 +151,20 @@ def test_on_stiff_joints_a_load_is_where_it_is_on_rigid_ones(tmp_path, through, 
 def test_a_load_that_stays_has_no_joint_at_the_top(tmp_path):
     """Even where its place is the hinge of one direction."""
     for more in (', through = "fixed"', ', through = "fixed", eccentricity = 0.2'):
-        wall = mechanism(tmp_path, CRACKED + PRESSING.format(more) + STIFF.format(1e9))
+        wall = mechanism_of(tmp_path, PROJECT, CRACKED + PRESSING.format(more) + STIFF.format(1e9))
         assert [joint is None for joint in wall.positive.joints] == [False, False, True]
         assert not any("through the joint" in notice for notice in map(str, wall.warnings))
-    asked = mechanism(tmp_path, CRACKED + PRESSING.format(", eccentricity = 0.2") + STIFF.format(1e9))
+    asked = mechanism_of(tmp_path, PROJECT, CRACKED + PRESSING.format(", eccentricity = 0.2") + STIFF.format(1e9))
     assert asked.positive.joints[2] is not None
     both = PRESSING.format(', through = "fixed", eccentricity = 0.2').replace(
         "]", ', { kind = "overburden", force = 1 }]'
     )
-    assert mechanism(tmp_path, CRACKED + both + STIFF.format(1e9)).positive.joints[2] is not None
+    assert mechanism_of(tmp_path, PROJECT, CRACKED + both + STIFF.format(1e9)).positive.joints[2] is not None
 
 
 def test_bodies_through_the_joint_press_on_the_middle_at_rest(tmp_path):
     """The crack is that of a load in the middle, eq. 3.27; each direction then has it at its own hinge."""
-    wall = mechanism(tmp_path, 'loads = [{ kind = "overburden", bodies = ["floor"], through = "joint" }]')
+    wall = mechanism_of(tmp_path, PROJECT, 'loads = [{ kind = "overburden", bodies = ["floor"], through = "joint" }]')
     (force,) = wall.positive.loads
     n = -force.force[1] / (1800 * 0.4 * 3 * 4 * g)
     assert wall.positive.hinges[1][1] == pytest.approx(4 / (1 + (n / (2 * (1 + n))) ** 0.5), rel=1e-9)
@@ -178,5 +184,5 @@ def test_bodies_through_the_joint_press_on_the_middle_at_rest(tmp_path):
 )
 def test_wrong_ways_to_the_wall_are_refused(tmp_path, more, words):
     with pytest.raises(ProjectError, match=words) as refused:
-        mechanism(tmp_path, CRACKED + PRESSING.format(more))
+        mechanism_of(tmp_path, PROJECT, CRACKED + PRESSING.format(more))
     assert "\n" not in str(refused.value)

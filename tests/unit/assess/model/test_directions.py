@@ -9,11 +9,11 @@ import trimesh
 from assess.errors import MechanismError, ProjectError
 from assess.geometry.contact import find_contact
 from assess.loads import bearing
-from assess.mechanisms.mechanism import Directions, Mechanism
+from assess.mechanisms.mechanism import Directions
 from assess.project.build import build
 from assess.project.project_file import load
 from assess.study.mechanism_results import parameters
-from tests.support.projects import block, project_toml, study_of
+from tests.support.projects import block, mechanism_of, project_toml, study_of
 
 HEIGHT = 10.0
 SQUARE = "box = { thickness = 3, length = 3, height = 10 }"
@@ -30,12 +30,8 @@ def swept(body: str, mechanism: str = "") -> str:
     )
 
 
-def built(folder: Path, body: str, mechanism: str = "") -> Mechanism:
-    return study_of(folder, swept(body, mechanism)).mechanisms[0]
-
-
 def sought(folder: Path, body: str, mechanism: str = "") -> Directions:
-    found = built(folder, body, mechanism).directions
+    found = mechanism_of(folder, swept(body, mechanism)).directions
     assert found is not None
     return found
 
@@ -78,7 +74,7 @@ def test_a_wall_is_weakest_across_its_thickness(tmp_path: Path) -> None:
 
 def test_the_chosen_direction_is_the_mechanisms(tmp_path: Path) -> None:
     body = "box = { thickness = 4, length = 0.5, height = 10, base = [1, 2, 0] }"
-    mechanism = built(tmp_path, body)
+    mechanism = mechanism_of(tmp_path, swept(body))
     text = swept(body).replace('"sweep"', "[0, 1, 0]")
     study = study_of(tmp_path, text)
     assert study.mechanisms[0].positive == mechanism.positive
@@ -92,7 +88,7 @@ def test_a_turned_tower_is_weakest_where_its_face_looks(tmp_path: Path) -> None:
 
 
 def test_a_round_tower_is_flat(tmp_path: Path) -> None:
-    mechanism = built(tmp_path, prism(tmp_path, regular(64)))
+    mechanism = mechanism_of(tmp_path, swept(prism(tmp_path, regular(64))))
     found = mechanism.directions
     assert found is not None
     assert found.variation <= 1.0 - np.cos(np.pi / 64) + 1e-12
@@ -160,7 +156,7 @@ def test_the_weakest_of_bodies_of_chance_by_brute_force(tmp_path: Path, tilt: tu
     body.export(tmp_path / "body.obj", digits=17)
     normal = np.array([*tilt, 1.0])
     cut = f"cut = {{ point = [0, 0, 3], normal = {normal.tolist()} }}\nsides = 'one'"
-    mechanism = built(tmp_path, 'mesh = "body.obj"', cut)
+    mechanism = mechanism_of(tmp_path, swept('mesh = "body.obj"', cut))
     found = mechanism.directions
     assert found is not None
     assert any("turns about one corner" in text for text in map(str, mechanism.warnings)) == any(tilt)
@@ -211,7 +207,7 @@ def test_the_parameters_are_those_of_the_mechanism_towards_each_angle(tmp_path: 
 )
 def test_what_depends_on_the_direction_is_refused_by_key(tmp_path: Path, mechanism: str, words: str) -> None:
     with pytest.raises(ProjectError, match=words) as caught:
-        built(tmp_path, SQUARE, mechanism)
+        mechanism_of(tmp_path, swept(SQUARE, mechanism))
     assert "\n" not in str(caught.value)
 
 
@@ -231,4 +227,4 @@ def test_a_body_without_geometry_has_no_other_direction(tmp_path: Path) -> None:
 def test_a_direction_in_which_it_falls_by_itself_is_named(tmp_path: Path) -> None:
     body = "profile = [[0, 0], [1, 0], [-1, 10], [-2, 10]]\nlength = 4"
     with pytest.raises(MechanismError, match=r'already falling .*\(direction = "sweep", here 0 deg from \+x\)'):
-        built(tmp_path, body)
+        mechanism_of(tmp_path, swept(body))

@@ -7,11 +7,9 @@ from pathlib import Path
 
 import pytest
 
-from assess.mechanisms.mechanism import Face, Mechanism
+from assess.mechanisms.mechanism import Face
 from assess.messages.message import Term
-from assess.study.mechanism_results import parameters
-from assess.study.study import Study
-from tests.support.projects import study_of
+from tests.support.projects import mechanism_of, mechanism_toml, parameters_of, study_of
 
 HEAD = """
 [materials.stone]
@@ -36,30 +34,19 @@ blocks = ["arch"]
 hinges = "minimum"
 joints = { centre = [0, 0], first = "175 deg", last = "5 deg", count = 8 }
 """
+SINGLE = mechanism_toml("direction = [1, 0, 0]", blocks=["tower"])
 SLOPED = 'cut = { point = [0, 0, 6], angle = "20 deg" }'
 FLEXIBLE = f'{SLOPED}\ninterface = {{ model = "flexible", stiffness = "10 GPa/m" }}'
 
 
-def study(folder: Path, text: str, *, brick: str = "") -> Study:
-    return study_of(folder, HEAD.format(brick=brick) + text)
-
-
-def mechanism(folder: Path, text: str, *, brick: str = "") -> Mechanism:
-    return study(folder, text, brick=brick).mechanisms[0]
-
-
-def single(more: str = "", *, blocks: str = '["tower"]') -> str:
-    return f'[mechanisms.m]\nkind = "single-block"\ndirection = [1, 0, 0]\nblocks = {blocks}\n{more}\n'
-
-
 def test_a_tower_stands_on_level_faces(tmp_path: Path) -> None:
-    for (face,) in mechanism(tmp_path, single()).faces:
+    for (face,) in mechanism_of(tmp_path, HEAD.format(brick=""), SINGLE).faces:
         assert (face.normal, face.on_geometry, face.friction) == ((0.0, 1.0), True, 0.6)
 
 
 @pytest.mark.parametrize("more", [SLOPED, FLEXIBLE], ids=["rigid", "flexible"])
 def test_a_crack_falls_towards_the_direction_and_rises_for_the_branch_against_it(tmp_path: Path, more: str) -> None:
-    (front,), (back,) = mechanism(tmp_path, single(more)).faces
+    (front,), (back,) = mechanism_of(tmp_path, HEAD.format(brick=""), f"{SINGLE}{more}\n").faces
     slope = radians(20)
     assert front.normal == pytest.approx((sin(slope), cos(slope)), abs=1e-6)
     assert back.normal == pytest.approx((-sin(slope), cos(slope)), abs=1e-6)
@@ -67,7 +54,7 @@ def test_a_crack_falls_towards_the_direction_and_rises_for_the_branch_against_it
 
 def test_the_faces_of_an_arch_are_its_radial_joints(tmp_path: Path) -> None:
     """Joints pass through the centre, so n is square to the hinge; it looks to the block nearer the crown."""
-    built = mechanism(tmp_path, ARCH)
+    built = mechanism_of(tmp_path, HEAD.format(brick=""), ARCH)
     for chain, faces in zip((built.positive, built.negative), built.faces, strict=True):
         for (x, z), face in zip(chain.hinges, faces, strict=True):
             assert face.on_geometry
@@ -79,21 +66,25 @@ def test_the_faces_of_an_arch_are_its_radial_joints(tmp_path: Path) -> None:
 
 def test_the_support_at_the_top_of_a_wall_looks_down(tmp_path: Path) -> None:
     text = '[mechanisms.m]\nkind = "two-block"\nblocks = ["tower"]\ncrack = "6 m"\n'
-    (a, b, c), _ = mechanism(tmp_path, text).faces
+    (a, b, c), _ = mechanism_of(tmp_path, HEAD.format(brick=""), text).faces
     assert [face.normal for face in (a, b, c)] == [pytest.approx(n, abs=1e-9) for n in ((0, 1), (0, 1), (0, -1))]
 
 
 @pytest.mark.parametrize(("brick", "expected"), [("friction = 0.4", (0.6, 0.4, 0.4)), ("", (0.6, None, None))])
 def test_where_two_materials_meet_the_smoother_counts(tmp_path: Path, brick: str, expected: tuple) -> None:
     text = '[mechanisms.m]\nkind = "two-block"\nblocks = ["tower", "cap"]\n'
-    (faces, _) = mechanism(tmp_path, text, brick=brick).faces
+    (faces, _) = mechanism_of(tmp_path, HEAD.format(brick=brick), text).faces
     assert tuple(face.friction for face in faces) == expected
     remedies = {str(face.remedy) for face in faces if face.friction is None}
     assert remedies == ({"give materials.brick.friction"} if None in expected else set())
 
 
 def test_a_body_of_direct_values_stands_level_without_friction(tmp_path: Path) -> None:
-    built = mechanism(tmp_path, single("hinges = { A = [0.4, 0] }\nsides = 'one'", blocks='["plain"]'))
+    built = mechanism_of(
+        tmp_path,
+        HEAD.format(brick=""),
+        mechanism_toml("direction = [1, 0, 0]\nhinges = { A = [0.4, 0] }\nsides = 'one'", blocks=["plain"]),
+    )
     remedy = Term("give its bodies geometry and a material with friction")
     assert built.faces == ((Face((0.0, 1.0), False, None, remedy),),)
 
@@ -105,9 +96,15 @@ def test_the_springing_of_a_vault_against_a_wall_is_no_bed(tmp_path: Path) -> No
 material = "stone"
 length = 1
 profile = [[0, 3], [0.2, 4], [1, 5], [1, 5.3], [0, 4.3]]
-""" + single("hinges = { A = [0, 3] }\nsides = 'one'\nloads = [{kind='mass', mass=1e5, at=[-1, 0, 4], bearing=true}]",
-             blocks='["vault"]')  # fmt: skip
-    ((face,),) = mechanism(tmp_path, text).faces
+[mechanisms.m]
+kind = "single-block"
+direction = [1, 0, 0]
+blocks = ["vault"]
+hinges = { A = [0, 3] }
+sides = 'one'
+loads = [{ kind = 'mass', mass = 1e5, at = [-1, 0, 4], bearing = true }]
+"""
+    ((face,),) = mechanism_of(tmp_path, HEAD.format(brick=""), text).faces
     assert (face.normal, face.on_geometry) == ((0.0, 1.0), False)
 
 
@@ -115,9 +112,9 @@ def test_sliding_is_asked_where_a_material_has_friction_or_the_user_asks(tmp_pat
     friction_free = HEAD.format(brick="").replace("friction = 0.6", "")
     asked = '[analysis]\nprocedures = ["sliding"]\n'
     for text, expected in (
-        (HEAD.format(brick="") + single(), True),
-        (friction_free + single(), False),
-        (friction_free + asked + single(), True),
+        (HEAD.format(brick="") + SINGLE, True),
+        (friction_free + SINGLE, False),
+        (friction_free + asked + SINGLE, True),
     ):
         made = study_of(tmp_path, text)
         assert ("sliding" in made.procedures) is expected
@@ -126,7 +123,7 @@ def test_sliding_is_asked_where_a_material_has_friction_or_the_user_asks(tmp_pat
 
 
 def test_results_name_the_forces_of_every_hinge(tmp_path: Path) -> None:
-    (found,) = parameters(study(tmp_path, single(SLOPED)))
+    found = parameters_of(tmp_path, HEAD.format(brick=""), SINGLE, SLOPED)
     front, back = found.hinge_forces
     assert (front.hinge, back.hinge, front.branch, back.branch) == ("A", "A'", "positive", "negative")
     assert front.horizontal_n / front.vertical_n == pytest.approx(-found.oscillator.uplift_multiplier, rel=1e-9)

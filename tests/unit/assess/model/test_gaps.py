@@ -5,20 +5,14 @@ from __future__ import annotations
 import pytest
 
 from assess.geometry.boolean import shortest_distance
-from assess.geometry.solid import Solid, box, polyhedron
+from assess.geometry.solid import polyhedron
 from assess.model.bodies import gaps_at_hinge, gaps_in_block
 from tests.support.projects import project_toml, study_of, wall
+from tests.support.solids import solid_box
 
 
-def cube(x: float, y: float = 0.0, z: float = 0.0, *, name: str = "cube") -> Solid:
-    return box(thickness=1.0, length=1.0, height=1.0, base=[x, y, z], density=1.0, name=name)
-
-
-def gaps(tmp_path, base: str, mechanism: str) -> list[str]:
-    bodies = {
-        "a": wall(0.5, 3, 4, material="m"),
-        "b": f'material = "m"\nbox = {{ thickness = 0.5, length = 3, height = 4, base = {base} }}',
-    }
+def gaps(tmp_path, base: list[float], mechanism: str) -> list[str]:
+    bodies = {"a": wall(0.5, 3, 4, material="m"), "b": wall(0.5, 3, 4, material="m", base=base)}
     text = project_toml(site=None, materials={"m": {"density": 2000}}, bodies=bodies, mechanisms={"m": mechanism})
     return [notice.text for notice in study_of(tmp_path, text).messages if notice.key in ("gap", "gap-at-hinge")]
 
@@ -28,25 +22,25 @@ TWO_BLOCKS = 'kind = "two-block"\nblocks = ["a", "b"]'
 
 
 def test_bodies_of_one_block_that_touch_nowhere_are_told(tmp_path):
-    (text,) = gaps(tmp_path, "[0, 3.5, 0]", ONE_BLOCK)
+    (text,) = gaps(tmp_path, [0, 3.5, 0], ONE_BLOCK)
     assert text == (
         'bodies "a" and "b" do not touch: they are 0.5 m apart; since they form one block, they are treated as joined'
     )
-    assert gaps(tmp_path, "[0, 3, 0]", ONE_BLOCK) == []
-    assert gaps(tmp_path, "[0, 3.009, 0]", ONE_BLOCK) == []  # as thick as a joint
+    assert gaps(tmp_path, [0, 3, 0], ONE_BLOCK) == []
+    assert gaps(tmp_path, [0, 3.009, 0], ONE_BLOCK) == []  # as thick as a joint
 
 
 def test_blocks_that_do_not_meet_at_their_hinge_are_told(tmp_path):
-    (text,) = gaps(tmp_path, "[0, 0, 4.5]", TWO_BLOCKS)
+    (text,) = gaps(tmp_path, [0, 0, 4.5], TWO_BLOCKS)
     assert text.startswith('bodies "a" and "b" do not touch: they are 0.5 m apart; since a hinge connects them')
-    assert gaps(tmp_path, "[0, 0, 4]", TWO_BLOCKS) == []
-    assert gaps(tmp_path, "[0, 0, 3.5]", TWO_BLOCKS) == []  # an overlap, told as such
+    assert gaps(tmp_path, [0, 0, 4], TWO_BLOCKS) == []
+    assert gaps(tmp_path, [0, 0, 3.5], TWO_BLOCKS) == []  # an overlap, told as such
 
 
 def test_a_block_need_only_hang_together() -> None:
-    row = [cube(x, name=f"{x}") for x in (0.0, 1.0, 2.0, 3.0)]
+    row = [solid_box(base=(x, 0, 0), name=f"{x}") for x in (0.0, 1.0, 2.0, 3.0)]
     assert list(gaps_in_block([row[0], row[3], row[1], row[2]])) == []
-    apart = [cube(x, name=f"{x}") for x in (0.0, 7.0, 1.0, 3.5)]
+    apart = [solid_box(base=(x, 0, 0), name=f"{x}") for x in (0.0, 7.0, 1.0, 3.5)]
     assert [(each["one"], each["other"], str(each["distance"])) for each in gaps_in_block(apart)] == [
         ("1.0", "3.5", "1.5 m"),
         ("7.0", "3.5", "2.5 m"),
@@ -54,31 +48,35 @@ def test_a_block_need_only_hang_together() -> None:
 
 
 def test_a_beam_above_its_posts_is_told() -> None:
-    beam = box(thickness=5.0, length=1.0, height=0.5, base=[2.0, 0.0, 2.0], density=1.0, name="beam")
-    (said,) = gaps_at_hinge([cube(0.0, name="post")], [beam])
+    beam = solid_box((5.0, 1.0, 0.5), (2.0, 0.0, 2.0), name="beam")
+    (said,) = gaps_at_hinge([solid_box(name="post")], [beam])
     assert (said["one"], said["other"], str(said["distance"])) == ("post", "beam", "1 m")
-    assert list(gaps_at_hinge([cube(0.0), cube(0.0, z=1.0)], [beam])) == []
+    assert list(gaps_at_hinge([solid_box(), solid_box(base=(0, 0, 1.0))], [beam])) == []
 
 
 @pytest.mark.parametrize(
     ("at", "distance"), [((1.5, 0, 0), 0.5), ((2, 2, 2), 3**0.5), ((1, 0, 0), 0.0), ((0.5, 0, 0), 0.0)]
 )
 def test_the_gap_of_two_cubes(at: tuple[float, float, float], distance: float) -> None:
-    assert shortest_distance(cube(0.0), cube(*at)) == pytest.approx(distance, rel=1e-9, abs=1e-9)
-    assert shortest_distance(cube(0.0), cube(*at), limit=0.1) == pytest.approx(min(distance, 0.1), rel=1e-9, abs=1e-9)
+    assert shortest_distance(solid_box(), solid_box(base=at)) == pytest.approx(distance, rel=1e-9, abs=1e-9)
+    assert shortest_distance(solid_box(), solid_box(base=at), limit=0.1) == pytest.approx(
+        min(distance, 0.1), rel=1e-9, abs=1e-9
+    )
 
 
 def test_a_body_within_another_is_not_apart() -> None:
-    inner = cube(0.0, z=0.25)
+    inner = solid_box(base=(0, 0, 0.25))
     small = polyhedron(inner.vertices * 0.5, inner.triangles, density=1.0, name="small")
-    assert shortest_distance(cube(0.0), small) == 0.0
+    assert shortest_distance(solid_box(), small) == 0.0
 
 
 @pytest.mark.parametrize("apart", [0.0, 0.02, 0.3])
 def test_the_gap_of_fine_meshes(apart: float, monkeypatch: pytest.MonkeyPatch) -> None:
     """Their vertices are looked at where they are clearly apart, their faces where they are near."""
     monkeypatch.setattr("assess.geometry.boolean.MANY_PAIRS", 100)
-    beside = cube(1.0 + apart, 0.1, name="beside")  # of the faces; the corners are farther apart
+    beside = solid_box(base=(1.0 + apart, 0.1, 0), name="beside")  # of the faces; the corners are farther apart
     corners = (apart**2 + 0.1**2) ** 0.5
-    assert shortest_distance(cube(0.0), beside) == pytest.approx(corners if apart > 0.05 else apart, rel=1e-9, abs=1e-9)
-    assert shortest_distance(cube(0.0), beside, limit=0.01) == pytest.approx(min(apart, 0.01), abs=1e-9)
+    assert shortest_distance(solid_box(), beside) == pytest.approx(
+        corners if apart > 0.05 else apart, rel=1e-9, abs=1e-9
+    )
+    assert shortest_distance(solid_box(), beside, limit=0.01) == pytest.approx(min(apart, 0.01), abs=1e-9)

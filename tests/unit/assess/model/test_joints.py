@@ -10,10 +10,9 @@ import shapely
 import trimesh
 from scipy.constants import g
 
-from assess.errors import AssessError
 from assess.oscillator import elastic_frequency
 from assess.study.mechanism_results import parameters
-from tests.support.projects import study_of
+from tests.support.projects import mechanism_of, refusal_of, study_of
 
 STONE = """
 [materials.stone]
@@ -49,28 +48,19 @@ hinges_negative = { A = [-0.3, 0], B = [0.3, 3], C = [4.9, 3], D = [4.3, 0] }
 """
 
 
-def mechanism(tmp_path, lines="", *, text=STONE + SINGLE):
-    (found,) = study_of(tmp_path, text + lines).mechanisms
-    return found
-
-
 def towards(x, y):
     """The project with the wall's direction turned."""
     return (STONE + SINGLE).replace("direction = [1, 0, 0]", f"direction = [{x}, {y}, 0]")
-
-
-def refused(tmp_path, lines, *, text=STONE + SINGLE):
-    with pytest.raises(AssessError) as error:
-        mechanism(tmp_path, lines, text=text)
-    assert "\n" not in str(error.value)
-    return str(error.value)
 
 
 # ------------------------------------------------------------------------------------------------------------- sections
 
 
 def test_outline_of_a_box_is_its_rectangle(tmp_path):
-    for chain in (mechanism(tmp_path, SOFT).positive, mechanism(tmp_path, SOFT).negative):
+    for chain in (
+        mechanism_of(tmp_path, STONE, SINGLE, SOFT).positive,
+        mechanism_of(tmp_path, STONE, SINGLE, SOFT).negative,
+    ):
         (joint,) = chain.joints
         assert (joint.section.depth, joint.section.breadth, joint.section.area) == pytest.approx((1.0, 2.0, 2.0))
         assert joint.inward == pytest.approx((-1.0, 0.0))
@@ -82,7 +72,7 @@ def test_outline_of_a_box_is_its_rectangle(tmp_path):
 def test_direction_that_is_oblique_to_the_box(tmp_path, turn):
     """The rotated rectangle is deep b |cos| + l |sin|; its corner is the hinge."""
     c, s = cos(radians(turn)), sin(radians(turn))
-    found = mechanism(tmp_path, SOFT, text=towards(c, s))
+    found = mechanism_of(tmp_path, towards(c, s), SOFT)
     (joint,) = found.positive.joints
     depth = 1.0 * abs(c) + 2.0 * abs(s)
     assert joint.section.depth == pytest.approx(depth, rel=1e-9)
@@ -94,11 +84,11 @@ def test_direction_that_is_oblique_to_the_box(tmp_path, turn):
 def test_an_oblique_direction_is_told_with_how_far_the_resultant_leaves_the_plane(tmp_path):
     """A rectangle is not symmetric about an oblique plane: at a corner that alone bears, the resultant is there."""
     c, s = cos(radians(30.0)), sin(radians(30.0))
-    (text,) = [n.text for n in mechanism(tmp_path, SOFT, text=towards(c, s)).warnings if "symmetric" in n.text][:1]
+    (text,) = [n.text for n in mechanism_of(tmp_path, towards(c, s), SOFT).warnings if "symmetric" in n.text][:1]
     assert text.startswith(
         "interface A: the contact is not symmetric about the plane of motion: its resultant moves by"
     )
-    straight = [n for n in mechanism(tmp_path, SOFT).warnings if "symmetric" in n.text]
+    straight = [n for n in mechanism_of(tmp_path, STONE, SINGLE, SOFT).warnings if "symmetric" in n.text]
     assert straight == []
     moved = float(text.split("up to ")[1].split(" m")[0])
     corner = abs(0.5 * s - 1.0 * c)  # across, of the extreme corner from the middle
@@ -107,12 +97,14 @@ def test_an_oblique_direction_is_told_with_how_far_the_resultant_leaves_the_plan
 
 def test_material_strength_unless_the_interface_says_another(tmp_path):
     for more, expected in (("", 1.5e6), (', strength = "3 MPa"', 3e6), (', strength = "inf"', inf)):
-        (joint,) = mechanism(tmp_path, SOFT.replace('m" }', f'm"{more} }}')).positive.joints
+        (joint,) = mechanism_of(tmp_path, STONE, SINGLE, SOFT.replace('m" }', f'm"{more} }}')).positive.joints
         assert joint.law.strength == expected
 
 
 def test_course_thickness_is_that_over_which_the_material_yields(tmp_path):
-    (joint,) = mechanism(tmp_path, 'interface = { model = "flexible", course_thickness = "0.69 m" }').positive.joints
+    (joint,) = mechanism_of(
+        tmp_path, STONE, SINGLE, 'interface = { model = "flexible", course_thickness = "0.69 m" }'
+    ).positive.joints
     assert joint.law.stiffness == pytest.approx(1e9 / 0.69, rel=1e-12)
 
 
@@ -127,7 +119,7 @@ def test_course_thickness_is_that_over_which_the_material_yields(tmp_path):
     ],
 )
 def test_shapes_by_their_sizes(tmp_path, shape, area, depth):
-    (joint,) = mechanism(tmp_path, SOFT.replace(" }", f", shape = {shape} }}")).positive.joints
+    (joint,) = mechanism_of(tmp_path, STONE, SINGLE, SOFT.replace(" }", f", shape = {shape} }}")).positive.joints
     assert joint.section.area == pytest.approx(area, rel=1e-12)
     assert joint.section.depth == pytest.approx(depth, rel=1e-12)
 
@@ -135,7 +127,7 @@ def test_shapes_by_their_sizes(tmp_path, shape, area, depth):
 def test_a_polygon_is_seen_from_the_side_it_is_pressed(tmp_path):
     """A triangle with its upright side at +x: pressed flat there, at its tip from the other side."""
     triangle = "shape = { polygon = [[0.5, -1], [0.5, 1], [-0.5, 0]] }"
-    found = mechanism(tmp_path, SOFT.replace(" }", f", {triangle} }}"))
+    found = mechanism_of(tmp_path, STONE, SINGLE, SOFT.replace(" }", f", {triangle} }}"))
     assert found.positive.joints[0].section.centroid == pytest.approx(1 / 3, rel=1e-9)
     assert found.negative.joints[0].section.centroid == pytest.approx(2 / 3, rel=1e-9)
 
@@ -143,7 +135,7 @@ def test_a_polygon_is_seen_from_the_side_it_is_pressed(tmp_path):
 def of_mesh(tmp_path, mesh, lines=SOFT):
     mesh.export(tmp_path / "wall.stl")
     text = (STONE + SINGLE).replace("box = { thickness = 1, length = 2, height = 6 }", 'mesh = "wall.stl"')
-    return mechanism(tmp_path, lines, text=text)
+    return mechanism_of(tmp_path, text, lines)
 
 
 def test_outline_of_a_hollow_tower(tmp_path):
@@ -170,7 +162,7 @@ def test_outline_at_an_inclined_cut_lies_in_its_plane(tmp_path):
     """A crack that rises by 20 degrees along the motion: as deep as the wall over its cosine, along the crack."""
     slope = radians(20.0)
     cut = f"cut = {{ point = [0, 0, 1], normal = [{-sin(slope)}, 0, {cos(slope)}] }}"
-    found = mechanism(tmp_path, SOFT + cut)
+    found = mechanism_of(tmp_path, STONE, SINGLE, SOFT + cut)
     (joint,) = found.positive.joints
     assert joint.section.depth == pytest.approx(1.0 / cos(slope), rel=1e-9)
     assert joint.section.area == pytest.approx(2.0 / cos(slope), rel=1e-9)
@@ -181,7 +173,7 @@ def test_outline_at_an_inclined_cut_lies_in_its_plane(tmp_path):
 
 def test_joints_of_a_portal(tmp_path):
     """Feet and heads of the columns, each seen from its hinge."""
-    found = mechanism(tmp_path, SOFT, text=STONE + LEGS)
+    found = mechanism_of(tmp_path, STONE, LEGS, SOFT)
     for chain in (found.positive, found.negative):
         ways = [joint.inward[0] for joint in chain.joints]
         assert ways == pytest.approx([-1.0, 1.0, 1.0, -1.0])
@@ -192,7 +184,7 @@ def test_interfaces_of_single_hinges(tmp_path):
     lines = (
         'interfaces = { A = { model = "flexible", stiffness = 2e8 }, C = { model = "semi-flexible", stiffness = 1e8 } }'
     )
-    a, b, c, d = mechanism(tmp_path, lines, text=STONE + LEGS).positive.joints
+    a, b, c, d = mechanism_of(tmp_path, STONE, LEGS, lines).positive.joints
     assert b is d is None
     assert (a.law.stiffness, a.model) == (2e8, "flexible")
     assert (c.law.stiffness, c.model) == (1e8, "semi-flexible")
@@ -200,7 +192,7 @@ def test_interfaces_of_single_hinges(tmp_path):
 
 def test_one_interface_for_all_but_one(tmp_path):
     lines = SOFT + 'interfaces = { A = { model = "flexible", stiffness = 5e8 } }'
-    assert [j.law.stiffness for j in mechanism(tmp_path, lines, text=STONE + LEGS).positive.joints] == [5e8] + [2e8] * 3
+    assert [j.law.stiffness for j in mechanism_of(tmp_path, STONE, LEGS, lines).positive.joints] == [5e8] + [2e8] * 3
 
 
 def test_results_hold_every_hinge(tmp_path):
@@ -221,26 +213,24 @@ def test_results_hold_every_hinge(tmp_path):
 
 def test_no_strength_known_is_told(tmp_path):
     text = (STONE + SINGLE).replace('compressive_strength = "1.5 MPa"\n', "")
-    found = mechanism(tmp_path, SOFT, text=text)
+    found = mechanism_of(tmp_path, text, SOFT)
     assert any(
         "interface A: no strength is known, so its joint never crushes" in text for text in map(str, found.warnings)
     )
-    asked = mechanism(tmp_path, SOFT.replace(" }", ', strength = "inf" }'), text=text)
+    asked = mechanism_of(tmp_path, text, SOFT.replace(" }", ', strength = "inf" }'))
     assert not any("strength" in text for text in map(str, asked.warnings))
 
 
 @pytest.mark.parametrize(("x", "way"), [(0.4, "inside"), (0.6, "outside")])
 def test_a_hinge_away_from_the_edge_is_told(tmp_path, x, way):
-    found = mechanism(tmp_path, f"hinges = {{ A = [{x}, 0, 0] }}\n" + SOFT)
+    found = mechanism_of(tmp_path, STONE, SINGLE, f"hinges = {{ A = [{x}, 0, 0] }}\n" + SOFT)
     (text,) = [text for text in map(str, found.warnings) if "edge of its contact" in text]
     assert text.startswith(f"interface A: the hinge lies 0.1 m {way} the edge of its contact, which is 1 m deep")
 
 
 def test_a_hinge_at_the_wrong_face_of_a_portal_is_told(tmp_path):
     text = (STONE + LEGS).replace("C = [4.3, 3], D = [4.9, 0] }\nh", "C = [4.9, 3], D = [4.9, 0] }\nh")
-    (told,) = [
-        each.text for each in mechanism(tmp_path, SOFT, text=text).warnings if each.key == "hinge-inside-contact"
-    ]
+    (told,) = [each.text for each in mechanism_of(tmp_path, text, SOFT).warnings if each.key == "hinge-inside-contact"]
     assert told.startswith("interface C: the hinge lies 0.6 m inside the edge of its contact, which is 0.6 m deep")
 
 
@@ -248,7 +238,9 @@ def test_a_hinge_at_the_wrong_face_of_a_portal_is_told(tmp_path):
 
 
 def test_crushed_at_rest(tmp_path):
-    text = refused(tmp_path, 'interface = { model = "flexible", stiffness = 2e8, strength = "0.1 MPa" }')
+    text = refusal_of(
+        tmp_path, STONE, SINGLE, 'interface = { model = "flexible", stiffness = 2e8, strength = "0.1 MPa" }'
+    )
     most = 1800 * 6 * g / 0.1e6
     assert 'mechanism "wall", interface A: its normal force' in text
     assert f"{most:.4g} times what it can carry" in text
@@ -256,7 +248,7 @@ def test_crushed_at_rest(tmp_path):
 
 
 def test_crushed_at_rest_on_a_rigid_joint(tmp_path):
-    assert "times what it can carry" in refused(tmp_path, 'interface = { strength = "0.1 MPa" }')
+    assert "times what it can carry" in refusal_of(tmp_path, STONE, SINGLE, 'interface = { strength = "0.1 MPa" }')
 
 
 def test_a_body_without_geometry_needs_a_shape(tmp_path):
@@ -266,11 +258,10 @@ def test_a_body_without_geometry_needs_a_shape(tmp_path):
     )
     lines = "hinges = { A = [0.5, 0] }\nhinges_negative = { A = [-0.5, 0] }\n"
     strong = SOFT.replace(" }", ', strength = "1.5 MPa" }')
-    assert 'interface A: its body has no geometry, so its contact is not known; give shape' in refused(
-        tmp_path, lines + strong, text=text)  # fmt: skip
-    (joint,) = mechanism(
-        tmp_path, lines + strong.replace(" }", ", shape = { rectangle = [1, 2] } }"), text=text
-    ).positive.joints
+    line = refusal_of(tmp_path, text, lines, strong)
+    assert "interface A: its body has no geometry, so its contact is not known; give shape" in line
+    shaped = strong.replace(" }", ", shape = { rectangle = [1, 2] } }")
+    (joint,) = mechanism_of(tmp_path, text, lines, shaped).positive.joints
     assert joint.section.area == 2.0
 
 
@@ -295,7 +286,7 @@ def test_a_body_without_geometry_needs_a_shape(tmp_path):
     ],
 )
 def test_interfaces_that_say_too_much_or_too_little(tmp_path, interface, message):
-    text = refused(tmp_path, f"interface = {interface}")
+    text = refusal_of(tmp_path, STONE, SINGLE, f"interface = {interface}")
     assert message in text
     assert "interface" in text
 
@@ -314,31 +305,35 @@ def test_interfaces_that_say_too_much_or_too_little(tmp_path, interface, message
     ],
 )
 def test_a_shape_that_is_none_is_told_at_its_key(tmp_path, shape, key, message):
-    found = refused(tmp_path, f'interface = {{ model = "flexible", stiffness = 2e8, shape = {shape} }}')
+    found = refusal_of(
+        tmp_path, STONE, SINGLE, f'interface = {{ model = "flexible", stiffness = 2e8, shape = {shape} }}'
+    )
     assert f"project.toml: mechanisms.wall.interface.shape{key}: " in found
     assert message in found
     assert "Self-intersection" not in found
-    letter = refused(tmp_path, f'interfaces = {{ A = {{ model = "flexible", stiffness = 2e8, shape = {shape} }} }}')
+    letter = refusal_of(
+        tmp_path, STONE, SINGLE, f'interfaces = {{ A = {{ model = "flexible", stiffness = 2e8, shape = {shape} }} }}'
+    )
     assert f"mechanisms.wall.interfaces.A.shape{key}: " in letter
 
 
 def test_course_thickness_without_a_modulus(tmp_path):
     text = (STONE + SINGLE).replace('young_modulus = "1 GPa"\n', "")
-    found = refused(tmp_path, 'interface = { model = "flexible", course_thickness = 1 }', text=text)
+    found = refusal_of(tmp_path, text, 'interface = { model = "flexible", course_thickness = 1 }')
     assert "course_thickness needs young_modulus of the material" in found
 
 
 def test_a_hinge_that_is_not_there(tmp_path):
-    text = refused(tmp_path, 'interfaces = { B = { model = "flexible", stiffness = 2e8 } }')
+    text = refusal_of(tmp_path, STONE, SINGLE, 'interfaces = { B = { model = "flexible", stiffness = 2e8 } }')
     assert "interfaces" in text
     assert "B" in text
-    text = refused(tmp_path, 'interfaces = { E = { model = "flexible", stiffness = 2e8 } }')
+    text = refusal_of(tmp_path, STONE, SINGLE, 'interfaces = { E = { model = "flexible", stiffness = 2e8 } }')
     assert "E" in text
 
 
 def test_blocks_that_do_not_touch_at_a_hinge(tmp_path):
     text = (STONE + LEGS).replace("base = [2.3, 0, 3]", "base = [2.3, 0, 3.5]")
-    found = refused(tmp_path, SOFT, text=text)
+    found = refusal_of(tmp_path, text, SOFT)
     assert "interface B: no faces of its blocks touch with an edge at the hinge" in found
 
 
@@ -379,7 +374,7 @@ joints = { centre = [0, 0], first = "175 deg", last = "5 deg", count = 8 }
 
 def test_joints_of_an_arch_lie_in_the_planes_of_its_voussoirs(tmp_path):
     """Every joint runs from its hinge along the ray to the centre, as deep as the arch is there."""
-    found = mechanism(tmp_path, 'interface = { strength = "1.5 MPa" }\n', text=ARCH)
+    found = mechanism_of(tmp_path, ARCH, 'interface = { strength = "1.5 MPa" }\n')
     outline = shapely.Polygon(
         [(-2.5, 0), (-1.8, 1.8), (0, 2.5), (1.8, 1.8), (2.5, 0), (2, 0), (1.4, 1.4), (0, 2), (-1.4, 1.4), (-2, 0)]
     )
@@ -394,8 +389,8 @@ def test_joints_of_an_arch_lie_in_the_planes_of_its_voussoirs(tmp_path):
 
 def test_an_arch_on_stiff_joints_is_nearly_the_rigid_one(tmp_path):
     stiff = 'interface = { model = "flexible", stiffness = "1e12 Pa/m", strength = "inf" }\n'
-    rigid = mechanism(tmp_path, text=ARCH).oscillator.positive
-    found = mechanism(tmp_path, stiff, text=ARCH).oscillator.positive
+    rigid = mechanism_of(tmp_path, ARCH).oscillator.positive
+    found = mechanism_of(tmp_path, ARCH, stiff).oscillator.positive
     assert found.overturning == pytest.approx(rigid.overturning, rel=1e-9)
     assert found.overturning_flexible == pytest.approx(rigid.overturning, rel=1e-2)
     assert found.overturning_flexible < rigid.overturning
@@ -403,8 +398,8 @@ def test_an_arch_on_stiff_joints_is_nearly_the_rigid_one(tmp_path):
 
 def test_each_direction_of_an_arch_rests_on_joints_of_its_own(tmp_path):
     """It opens other joints each way, and a symmetric one alike."""
-    both = mechanism(tmp_path, SOFT, text=ARCH.replace('sides = "one"\n', "")).oscillator
-    alone = mechanism(tmp_path, SOFT, text=ARCH).oscillator
+    both = mechanism_of(tmp_path, ARCH.replace('sides = "one"\n', ""), SOFT).oscillator
+    alone = mechanism_of(tmp_path, ARCH, SOFT).oscillator
     assert both.negative is not None
     assert both.equilibrium == pytest.approx(alone.equilibrium, rel=1e-9)
     assert both.equilibrium_negative == pytest.approx(alone.equilibrium, rel=1e-6)

@@ -9,33 +9,26 @@ import pytest
 import shapely
 
 from assess.errors import GeometryError, ProjectError
-from assess.geometry.solid import Solid, box, join, profile
+from assess.geometry.solid import join, profile
 from assess.messages.message import Message
 from assess.project.build import build
 from assess.project.project_file import load, resolve
 from assess.study.mechanism_results import parameters
 from assess.study.run import run_study
 from assess.study.study import Study
-from tests.support.projects import ASCE7, study_of, tables_toml
+from tests.support.mesh_files import obj
+from tests.support.projects import ASCE7, body_toml, box_toml, study_of, tables_toml
+from tests.support.solids import solid_box, surfaces_of
 
 MECHANISM = '\n[mechanisms.m]\nkind = "single-block"\ndirection = {direction}\nblocks = [{blocks}]\n'
+OF_MESH = body_toml("w", 'mesh = "wall.obj"', material="stone")
+WALL = solid_box((0.6, 4.0, 4.5))
 HEAD = tables_toml(materials={"stone": {"density": 2400}, "rubble": {"density": 1800}})
 SITE = tables_toml(
     site={"spectrum": ASCE7},
     records={"synthetic": {"count": 1, "duration": "8 s"}},
     analysis={"procedures": ["asce43-05-spectrum"]},
 )
-
-
-def obj(solid: Solid, *, faces: slice = slice(None)) -> str:
-    """A surface as Wavefront OBJ."""
-    places = [f"v {x!r} {y!r} {z!r}" for x, y, z in solid.vertices.tolist()]
-    return "\n".join([*places, *(f"f {a} {b} {c}" for a, b, c in (solid.triangles[faces] + 1).tolist()), ""])
-
-
-def wall(**changes: object) -> Solid:
-    form = {"thickness": 0.6, "length": 4.0, "height": 4.5, "base": (0.0, 0.0, 0.0), "density": 2400.0, "name": "wall"}
-    return box(**(form | changes))  # type: ignore[arg-type]
 
 
 def study(folder: Path, bodies: str, *, blocks: str = '["w"]', more: str = "", direction: str = "[1, 0, 0]") -> Study:
@@ -48,18 +41,10 @@ def of_bodies(made: Study) -> list[Message]:
     return [notice for notice in made.messages if notice.where.startswith("bodies.") or notice.key == "overlap"]
 
 
-def body(name: str, form: str, *, material: str = "stone") -> str:
-    return f'\n[bodies.{name}]\nmaterial = "{material}"\n{form}\n'
-
-
-def box_form(thickness: float, height: float, *, x: float = 0.0, z: float = 0.0, length: float = 4.0) -> str:
-    return f"box = {{ thickness = {thickness}, length = {length}, height = {height}, base = [{x}, 0, {z}] }}"
-
-
 def test_a_mended_mesh_is_told_in_the_results(tmp_path: Path) -> None:
-    pair = join([wall(), wall(height=1.0, base=(0.3, 0.0, 4.0))], name="pair")  # the cornice is half a metre in
-    (tmp_path / "wall.obj").write_text(obj(pair))
-    made = study(tmp_path, body("w", 'mesh = "wall.obj"'), more=SITE)
+    pair = join([WALL, solid_box((0.6, 4.0, 1.0), (0.3, 0.0, 4.0))], name="pair")  # the cornice is half a metre in
+    (tmp_path / "wall.obj").write_bytes(obj(*surfaces_of(pair)))
+    made = study(tmp_path, OF_MESH, more=SITE)
     results = run_study(made)
     (notice,) = [notice for notice in results.warnings if notice.key == "mesh"]
     assert notice.where == "bodies.w"
@@ -70,34 +55,33 @@ def test_a_mended_mesh_is_told_in_the_results(tmp_path: Path) -> None:
 
 
 def test_a_good_mesh_is_the_box_and_nothing_is_told(tmp_path: Path) -> None:
-    (tmp_path / "wall.obj").write_text(obj(wall()))
-    made = study(tmp_path, body("w", 'mesh = "wall.obj"'))
+    (tmp_path / "wall.obj").write_bytes(obj(*surfaces_of(WALL)))
+    made = study(tmp_path, OF_MESH)
     assert of_bodies(made) == []
-    by_box = study(tmp_path, body("w", box_form(0.6, 4.5)))
+    by_box = study(tmp_path, box_toml("w", (0.6, 4, 4.5), material="stone"))
     (found,), (wanted,) = parameters(made), parameters(by_box)
     assert found.oscillator.p_eq_per_s == pytest.approx(wanted.oscillator.p_eq_per_s, rel=1e-12)
 
 
 def test_unit_up_and_element_of_a_mesh(tmp_path: Path) -> None:
-    turned = wall().vertices[:, [0, 2, 1]] * [1000.0, 1000.0, -1000.0]  # y up, in millimetres
-    upright = Solid("wall", 0.0, np.zeros(3), np.zeros((3, 3)), turned, wall().triangles)
-    (tmp_path / "wall.obj").write_text(obj(upright))
-    made = study(tmp_path, body("w", 'mesh = "wall.obj"\nmesh_unit = "mm"\nmesh_up = "y"'))
+    turned = WALL.vertices[:, [0, 2, 1]] * [1000.0, 1000.0, -1000.0]  # y up, in millimetres
+    (tmp_path / "wall.obj").write_bytes(obj(turned, WALL.triangles))
+    made = study(tmp_path, body_toml("w", 'mesh = "wall.obj"\nmesh_unit = "mm"\nmesh_up = "y"', material="stone"))
     assert parameters(made)[0].oscillator.mass_kg == pytest.approx(2400 * 0.6 * 4 * 4.5, rel=1e-12)
     stated = resolve(load(tmp_path))
     assert [stated[f"bodies.w.{key}"].value for key in ("mesh_unit", "mesh_up", "element")] == [0.001, "y", None]
     with pytest.raises(GeometryError, match=r'body "w": mesh wall.obj: it has no element "tower"'):
-        study(tmp_path, body("w", 'mesh = "wall.obj"\nelement = "tower"'))
+        study(tmp_path, body_toml("w", 'mesh = "wall.obj"\nelement = "tower"', material="stone"))
     with pytest.raises(ProjectError, match=r'bodies.w.mesh_up: "x": not allowed; write "y" or "z"'):
-        study(tmp_path, body("w", 'mesh = "wall.obj"\nmesh_up = "x"'))
+        study(tmp_path, body_toml("w", 'mesh = "wall.obj"\nmesh_up = "x"', material="stone"))
 
 
 def test_a_wrong_unit_is_refused_with_the_likely_one_and_inches_are_suspected(tmp_path: Path) -> None:
-    (tmp_path / "wall.obj").write_text(obj(wall(thickness=600.0, length=4000.0, height=4500.0)))
+    (tmp_path / "wall.obj").write_bytes(obj(*surfaces_of(solid_box((600.0, 4000.0, 4500.0)))))
     with pytest.raises(GeometryError, match=r'measures 4500 m .* With mesh_unit = "mm" it would measure 4.5 m'):
-        study(tmp_path, body("w", 'mesh = "wall.obj"'))
-    (tmp_path / "wall.obj").write_text(obj(wall(thickness=15.0, length=80.0, height=120.0)))
-    (notice,) = of_bodies(study(tmp_path, body("w", 'mesh = "wall.obj"')))
+        study(tmp_path, OF_MESH)
+    (tmp_path / "wall.obj").write_bytes(obj(*surfaces_of(solid_box((15.0, 80.0, 120.0)))))
+    (notice,) = of_bodies(study(tmp_path, OF_MESH))
     assert (notice.key, notice.where) == ("size-thick-in-unit", "bodies.w")
     assert 'about 15 m thick; is its unit right? With mesh_unit = "in" it would measure 3.048 m' in notice.text
 
@@ -105,7 +89,7 @@ def test_a_wrong_unit_is_refused_with_the_likely_one_and_inches_are_suspected(tm
 def test_several_bodies_of_several_densities(tmp_path: Path) -> None:
     made = study(
         tmp_path,
-        body("w", box_form(0.6, 4.5)) + body("v", box_form(0.4, 2.0, x=0.5), material="rubble"),
+        box_toml("w", (0.6, 4, 4.5), material="stone") + box_toml("v", (0.4, 4, 2), (0.5, 0, 0), material="rubble"),
         blocks='["w", "v"]',
     )
     one, other = 2400 * 0.6 * 4 * 4.5, 1800 * 0.4 * 4 * 2.0
@@ -119,7 +103,7 @@ def test_several_bodies_of_several_densities(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize(("x", "told"), [(0.4, "0.8 m3, 25 %"), (0.0, "3.2 m3, 100 %"), (0.5, None)])
 def test_overlapping_bodies_are_told_by_name_and_volume(tmp_path: Path, x: float, told: str | None) -> None:
-    bodies = body("w", box_form(0.6, 4.5)) + body("v", box_form(0.4, 2.0, x=x), material="rubble")
+    bodies = box_toml("w", (0.6, 4, 4.5), material="stone") + box_toml("v", (0.4, 4, 2), (x, 0, 0), material="rubble")
     warnings = of_bodies(study(tmp_path, bodies, blocks='["w", "v"]'))
     if told is None:
         assert warnings == []
@@ -145,8 +129,9 @@ def test_blocks_of_one_chain_that_overlap_are_told(
     tmp_path: Path, kind: str, width: float, pairs: list[str], deep: float
 ) -> None:
     """The upper block is as deep in the lower ones as that, 0.6 m x 4 m each; or stands on them."""
-    over = box_form(width, 1.2, x=(width - 0.6) / 2, z=4.5 - deep)
-    bodies = body("w", box_form(0.6, 4.5)) + body("v", over) + body("u", box_form(0.6, 4.5, x=4.0))
+    leg, beam = (0.6, 4, 4.5), (width, 4, 1.2)
+    boxes = ("w", leg), ("v", beam, ((width - 0.6) / 2, 0, 4.5 - deep)), ("u", leg, (4, 0, 0))
+    bodies = "".join(box_toml(*each, material="stone") for each in boxes)
     chain = f'[mechanisms.m]\nkind = "{kind}"\nblocks = [{CHAINS[kind]}'
     warnings = of_bodies(study_of(tmp_path, HEAD + bodies + chain))
     told = [(each.key, each.where, each.text.split(" one;")[0]) for each in warnings]
@@ -164,7 +149,7 @@ def test_hinges_and_radius_of_a_hollow_and_an_eroded_base(
     tmp_path: Path, outline: list[list[float]], feet: tuple[float, float]
 ) -> None:
     """The extreme points of what stands on the ground; the centroid is shapely's."""
-    made = study(tmp_path, body("w", f"profile = {outline}\nlength = 3"))
+    made = study(tmp_path, body_toml("w", f"profile = {outline}\nlength = 3", material="stone"))
     (found,) = parameters(made)
     centre = shapely.Polygon(outline).centroid
     for branch, foot in ((found.oscillator_negative, feet[0]), (found.oscillator, feet[1])):
@@ -176,11 +161,13 @@ def test_hinges_and_radius_of_a_hollow_and_an_eroded_base(
 def test_a_base_that_is_not_plane_is_told(tmp_path: Path) -> None:
     """Half of the foot is a tenth of a millimetre short, as in a mesh that was drawn or scanned so."""
     stepped = [[-1, 0.0001], [0, 0.0001], [0, 0], [1, 0], [1, 6], [-1, 6]]
-    (mechanism,) = study(tmp_path, body("w", f"profile = {stepped}\nlength = 3")).mechanisms
+    (mechanism,) = study(tmp_path, body_toml("w", f"profile = {stepped}\nlength = 3", material="stone")).mechanisms
     assert mechanism.negative is not None
     assert mechanism.negative.hinges[0][0] == 0.0
     assert any("lowest face alone, 1 m wide" in text and "is 2 m wide" in text for text in map(str, mechanism.warnings))
-    cut = study(tmp_path, body("w", f"profile = {stepped}\nlength = 3"), more="cut = 0.0002\n").mechanisms[0]
+    cut = study(
+        tmp_path, body_toml("w", f"profile = {stepped}\nlength = 3", material="stone"), more="cut = 0.0002\n"
+    ).mechanisms[0]
     assert cut.negative is not None
     assert cut.negative.hinges[0][0] == pytest.approx(1.0, rel=1e-12)
     assert not any("lowest face" in text for text in map(str, cut.warnings))
@@ -190,8 +177,8 @@ def test_a_wall_with_an_opening(tmp_path: Path) -> None:
     """A profile across the wall with a doorway, as a mesh that lies along x: the solid less the door."""
     outline = [[-2, 0], [-0.5, 0], [-0.5, 2.1], [0.5, 2.1], [0.5, 0], [2, 0], [2, 4.5], [-2, 4.5]]
     pierced = profile(outline, length=0.6, density=2400.0, name="w")
-    (tmp_path / "wall.obj").write_text(obj(pierced))
-    made = study(tmp_path, body("w", 'mesh = "wall.obj"'), direction="[0, 1, 0]")
+    (tmp_path / "wall.obj").write_bytes(obj(*surfaces_of(pierced)))
+    made = study(tmp_path, OF_MESH, direction="[0, 1, 0]")
     whole, door = 2400 * 4 * 4.5 * 0.6, 2400 * 1.0 * 2.1 * 0.6
     (block,) = made.mechanisms[0].positive.blocks
     assert block.mass == pytest.approx(whole - door, rel=1e-12)
@@ -203,7 +190,10 @@ def test_a_wall_with_an_opening(tmp_path: Path) -> None:
 
 def test_a_leaning_wall(tmp_path: Path) -> None:
     """Sheared by 0.1 over its height: it resists more against its lean than with it."""
-    made = study(tmp_path, body("w", "profile = [[-0.3, 0], [0.3, 0], [0.75, 4.5], [0.15, 4.5]]\nlength = 4"))
+    made = study(
+        tmp_path,
+        body_toml("w", "profile = [[-0.3, 0], [0.3, 0], [0.75, 4.5], [0.15, 4.5]]\nlength = 4", material="stone"),
+    )
     (found,) = parameters(made)
     assert found.oscillator.uplift_multiplier == pytest.approx((0.3 - 0.225) / 2.25, rel=1e-9)
     assert found.oscillator_negative is not None
@@ -211,9 +201,9 @@ def test_a_leaning_wall(tmp_path: Path) -> None:
 
 
 def test_an_open_mesh_is_one_line_with_the_file(tmp_path: Path) -> None:
-    (tmp_path / "wall.obj").write_text(obj(wall(), faces=slice(0, 6)))
+    (tmp_path / "wall.obj").write_bytes(obj(WALL.vertices, WALL.triangles[:6]))
     with pytest.raises(GeometryError) as caught:
-        study(tmp_path, body("w", 'mesh = "wall.obj"'))
+        study(tmp_path, OF_MESH)
     line = str(caught.value)
     assert "\n" not in line
     assert line.startswith(f'{tmp_path / "project.toml"}: body "w": mesh wall.obj: it is open: ')
@@ -231,7 +221,7 @@ def test_an_open_mesh_is_one_line_with_the_file(tmp_path: Path) -> None:
 )
 def test_a_bad_profile_is_told_at_its_key_in_our_words(tmp_path: Path, corners: str, message: str) -> None:
     with pytest.raises(ProjectError) as error:
-        study(tmp_path, body("w", f"profile = {corners}\nlength = 3"))
+        study(tmp_path, body_toml("w", f"profile = {corners}\nlength = 3", material="stone"))
     text = str(error.value)
     assert f"project.toml: bodies.w.profile: {corners}: {message}" in text
     assert "\n" not in text
@@ -239,7 +229,10 @@ def test_a_bad_profile_is_told_at_its_key_in_our_words(tmp_path: Path, corners: 
 
 
 def test_a_profile_may_be_closed_and_have_a_corner_twice(tmp_path: Path) -> None:
-    made = study(tmp_path, body("w", "profile = [[0, 0], [1, 0], [1, 0], [1, 4], [0, 4], [0, 0]]\nlength = 3"))
+    made = study(
+        tmp_path,
+        body_toml("w", "profile = [[0, 0], [1, 0], [1, 0], [1, 4], [0, 4], [0, 0]]\nlength = 3", material="stone"),
+    )
     assert made.mechanisms[0].positive.blocks[0].mass == pytest.approx(2400.0 * 12.0, rel=1e-12)
 
 

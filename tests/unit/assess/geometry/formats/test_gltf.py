@@ -1,10 +1,8 @@
 """OFF, glTF and 3MF files written here by their specifications, and read into the same box."""
 
 import base64
-import io
 import json
 import struct
-import zipfile
 from pathlib import Path
 
 import numpy as np
@@ -16,16 +14,12 @@ from assess.errors import GeometryError
 from assess.geometry.formats.readers import read_mesh_file as read_file
 from assess.geometry.mesh import load_solid
 from assess.geometry.solid import Solid, box
+from tests.support.mesh_files import glb, off, package
+from tests.support.solids import assert_same_mass
 
 DENSITY = 2000.0
 WALL = box(thickness=1.25, length=3.0, height=8.5, base=[0.5, 0.25, 2.0], density=DENSITY, name="wall")
 TO_Y_UP = Rotation.from_euler("x", -90, degrees=True).as_matrix()  # z goes to y
-
-
-def off(vertices: ArrayLike, triangles: ArrayLike) -> bytes:
-    places, faces = np.asarray(vertices).tolist(), np.asarray(triangles).tolist()
-    lines = ["OFF", f"{len(places)} {len(faces)} 0", *(f"{x!r} {y!r} {z!r}" for x, y, z in places)]
-    return "\n".join([*lines, *(f"3 {a} {b} {c}" for a, b, c in faces), ""]).encode()
 
 
 def gltf(
@@ -52,13 +46,6 @@ def gltf(
     }, content
 
 
-def glb(header: dict, content: bytes) -> bytes:
-    text = json.dumps(header).encode()
-    text += b" " * (-len(text) % 4)
-    chunks = struct.pack("<I4s", len(text), b"JSON") + text + struct.pack("<I4s", len(content), b"BIN\0") + content
-    return struct.pack("<4sII", b"glTF", 2, 12 + len(chunks)) + chunks
-
-
 def mf3(vertices: ArrayLike, triangles: ArrayLike, *, unit: str | None, items: str, resources: str = "") -> bytes:
     """3MF core: object 1 is the mesh."""
     corners = "".join(f'<vertex x="{x!r}" y="{y!r}" z="{z!r}"/>' for x, y, z in np.asarray(vertices).tolist())
@@ -70,10 +57,7 @@ def mf3(vertices: ArrayLike, triangles: ArrayLike, *, unit: str | None, items: s
         f'<?xml version="1.0"?><model xmlns="{space}"{stated}><resources><object id="1" name="pier" type="model">{mesh}'
         f"</object>{resources}</resources><build>{items}</build></model>"
     )
-    archive = io.BytesIO()
-    with zipfile.ZipFile(archive, "w") as package:
-        package.writestr("3D/3dmodel.model", model)
-    return archive.getvalue()
+    return package(("3D/3dmodel.model", model))
 
 
 def read(folder: Path, file: str, content: bytes, **options) -> Solid:
@@ -81,29 +65,23 @@ def read(folder: Path, file: str, content: bytes, **options) -> Solid:
     return load_solid(folder / file, density=DENSITY, name="wall", **options)
 
 
-def same(found: Solid, wanted: Solid, *, rtol: float = 1e-12) -> None:
-    assert found.mass == pytest.approx(wanted.mass, rel=rtol)
-    np.testing.assert_allclose(found.centroid, wanted.centroid, rtol=0.0, atol=10.0 * rtol)
-    np.testing.assert_allclose(found.inertia, wanted.inertia, rtol=0.0, atol=rtol * np.trace(wanted.inertia))
-
-
 def test_off(tmp_path: Path) -> None:
-    same(read(tmp_path, "wall.off", off(WALL.vertices, WALL.triangles)), WALL)
+    assert_same_mass(read(tmp_path, "wall.off", off(WALL.vertices, WALL.triangles)), WALL, rtol=1e-12)
 
 
 def test_gltf_is_turned_from_y_up_to_z_up(tmp_path: Path) -> None:
     header, content = gltf(WALL.vertices @ TO_Y_UP.T, WALL.triangles, [{"mesh": 0, "name": "wall"}])
-    same(read(tmp_path, "wall.glb", glb(header, content)), WALL)
+    assert_same_mass(read(tmp_path, "wall.glb", glb(header, content)), WALL, rtol=1e-12)
     header["buffers"][0]["uri"] = "data:application/octet-stream;base64," + base64.b64encode(content).decode()
-    same(read(tmp_path, "wall.gltf", json.dumps(header).encode()), WALL)
+    assert_same_mass(read(tmp_path, "wall.gltf", json.dumps(header).encode()), WALL, rtol=1e-12)
     header["buffers"][0]["uri"] = "wall.bin"
     (tmp_path / "wall.bin").write_bytes(content)
-    same(read(tmp_path, "beside.gltf", json.dumps(header).encode()), WALL)
+    assert_same_mass(read(tmp_path, "beside.gltf", json.dumps(header).encode()), WALL, rtol=1e-12)
 
 
 def test_gltf_that_has_z_up_against_its_standard(tmp_path: Path) -> None:
     content = glb(*gltf(WALL.vertices, WALL.triangles, [{"mesh": 0}]))
-    same(read(tmp_path, "wall.glb", content, up="z"), WALL)
+    assert_same_mass(read(tmp_path, "wall.glb", content, up="z"), WALL, rtol=1e-12)
 
 
 def test_gltf_vertices_reach_as_far_as_their_accessor_says(tmp_path: Path) -> None:
@@ -112,7 +90,7 @@ def test_gltf_vertices_reach_as_far_as_their_accessor_says(tmp_path: Path) -> No
     header, content = gltf(places, WALL.triangles, [{"mesh": 0, "name": "wall"}])
     low, high = places.min(axis=0).tolist(), places.max(axis=0).tolist()
     header["accessors"][0] |= {"min": [float(f"{x:.6g}") for x in low], "max": [float(f"{x:.6g}") for x in high]}
-    same(read(tmp_path, "wall.glb", glb(header, content)), WALL)
+    assert_same_mass(read(tmp_path, "wall.glb", glb(header, content)), WALL, rtol=1e-12)
     flipped = bytearray(content)
     flipped[0:4] = struct.pack("<f", struct.unpack("<f", content[0:4])[0] - 0.25)
     for other in (bytes(flipped), content):
@@ -156,15 +134,15 @@ def test_instances_of_a_scene_stand_in_their_places(tmp_path: Path) -> None:
 def test_3mf_is_in_the_unit_it_states(tmp_path: Path, unit: str | None, size: float) -> None:
     content = mf3(WALL.vertices / size, WALL.triangles, unit=unit, items='<item objectid="1"/>')
     found = read(tmp_path, "wall.3mf", content)
-    same(found, WALL)
+    assert_same_mass(found, WALL, rtol=1e-12)
     assert found.history == ()
-    same(read(tmp_path, "wall.3mf", content, scale=size), WALL)
+    assert_same_mass(read(tmp_path, "wall.3mf", content, scale=size), WALL, rtol=1e-12)
 
 
 def test_a_unit_that_contradicts_the_file_is_used_and_told(tmp_path: Path) -> None:
     content = mf3(WALL.vertices * 100.0, WALL.triangles, unit="millimeter", items='<item objectid="1"/>')
     found = read(tmp_path, "wall.3mf", content, scale=0.01)
-    same(found, WALL)
+    assert_same_mass(found, WALL, rtol=1e-12)
     assert [told.text for told in found.history] == [
         "read in units of 0.01 m, as the project states, although the file states 0.001 m"
     ]

@@ -12,18 +12,11 @@ import pytest
 
 from assess.errors import GeometryError
 from assess.geometry.formats.readers import read_mesh_file
+from tests.support.mesh_files import glb, package
 
 SPACE = 'xmlns="http://schemas.microsoft.com/3dmanufacturing/core/2015/02"'
 CORNERS = '<vertex x="0" y="0" z="0"/><vertex x="1" y="0" z="0"/><vertex x="0" y="1" z="0"/>'
 MESH = f'<mesh><vertices>{CORNERS}</vertices><triangles><triangle v1="0" v2="1" v3="2"/></triangles></mesh>'
-
-
-def package(*parts: tuple[str, bytes]) -> bytes:
-    archive = io.BytesIO()
-    with zipfile.ZipFile(archive, "w", zipfile.ZIP_DEFLATED) as content:
-        for name, data in parts:
-            content.writestr(name, data)
-    return archive.getvalue()
 
 
 def model(resources: str, *, before: str = "", item: str = "1") -> bytes:
@@ -44,13 +37,6 @@ def understated(data: bytes, size: int) -> bytes:
     """The package with another unpacked size announced, in both places."""
     real = struct.pack("<I", zipfile.ZipFile(io.BytesIO(data)).infolist()[0].file_size)
     return data.replace(real, struct.pack("<I", size))
-
-
-def glb(header: dict[str, object], content: bytes = b"") -> bytes:
-    text = json.dumps({"asset": {"version": "2.0"}} | header).encode()
-    text += b" " * (-len(text) % 4)
-    chunks = struct.pack("<I4s", len(text), b"JSON") + text + struct.pack("<I4s", len(content), b"BIN\0") + content
-    return struct.pack("<4sII", b"glTF", 2, 12 + len(chunks)) + chunks
 
 
 def scene(**accessor: object) -> dict[str, object]:

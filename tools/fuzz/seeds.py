@@ -122,8 +122,8 @@ def _cad_files() -> Iterator[tuple[str, bytes]]:
 
 
 def _records() -> Iterator[Case]:
-    for name, (write, *_) in _module("records/test_formats.py").MADE.items():
-        yield _record(f"{name}.dat", write().encode("latin-1"))
+    for name, (text, *_) in _module("records/test_formats.py").MADE.items():
+        yield _record(f"{name}.dat", text.encode("latin-1"))
     yield _record("own.csv", csv_text(motion(0)).encode())
     for name, data in _waveforms().items():
         yield _record(name, data, "--unit", "mm/s2")

@@ -16,41 +16,19 @@ from records.formats.samples import check_layout
 from records.plausibility import record_warning, warnings_among
 from records.reading import read_records
 from records.record import Earthquake, Record, StationSite, make_record
+from tests.support import record_files
+from tests.support.files import write_file
+from tests.support.record_files import PEER_TITLE, columns
 
 PATH = Path("a.rec")
 RANDOM = np.random.default_rng(3)
 NOISE = RANDOM.normal(size=400)
-AT2 = "PEER NGA\nSomewhere, 7/21/1952, Some School, {component}\nACCELERATION TIME SERIES IN UNITS OF G\n{line}\n"
+COUNTS = np.round(NOISE * 1000).astype(int) + 4321
 
 
-def rows(values: np.ndarray, per_line: int, form: str) -> list[str]:
-    fields = [format(value, form) for value in values]
-    return ["".join(fields[i : i + per_line]) for i in range(0, len(fields), per_line)]
-
-
-def knet(folder: Path, name: str, direction: str) -> Path:
-    counts = np.round(NOISE * 1000).astype(int) + 4321
-    peak = np.abs(counts - counts.mean()).max() * 0.001
-    header = {
-        "Origin Time": "2018/01/24 19:51:00",
-        "Station Code": "XYZ001",
-        "Sampling Freq(Hz)": "100Hz",
-        "Duration Time(s)": "4",
-        "Dir.": direction,
-        "Scale Factor": "2000(gal)/2000000",
-        "Max. Acc. (gal)": f"{peak:.3f}",
-    }
-    lines = [f"{key:18}{value}" for key, value in header.items()]
-    lines[7:7] = [f"Line {i}" for i in range(10)]
-    path = folder / name
-    path.write_text("\n".join([*lines, *rows(counts, 8, "9d")]) + "\n")
-    return path
-
-
-def at2(folder: Path, *, name: str = "a.AT2", line: str = "NPTS= 400, DT= .01 SEC", component: str = "21") -> Path:
-    path = folder / name
-    path.write_text(AT2.format(component=component, line=line) + "\n".join(rows(0.1 * NOISE, 5, "15.7E")) + "\n")
-    return path
+def at2(folder: Path, *, name: str = "a.AT2", line: str | None = None, component: str = "21") -> Path:
+    title = PEER_TITLE.removesuffix("21") + component
+    return write_file(folder / name, record_files.at2(0.1 * NOISE, title=title, line=line))
 
 
 @pytest.mark.parametrize(
@@ -70,7 +48,7 @@ def test_directions_of_nied_are_three_in_the_borehole_and_three_above_it(
     tmp_path: Path, name: str, direction: str, component: str, level: bool
 ) -> None:
     """NIED: "1:NS 2:EW 3:UD" of the borehole, 4 to 6 at the surface (kyoshin.bosai.go.jp, KiK-net ASCII format)."""
-    (record,) = read_records(knet(tmp_path, name, direction))
+    (record,) = read_records(write_file(tmp_path / name, record_files.knet(COUNTS, {"Dir.": direction})))
     assert (record.component, record.azimuth is not None) == (component, level)
     assert record.site.place == ("borehole" if component.endswith("1") else "")
 
@@ -88,14 +66,15 @@ def test_directions_of_nied_are_three_in_the_borehole_and_three_above_it(
 def test_a_direction_that_the_files_name_contradicts_is_refused(
     tmp_path: Path, name: str, direction: str, words: str
 ) -> None:
+    path = write_file(tmp_path / name, record_files.knet(COUNTS, {"Dir.": direction}))
     with pytest.raises(RecordError, match=re.escape(words)):
-        read_records(knet(tmp_path, name, direction))
+        read_records(path)
 
 
 @pytest.mark.parametrize("form", ["15.7E", "10.5f"])
 @pytest.mark.parametrize("lost", range(1, 9))
 def test_every_line_that_lost_bytes_is_refused_or_doubted(form: str, lost: int) -> None:
-    lines = rows(NOISE, 5, form)
+    lines = columns(NOISE, 5, form).splitlines()
     assert check_layout(lines, first=1, path=PATH) is None
     for at in range(len(lines[10]) - lost + 1):
         damaged = lines[10][:at] + lines[10][at + lost :]
@@ -224,10 +203,9 @@ def test_components_of_one_recording_with_two_steps_are_doubted(tmp_path: Path) 
 
 def test_velocities_of_the_same_name_with_another_step_refuse_the_accelerations(tmp_path: Path) -> None:
     path = at2(tmp_path)
-    beside = tmp_path / "a.VT2"
-    beside.write_text(AT2.format(component="21", line="NPTS= 400, DT= .01 SEC"))
+    beside = write_file(tmp_path / "a.VT2", record_files.at2("", line="NPTS= 400, DT= .01 SEC"))
     assert read_records(path)[0].dt == 0.01
-    beside.write_text(AT2.format(component="21", line="NPTS= 400, DT= .005 SEC"))
+    write_file(beside, record_files.at2("", line="NPTS= 400, DT= .005 SEC"))
     with pytest.raises(RecordError, match=r"line 4: DT is 0.01, that of a.VT2 0.005"):
         read_records(path)
 

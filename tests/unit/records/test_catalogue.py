@@ -22,6 +22,8 @@ from records.flatfile import read_flatfile
 from records.formats.header import HeaderOverrides
 from records.reading import read_records
 from records.response import measures, response_spectrum
+from tests.support import record_files
+from tests.support.files import write_file
 
 FLATFILE = '''\
 A search, with words above its table
@@ -37,10 +39,7 @@ Note,that,is,no,record
 
 def at2(path: Path, *, seed: int = 1, title: str = "San Fernando, 2/9/1971, Castaic, 21") -> Path:
     values = np.random.default_rng(seed).normal(0.0, 0.1, 300) * np.hanning(300)
-    head = f"PEER\n{title}\nACCELERATION TIME SERIES IN UNITS OF G\nNPTS=  300, DT= .0100 SEC\n"
-    path.parent.mkdir(parents=True, exist_ok=True)
-    path.write_text(head + "".join(f" {value:.7E}\n" for value in values), encoding="latin-1")
-    return path
+    return write_file(path, record_files.at2(values, title=title))
 
 
 @pytest.fixture

@@ -2,7 +2,6 @@
 
 from collections.abc import Sequence
 from dataclasses import replace
-from functools import cache
 from pathlib import Path
 from typing import get_args
 
@@ -28,7 +27,7 @@ from tests.support.places import PEER, needs_real_records
 SMOOTH = design_spectrum(s_ds=5.0, s_d1=2.0, t_l=6.0)
 
 
-@cache
+@pytest.fixture(scope="module")
 def real() -> tuple[Candidate, ...]:
     return tuple(read_candidates(sorted(PEER.glob("*.AT2"))))
 
@@ -79,9 +78,9 @@ def test_every_code_has_its_requirements_and_its_making() -> None:
     ids=["nzs", "ntc"],
 )
 def test_a_suite_of_real_records_meets_its_code_as_judged_from_its_files_and_factors(
-    code: CodeName, spectrum: Spectrum
+    real: tuple[Candidate, ...], code: CodeName, spectrum: Spectrum
 ) -> None:
-    found = made(real(), code, spectrum, count=5)
+    found = made(real, code, spectrum, count=5)
     factors = [choice.factor for choice in found.choices]
     suite = suite_of([read(choice.components[0]) for choice in found.choices], factors, spectrum)
     asked = REQUIREMENTS[SELECTION_RULES[code].code](suite, shortest=0.5, longest=1.5)
@@ -93,9 +92,11 @@ def test_a_suite_of_real_records_meets_its_code_as_judged_from_its_files_and_fac
 
 
 @needs_real_records
-def test_nzs_factors_are_its_least_squares_over_the_period_times_the_family_factor() -> None:
+def test_nzs_factors_are_its_least_squares_over_the_period_times_the_family_factor(
+    real: tuple[Candidate, ...],
+) -> None:
     spectrum = site_spectrum(subsoil="C", z=0.3, r=1.0)
-    found = made(real(), "nzs1170.5", spectrum, count=3)
+    found = made(real, "nzs1170.5", spectrum, count=3)
     records = [read(choice.components[0]) for choice in found.choices]
     suite = suite_of(records, [1.0] * len(records), spectrum)
     inside = (suite.period >= 0.2) & (suite.period <= 1.3 * 1.5)

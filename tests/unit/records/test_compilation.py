@@ -12,6 +12,7 @@ from pathlib import Path
 import pytest
 
 from records.compilation import ROOT, UNUSED, find_folder, is_private, kernel, sources, sources_key
+from tests.support.files import edit_file, write_file
 
 SINE = """
 import numpy as np
@@ -33,22 +34,16 @@ records.compilation.kernel.cache_on_disk = lambda function: (function.enable_cac
 """
 
 
-def copied(folder: Path) -> Path:
-    """The sources of the packages that hold kernels."""
-    for package in ("assess", "records", "spectra"):
-        for path in (ROOT / package).rglob("*.py"):
-            target = folder / path.relative_to(ROOT)
-            target.parent.mkdir(parents=True, exist_ok=True)
-            shutil.copyfile(path, target)
+def copied(folder: Path, *paths: Path) -> Path:
+    """Sources of the packages."""
+    for path in paths:
+        write_file(folder / path.relative_to(ROOT), path.read_bytes())
     return folder
 
 
 def toy(folder: Path) -> Path:
     """A kernel with another in it."""
-    for path in (*sources(), *(ROOT / "records" / "compilation").glob("*.py")):
-        target = folder / path.relative_to(ROOT)
-        target.parent.mkdir(parents=True, exist_ok=True)
-        shutil.copyfile(path, target)
+    copied(folder, *sources(), *(ROOT / "records" / "compilation").glob("*.py"))
     for package in ("assess", "records", "assess/toy", "assess/toy/inner"):
         (folder / package).mkdir(exist_ok=True)
         (folder / package / "__init__.py").touch()
@@ -58,18 +53,14 @@ def toy(folder: Path) -> Path:
     return folder
 
 
-def bind() -> None:
-    """Have modes of files bind root too: without CAP_DAC_OVERRIDE, from the program that is started next."""
-    CDLL(None).prctl(24, 1, 0, 0, 0)  # PR_CAPBSET_DROP
-
-
 def started(script: str, packages: Path, environment: dict[str, str], bound: bool = False) -> subprocess.Popen[str]:
     kept = {name: value for name, value in os.environ.items() if not name.startswith(("NUMBA_", "XDG_"))}
     return subprocess.Popen(
         [sys.executable, "-B", "-c", script + SAYS],
         env={**kept, "PYTHONPATH": str(packages), **environment},
         cwd=packages,
-        preexec_fn=bind if bound else None,
+        # Modes of files bind root too: PR_CAPBSET_DROP of CAP_DAC_OVERRIDE, from the program that is started next.
+        preexec_fn=(lambda: CDLL(None).prctl(24, 1, 0, 0, 0)) if bound else None,
         stdout=subprocess.PIPE,
         stderr=subprocess.PIPE,
         text=True,
@@ -88,22 +79,16 @@ def run(script: str, packages: Path, environment: dict[str, str]) -> tuple[float
     return ended(started(script, packages, environment))
 
 
-def edited(path: Path, old: str, new: str) -> None:
-    text = path.read_text()
-    assert text.count(old) == 1
-    assert len(old) == len(new)
-    path.write_text(text.replace(old, new))
-
-
 def test_an_edit_of_what_is_compiled_in_changes_the_answer_at_once(tmp_path: Path) -> None:
     """A constant of kernel/events.py is compiled into the machine code of kernel/sine.py, whose file is not touched."""
-    packages, place = copied(tmp_path / "packages"), {"NUMBA_CACHE_DIR": str(tmp_path / "cache")}
+    whole = (path for package in ("assess", "records", "spectra") for path in (ROOT / package).rglob("*.py"))
+    packages, place = copied(tmp_path / "packages", *whole), {"NUMBA_CACHE_DIR": str(tmp_path / "cache")}
     before, *compiled = run(SINE, packages, place)
-    edited(packages / "assess/dynamics/kernel/events.py", "\nREST = 1e-4\n", "\nREST = 1e+4\n")
+    edit_file(packages / "assess/dynamics/kernel/events.py", "\nREST = 1e-4\n", "\nREST = 1e+4\n")
     after, *anew = run(SINE, packages, place)
     assert compiled == anew == [0, 1]
     assert before > after > 0.0  # at rest after each first impact
-    edited(packages / "assess/dynamics/kernel/events.py", "\nREST = 1e+4\n", "\nREST = 1e-4\n")
+    edit_file(packages / "assess/dynamics/kernel/events.py", "\nREST = 1e+4\n", "\nREST = 1e-4\n")
     assert run(SINE, packages, place) == (before, 1, 0)  # the code of either version stays
 
 
@@ -114,7 +99,7 @@ def test_numbas_own_cache_gives_the_old_answer_after_the_edit(tmp_path: Path) ->
     inner = packages / "assess/toy/inner/kernel.py"
     assert run(BY_NUMBA + TOY, packages, place) == (2.0, 0, 1)
     assert run(TOY, packages, place) == (2.0, 0, 1)
-    edited(inner, "PART = 1.0", "PART = 5.0")
+    edit_file(inner, "PART = 1.0", "PART = 5.0")
     assert run(BY_NUMBA + TOY, packages, place) == (2.0, 1, 0)
     assert run(TOY, packages, place) == (6.0, 0, 1)
 

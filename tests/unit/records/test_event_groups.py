@@ -2,22 +2,17 @@
 
 from dataclasses import replace
 
-import numpy as np
 import pytest
 
-from records.candidates import PERIODS, Candidate, read_candidates
+from records.candidates import Candidate, read_candidates
 from records.formats.header import HeaderOverrides
 from records.selection import event_groups, same_motion
+from tests.support import candidates
 from tests.support.places import REAL_RECORDS, needs_real_records
 
 
 def candidate(number: int, *, event: str = "", digits: float = 0.0) -> Candidate:
-    rng = np.random.default_rng(number)
-    spectrum = np.exp(rng.normal(0.0, 1.0, PERIODS.size)) * (1.0 + digits * np.cos(np.arange(PERIODS.size)))
-    return Candidate(
-        path=f"{number} {digits}", position=0, id=str(number), event=event, station="", component="", date="",
-        magnitude=None, distance=None, vs30=None, place="", nga=None, dt=0.01, npts=1, measures={}, spectrum=spectrum,
-    )  # fmt: skip
+    return candidates.candidate(number, event=event, digits=digits, path=f"{number} {digits}")
 
 
 def pairs(*candidates: Candidate) -> set[tuple[int, int]]:

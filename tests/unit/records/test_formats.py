@@ -4,7 +4,6 @@ Real files are in tests/validation/record_files; obspy's formats in test_by_obsp
 """
 
 import random
-from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
@@ -17,6 +16,9 @@ from records.errors import RecordError
 from records.formats import FORMATS, by_obspy
 from records.reading import read_records
 from records.record import Earthquake, Record, make_record
+from tests.support import record_files
+from tests.support.files import refused_in_one_line, write_file
+from tests.support.record_files import columns, head, keyed
 
 N = 40
 VALUES = np.round(np.random.default_rng(7).normal(size=N) * 20.0, 2)  # in the unit of the file
@@ -26,228 +28,149 @@ RMS = float(np.sqrt(np.mean(VALUES**2)))
 SCALES = (1.0, -0.5, 0.25)  # of the components in one file
 
 
-def rows(values: np.ndarray, per_line: int, form: str) -> str:
-    fields = [format(value, form) for value in values]
-    return "\n".join("".join(fields[i : i + per_line]) for i in range(0, len(fields), per_line)) + "\n"
-
-
-def knet() -> str:
-    counts = np.round(VALUES * 1000).astype(int) + 4321
-    peak = np.abs(counts - counts.mean()).max() * 0.001
-    header = {
-        "Origin Time": "2018/01/24 19:51:00",
-        "Lat.": "41.0",
-        "Long.": "142.5",
-        "Depth. (km)": "30",
-        "Mag.": "6.2",
-        "Station Code": "XYZ001",
-        "Station Lat.": "41.4",
-        "Station Long.": "141.4",
-        "Station Height(m)": "30",
-        "Record Time": "2018/01/24 19:51:37",
-        "Sampling Freq(Hz)": "100Hz",
-        "Duration Time(s)": "0.4",
-        "Dir.": "E-W",
-        "Scale Factor": "2000(gal)/2000000",
-        "Max. Acc. (gal)": f"{peak:.3f}",
-        "Last Correction": "2018/01/24 19:51:37",
-        "Memo.": "",
-    }
-    return "".join(f"{key:18}{value}\n" for key, value in header.items()) + rows(counts, 8, "9d")
-
-
-def dyna() -> str:
-    header = [
-        "EVENT_NAME: SOMEWHERE",
-        "EVENT_DATE_YYYYMMDD: 20190728",
-        "EVENT_TIME_HHMMSS: 160908",
-        "EVENT_DEPTH_KM: 9.0",
-        "MAGNITUDE_W: ",
-        "MAGNITUDE_L: 4.6",
-        "NETWORK: XX",
-        "STATION_CODE: ABC",
-        "VS30_M/S: 688",
-        "EPICENTRAL_DISTANCE_KM: 12.5",
-        "SAMPLING_INTERVAL_S: 0.005000",
-        f"NDATA: {N}",
-        "STREAM: HNE",
-        "UNITS: cm/s^2",
-        f"PGA_CM/S^2: {PEAK}",
-        "DATA_TYPE: ACCELERATION",
-        "USER5: ",
-    ]
-    return "\n".join(header) + "\n" + rows(VALUES, 1, ".6f")
-
-
-def itaca() -> str:
-    header = [
-        "Event Date & Time             : 2009-04-06 01:32:39",
-        "Station Code / Name           : 1 / Somewhere",
-        "Orientation                   : WE",
-        "Time Increment (s)            : 0.005",
-        f"Number of Data                : {N}",
-        f"PGA (m/s/s)                   : {abs(PEAK):.7E}",
-        "Accelaration time series in m/s/s",
-    ]
-    return "\n".join(header) + "\n" + rows(VALUES, 5, "14.7E")
-
-
-def afad() -> str:
-    peaks = [abs(PEAK * scale) for scale in SCALES]
-    header = [
-        "STRONG GROUND MOTION RECORDS OF TURKIYE",
-        "EARTHQUAKE DATE         : 2017/07/20 22:31:09 (GMT)",
-        "EPICENTER COORDINATES   : 36.91980N-27.44350E",
-        "EARTHQUAKE MAGNITUDE    : 6.5 Mw",
-        "STATION ID              : 4819",
-        f"NUMBER OF DATA          : {N}",
-        "SAMPLING INTERVAL (sec) : 0.01",
-        f"RAW PGA VALUES (gal)    : (N-S) {peaks[0]:.6f} (E-W) {peaks[1]:.6f} (U-D) {peaks[2]:.6f}",
-        "       N-S          E-W          U-D",
-    ]
-    return "\r\n".join(header) + "\r\n" + rows(np.outer(VALUES, SCALES).ravel(), 3, "13.6f").replace("\n", "\r\n")
-
-
-def cosmos() -> str:
-    integers, reals = np.full(100, -999), np.full(100, -999.0)
-    integers[53], reals[[12, 61, 63]] = 340, [6.1, 10.0, PEAK]
-    header = [
-        "Corrected acceleration    (Format v01.20 with 13 text lines)",
-        "Record of Somewhere Earthquake of Fri Nov 30, 2018 17:29 UTC",
-        "Hypocenter: 34.0580  -117.0110  H= 12km",
-        "Origin: 06/16/2005, 20:53:26.1 UTC",
-        "Statn No: 01-1  Code:XX-J1  Some School",
-        *["text"] * 3,
-        "Sta Chan  1: 340 deg (Rcrdr Chan  1) Location:",
-        *["text"] * 4,
-        " 100 Integer-header values follow on  10 lines, Format= (10I8)",
-        rows(integers, 10, "8d").rstrip("\n"),
-        " 100 Real-header values follow on  17 lines, Format= (6F13.6)",
-        rows(reals, 6, "13.6f").rstrip("\n"),
-        '   1 Comment line(s) follow, each starting with a "|":',
-        "| made up",
-        f"   {N} acceleration pts, approx    0 secs, units=cm/sec2(04),Format=(8F10.5)",
-    ]
-    return "\n".join(header) + "\n" + rows(VALUES, 8, "10.5f") + "End-of-data for Chan  1 acceleration\n"
-
-
-def csmip_channel(number: int, direction: str, scale: float) -> str:
-    header = ["text"] * 25
-    header[2], header[6] = "SOMEWHERE EARTHQUAKE", "SOME SCHOOL"
-    header[3] = "MAY 2, 1983 16:42 PDT                   (ORIGIN(BRK): 05/02/83, 23:42:38.5 UTC)"
-    header[5] = "STATION NO. 36456   35.908N, 120.458W     SMA-1  S/N 4384"
-    header[7] = f"CHAN  {number}: {direction}"
-    header[17] = f"PEAK ACCELERATION =  {PEAK * scale:.3f}    CM/SEC/SEC  AT   {0.02 * AT:.3f}   SEC."
-    blocks = [
-        f"{N} POINTS OF {kind} DATA EQUALLY SPACED AT  .020 SEC.  (UNITS: {unit})\n" + rows(VALUES * scale, 8, "10.3f")
-        for kind, unit in (("ACCEL", "CM/SEC/SEC"), ("VELOC", "CM/SEC"), ("DISPL", "CM"))
-    ]
-    return (
-        "\n".join(header) + "\n" + "".join(blocks) + f"/&  ----------  END OF DATA FOR CHANNEL  {number}  ----------\n"
-    )
+COUNTS = np.round(VALUES * 1000).astype(int) + 4321
+DYNA = {
+    "EVENT_NAME": "SOMEWHERE",
+    "EVENT_DATE_YYYYMMDD": "20190728",
+    "EVENT_TIME_HHMMSS": "160908",
+    "EVENT_DEPTH_KM": "9.0",
+    "MAGNITUDE_W": "",
+    "MAGNITUDE_L": "4.6",
+    "NETWORK": "XX",
+    "STATION_CODE": "ABC",
+    "VS30_M/S": "688",
+    "EPICENTRAL_DISTANCE_KM": "12.5",
+    "SAMPLING_INTERVAL_S": "0.005000",
+    "NDATA": f"{N}",
+    "STREAM": "HNE",
+    "UNITS": "cm/s^2",
+    "PGA_CM/S^2": f"{PEAK}",
+    "DATA_TYPE": "ACCELERATION",
+    "USER5": "",
+}
+ITACA = {
+    "Event Date & Time": "2009-04-06 01:32:39",
+    "Station Code / Name": "1 / Somewhere",
+    "Orientation": "WE",
+    "Time Increment (s)": "0.005",
+}
+AFAD = {
+    "EARTHQUAKE DATE": "2017/07/20 22:31:09 (GMT)",
+    "EPICENTER COORDINATES": "36.91980N-27.44350E",
+    "EARTHQUAKE MAGNITUDE": "6.5 Mw",
+    "STATION ID": "4819",
+}
+COSMOS = {
+    2: "Record of Somewhere Earthquake of Fri Nov 30, 2018 17:29 UTC",
+    3: "Hypocenter: 34.0580  -117.0110  H= 12km",
+    4: "Origin: 06/16/2005, 20:53:26.1 UTC",
+    5: "Statn No: 01-1  Code:XX-J1  Some School",
+    9: "Sta Chan  1: 340 deg (Rcrdr Chan  1) Location:",
+}
+CSMIP_1 = {
+    1: "Uncorrected Accelerogram Data",
+    6: "Some School                               CGS",
+    7: "Chan  1: 360 Deg",
+    12: f"Units of uncor data are sec and g .        Max  =  {PEAK:.3f} g , at  {0.005 * AT:.3f} sec.",
+    14: f" {N} Accelerogram points at 200 pts/sec in units of g .      Format: (8f9.6)",
+}
+CSMIP_2 = {
+    3: "SOMEWHERE EARTHQUAKE",
+    4: "MAY 2, 1983 16:42 PDT                   (ORIGIN(BRK): 05/02/83, 23:42:38.5 UTC)",
+    6: "STATION NO. 36456   35.908N, 120.458W     SMA-1  S/N 4384",
+    7: "SOME SCHOOL",
+}
+V2A = {
+    2: "Site ABCD      42 37 10S  173 03 13E     Cusp file:  made up",
+    7: "5 km south-west of Somewhere",
+    8: "2016 November 13         11:02:56 UT",
+    9: "Epicentre  42 41 33S 173 01 19E  Bearing S18W  Dist    9km  Depth   15km Mw 7.82",
+    10: f"Number of points  {N}    Duration   0.78 sec",
+    11: "Instrument corrected data at 0.020 sec intervals",
+}
+SMC = {
+    3: "XX",
+    4: "     1989  10  18    0004 Somewhere, CA",
+    5: "Moment Mag=      7.1 Ms=      7.1 Ml=      7.0",
+    6: "station = Some School, F                 component=    360",
+    7: f"epicentral dist =     89.0       pk     = {PEAK:8.1f}",
+}
+SMC_REALS = {2: 200.0, 6: 7.1, 17: 89.0} | dict(
+    enumerate((0.005 * VALUES.argmax(), VALUES.max(), 0.005 * VALUES.argmin(), VALUES.min()), 29)
+)
 
 
 def csmip_2() -> str:
-    return "".join(
-        csmip_channel(i + 1, direction, scale)
-        for i, (direction, scale) in enumerate(zip(("90 DEG", "UP", "0 DEG"), SCALES, strict=True))
-    )
-
-
-def csmip_1() -> str:
-    header = ["Uncorrected Accelerogram Data", *["text"] * 12]
-    header[5], header[6] = "Some School                               CGS", "Chan  1: 360 Deg"
-    header[11] = f"Units of uncor data are sec and g .        Max  =  {PEAK:.3f} g , at  {0.005 * AT:.3f} sec."
-    points = f" {N} Accelerogram points at 200 pts/sec in units of g .      Format: (8f9.6)"
-    end = "/&  ----------  End of Data for Channel  1  ----------\n"
-    return "\n".join([*header, points]) + "\n" + rows(VALUES, 8, "9.3f") + end
+    """Three channels, each of accelerations, velocities and displacements that are the same numbers."""
+    text = ""
+    for number, (direction, scale) in enumerate(zip(("90 DEG", "UP", "0 DEG"), SCALES, strict=True), 1):
+        peak = f"PEAK ACCELERATION =  {PEAK * scale:.3f}    CM/SEC/SEC  AT   {0.02 * AT:.3f}   SEC."
+        lines = {**CSMIP_2, 8: f"CHAN  {number}: {direction}", 18: peak}
+        text += record_files.csmip_2(lines, *[VALUES * scale] * 3, number=number, step=0.02)
+    return text
 
 
 def v2a() -> str:
-    parts = []
+    """Three components, each of accelerations, velocities and displacements that are the same numbers."""
+    text = ""
     for name, scale in zip(("N28W", "S62W", "Up"), SCALES, strict=True):
-        header = ["text"] * 16
-        header[1] = "Site ABCD      42 37 10S  173 03 13E     Cusp file:  made up"
-        header[6] = "5 km south-west of Somewhere"
-        header[7] = "2016 November 13         11:02:56 UT"
-        header[8] = "Epicentre  42 41 33S 173 01 19E  Bearing S18W  Dist    9km  Depth   15km Mw 7.82"
-        header[9] = f"Number of points  {N}    Duration   0.78 sec"
-        header[10] = "Instrument corrected data at 0.020 sec intervals"
-        header[12] = f"Component {name}  Some Axis"
-        when, rms = 0.02 * AT, RMS * abs(scale)
-        header[13] = f"Acceleration:  peak  {PEAK * scale:.1f} mm/s/s at  {when:.2f} sec     rms    {rms:.1f} mm/s/s"
-        numbers = rows(np.zeros(100), 10, "8.1f") + 3 * rows(VALUES * scale, 10, "8.3f")
-        parts.append("\n".join(header) + "\n" + numbers)
-    return "".join(parts)
-
-
-def smc() -> str:
-    integers, reals = np.full(48, -32768), np.full(50, 1.7e38)
-    integers[[15, 16]], reals[[1, 5, 16]] = [1, N], [200.0, 7.1, 89.0]
-    reals[28:32] = [0.005 * VALUES.argmax(), VALUES.max(), 0.005 * VALUES.argmin(), VALUES.min()]
-    text = [
-        "2 CORRECTED ACCELEROGRAM",
-        "*",
-        "XX",
-        "     1989  10  18    0004 Somewhere, CA",
-        "Moment Mag=      7.1 Ms=      7.1 Ml=      7.0",
-        "station = Some School, F                 component=    360",
-        f"epicentral dist =     89.0       pk     = {PEAK:8.1f}",
-        *["*"] * 4,
-    ]
-    data = rows(VALUES, 8, "10.3E").replace("E+0", "E+").replace("E-0", "E-")
-    body = "\n".join(line for line in data.splitlines())
-    return "\n".join(text) + "\n" + rows(integers, 8, "10d") + rows(reals, 5, "15.7E") + "|made up\n" + body + "\n"
-
-
-def at2() -> str:
-    return (
-        "PEER NGA\nSomewhere, 7/21/1952, Some School, 21\nACCELERATION TIME SERIES IN UNITS OF G\n"
-        f"NPTS= {N}, DT= .01 SEC\n" + rows(VALUES, 5, "15.7E")
-    )
-
-
-def plain() -> str:
-    return f"made up\nThe units are (g)\nNPTS= {N}, DT= .02 SEC\n" + rows(VALUES, 8, "10.3f")
-
-
-def two_columns() -> str:
-    return "time [s],acceleration [g]\n" + "".join(f"{i * 0.01:.2f},{a}\n" for i, a in enumerate(VALUES))
+        peak = f"peak  {PEAK * scale:.1f} mm/s/s at  {0.02 * AT:.2f} sec     rms    {RMS * abs(scale):.1f} mm/s/s"
+        lines = {**V2A, 13: f"Component {name}  Some Axis", 14: f"Acceleration:  {peak}"}
+        text += record_files.v2a(lines, *[VALUES * scale] * 3)
+    return text
 
 
 CM, MM = 0.01, 0.001
 # A file of three components needs its name in test_samples_step_and_unit.
-MADE: dict[str, tuple[Callable[[], str], str, float, float]] = {  # writer, format, m/s2 of a unit, step
-    "k-net": (knet, "K-NET/KiK-net", CM, 0.01),
-    "dyna": (dyna, "ESM/ITACA DYNA", CM, 0.005),
-    "itaca": (itaca, "ITACA cor.acc", 1.0, 0.005),
-    "afad": (afad, "AFAD", CM, 0.01),
-    "cosmos": (cosmos, "COSMOS", CM, 0.01),
-    "csmip-1": (csmip_1, "CSMIP", g, 0.005),
-    "csmip-2": (csmip_2, "CSMIP", CM, 0.02),
-    "v2a": (v2a, "GeoNet V2A", MM, 0.02),
-    "smc": (smc, "SMC", CM, 0.005),
-    "at2": (at2, "PEER AT2", g, 0.01),
-    "plain": (plain, "plain", g, 0.02),
-    "csv": (two_columns, "CSV", g, 0.01),
+MADE: dict[str, tuple[str, str, float, float]] = {  # text, format, m/s2 of a unit, step
+    "k-net": (record_files.knet(COUNTS, {}), "K-NET/KiK-net", CM, 0.01),
+    "dyna": (keyed(DYNA, "{}: {}") + columns(VALUES, 1, ".6f"), "ESM/ITACA DYNA", CM, 0.005),
+    "itaca": (record_files.itaca(VALUES, ITACA), "ITACA cor.acc", 1.0, 0.005),
+    "afad": (record_files.afad(np.outer(VALUES, SCALES), AFAD).replace("\n", "\r\n"), "AFAD", CM, 0.01),
+    "cosmos": (
+        record_files.cosmos(VALUES, COSMOS, azimuth=340, reals={13: 6.1, 62: 10.0, 64: PEAK}),
+        "COSMOS",
+        CM,
+        0.01,
+    ),
+    "csmip-1": (
+        head(14, CSMIP_1) + columns(VALUES, 8, "9.3f") + "/&  ----------  End of Data for Channel  1  ----------\n",
+        "CSMIP",
+        g,
+        0.005,
+    ),
+    "csmip-2": (csmip_2(), "CSMIP", CM, 0.02),
+    "v2a": (v2a(), "GeoNet V2A", MM, 0.02),
+    "smc": (record_files.smc(VALUES, SMC, integers={16: 1}, reals=SMC_REALS), "SMC", CM, 0.005),
+    "at2": (record_files.at2(VALUES), "PEER AT2", g, 0.01),
+    "plain": (
+        f"made up\nThe units are (g)\nNPTS= {N}, DT= .02 SEC\n" + columns(VALUES, 8, "10.3f"),
+        "plain",
+        g,
+        0.02,
+    ),
+    "csv": (
+        "time [s],acceleration [g]\n" + "".join(f"{i * 0.01:.2f},{a}\n" for i, a in enumerate(VALUES)),
+        "CSV",
+        g,
+        0.01,
+    ),
 }
 
 
 def written(folder: Path, name: str) -> Path:
-    path = folder / f"{name}.dat"
-    path.write_bytes(MADE[name][0]().encode("latin-1"))
-    return path
+    return write_file(folder / f"{name}.dat", MADE[name][0], encoding="latin-1")
 
 
 @pytest.mark.parametrize("name", MADE)
 def test_one_format_alone_looks_like_it(name: str) -> None:
-    head = MADE[name][0]().encode("latin-1")
-    assert [known for known, each in FORMATS.items() if each.looks_like(head)] == [MADE[name][1]]
+    data = MADE[name][0].encode("latin-1")
+    assert [known for known, each in FORMATS.items() if each.looks_like(data)] == [MADE[name][1]]
 
 
 def test_every_format_of_text_has_a_file_here() -> None:
     made = {of for _, of, _, _ in MADE.values()} | {by_obspy.MINISEED, by_obspy.SAC}
-    assert set(FORMATS) - made == set(), "add a function that writes a small file of it to MADE"
+    assert set(FORMATS) - made == set(), "add a small file of it to MADE"
 
 
 @pytest.mark.parametrize("name", MADE)
@@ -291,7 +214,7 @@ def test_event_station_and_component(
 
 def test_csmip_volume_1_with_its_points_as_in_volume_2(tmp_path: Path) -> None:
     """So the files of the 1990s have it."""
-    lines = csmip_1().replace(" 200 pts/sec", "").splitlines()
+    lines = MADE["csmip-1"][0].replace(" 200 pts/sec", "").splitlines()
     at = next(i for i, line in enumerate(lines) if "Accelerogram points" in line)
     lines[at] = f"{N} POINTS OF ACCEL DATA EQUALLY SPACED AT .005 SEC.  (UNITS: G)"
     (tmp_path / "X.RAW").write_text("\n".join(lines) + "\n")
@@ -324,8 +247,7 @@ def test_what_else_is_known(tmp_path: Path) -> None:
     ],
 )
 def test_south_and_west_of_geonet_are_negative(tmp_path: Path, printed: str, place: tuple[float, float]) -> None:
-    path = tmp_path / "a.V2A"
-    path.write_text(v2a().replace("42 37 10S  173 03 13E", printed))
+    path = write_file(tmp_path / "a.V2A", v2a().replace("42 37 10S  173 03 13E", printed))
     site = read_records(path)[0].site
     assert (site.latitude, site.longitude) == pytest.approx(place, abs=0.5 / 3600.0)
 
@@ -397,11 +319,8 @@ def test_damage_is_one_line_with_file_and_value(tmp_path: Path, name: str, old: 
     if (name, new.strip()) == ("smc", "nan"):  # what is unknown may be nan as well
         assert read_records(path)[0].npts == N
         return
-    with pytest.raises(RecordError, match=words) as caught:
+    with refused_in_one_line(RecordError, path, words):
         read_records(path)
-    assert str(caught.value).startswith(str(path))
-    assert "\n" not in str(caught.value)
-    assert len(str(caught.value)) < 400 + len(str(path))
 
 
 def test_a_direction_of_geonet_with_a_blank_is_one(tmp_path: Path) -> None:
@@ -481,7 +400,7 @@ def test_shuffled_and_spoilt_files_are_records_or_record_errors(tmp_path: Path, 
     """And a record is one of the step, and in the unit, of the whole: its peak is not larger than ten of the file's."""
     source, _, factor, dt = MADE[name]
     chance = random.Random(seed)
-    data = bytearray(source().encode("latin-1"))
+    data = bytearray(source.encode("latin-1"))
     lines = bytes(data).split(b"\n")
     kind = chance.randrange(4)
     if kind == 0:
@@ -526,8 +445,7 @@ def test_three_full_columns_are_not_taken_for_one_motion(tmp_path: Path) -> None
 
 
 def test_bare_numbers_need_unit_and_step(tmp_path: Path) -> None:
-    path = tmp_path / "bare.txt"
-    path.write_text(rows(VALUES, 8, "10.3f"))
+    path = write_file(tmp_path / "bare.txt", columns(VALUES, 8, "10.3f"))
     with pytest.raises(RecordError, match=r"does not state the unit of its accelerations; give unit \(--unit"):
         read_records(path, step=0.02)
     with pytest.raises(RecordError, match=r"does not state its time step; give step, in seconds \(--step"):
@@ -538,8 +456,7 @@ def test_bare_numbers_need_unit_and_step(tmp_path: Path) -> None:
 
 
 def test_a_title_then_count_and_step_then_one_column(tmp_path: Path) -> None:
-    path = tmp_path / "one.txt"
-    path.write_text(f"made up\n{N} 0.0100\n" + rows(VALUES, 1, ".4f"))
+    path = write_file(tmp_path / "one.txt", f"made up\n{N} 0.0100\n" + columns(VALUES, 1, ".4f"))
     (record,) = read_records(path, unit="cm/s2")
     assert (record.npts, record.dt) == (N, 0.01)
 
@@ -553,7 +470,7 @@ def test_a_title_then_count_and_step_then_one_column(tmp_path: Path) -> None:
     ],
 )
 def test_a_time_stamp_is_no_name_of_an_event(tmp_path: Path, name: str, number: str, event: str) -> None:
-    lines = [line for line in dyna().splitlines() if not line.startswith(("EVENT_", "MAGNITUDE_"))]
+    lines = [line for line in MADE["dyna"][0].splitlines() if not line.startswith(("EVENT_", "MAGNITUDE_"))]
     quake = ["EVENT_DATE_YYYYMMDD: 20180124", "EVENT_TIME_HHMMSS: 105100", "MAGNITUDE_W: 6.8"]
     place = ["EVENT_LATITUDE_DEGREE: 38.0", "EVENT_LONGITUDE_DEGREE: 22.0"]
     path = tmp_path / "d.asc"

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from scipy.constants import g
 
-from records.record import Record, make_record
+from records.record import make_record
 from records.response import (
     HOUSNER_PERIODS,
     arias,
@@ -22,18 +22,6 @@ from records.response import (
 
 A, CYCLES, F = 3.0, 20, 2.0  # m/s2, cycles, Hz
 STEPS = 400  # a cycle
-
-
-def harmonic() -> Record:
-    """Whole cycles of A cos(2 pi F t)."""
-    time = np.arange(CYCLES * STEPS + 1) / (STEPS * F)
-    return make_record("harmonic", A * np.cos(2.0 * np.pi * F * time), 1.0 / (STEPS * F))
-
-
-def rectangle() -> Record:
-    """A for 1 s, -A for 1 s, zero for 1 s; the jumps are one step of 1e-4 s long."""
-    time = 1e-4 * np.arange(30_001)
-    return make_record("rectangle", np.where(time < 1.0, A, np.where(time < 2.0, -A, 0.0)), 1e-4)
 
 
 @pytest.mark.parametrize("seed", range(5))
@@ -57,7 +45,8 @@ def test_peaks_of_a_triangle_lie_between_its_samples() -> None:
 
 def test_a_harmonic_motion() -> None:
     duration, omega = CYCLES / F, 2.0 * np.pi * F
-    record = harmonic()
+    time = np.arange(CYCLES * STEPS + 1) / (STEPS * F)
+    record = make_record("harmonic", A * np.cos(omega * time), 1.0 / (STEPS * F))  # whole cycles
     assert record.pga == A
     assert pgv(record) == pytest.approx(A / omega, rel=1e-4)
     assert pgd(record) == pytest.approx(2.0 * A / omega**2, rel=1e-4)  # (A / omega^2) (1 - cos)
@@ -69,7 +58,9 @@ def test_a_harmonic_motion() -> None:
 
 
 def test_a_pulse_of_two_rectangles() -> None:
-    record = rectangle()
+    """A for 1 s, -A for 1 s, zero for 1 s; the jumps are one step of 1e-4 s long."""
+    time = 1e-4 * np.arange(30_001)
+    record = make_record("rectangle", np.where(time < 1.0, A, np.where(time < 2.0, -A, 0.0)), 1e-4)
     assert pgv(record) == pytest.approx(A, rel=2e-4)
     assert pgd(record) == pytest.approx(A, rel=4e-4)  # A t^2 / 2 twice
     assert arias(record) == pytest.approx(np.pi / (2.0 * g) * 2.0 * A**2, rel=2e-4)

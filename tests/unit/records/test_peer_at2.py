@@ -9,19 +9,11 @@ from scipy.constants import g
 from records.errors import RecordError
 from records.formats.peer_at2 import looks_like, parse_title
 from records.reading import read_records
+from tests.support.files import refused_in_one_line, write_file
+from tests.support.record_files import at2
 
-FIRST = "PEER NGA STRONG MOTION DATABASE RECORD"
-TITLE = "Somewhere, 7/21/1952, Some School, 21"
-UNITS = "ACCELERATION TIME SERIES IN UNITS OF G"
 VALUES = [-0.25e-2, 0.1234e-1, 0.0, 0.5, -0.75, 0.125e-6, 0.3]
 DATA = "  -.2500000E-02   .1234000E-01   .0000000E+00   .5000000E+00  -.7500000E+00\n   .1250000E-06   .3000000E+00\n"
-
-
-def written(
-    path: Path, step: str, *, title: str = TITLE, units: str = UNITS, data: str = DATA, end: str = "\n"
-) -> Path:
-    path.write_text("\n".join([FIRST, title, units, step, data]), newline=end)
-    return path
 
 
 @pytest.mark.parametrize("end", ["\n", "\r\n"])
@@ -40,7 +32,7 @@ def written(
     ],
 )
 def test_every_dress_of_line_four(tmp_path: Path, step: str, dt: float, end: str) -> None:
-    (record,) = read_records(written(tmp_path / "a.AT2", step, end=end))
+    (record,) = read_records(write_file(tmp_path / "a.AT2", at2(DATA, line=step).replace("\n", end)))
     assert record.dt == dt
     np.testing.assert_allclose(record.acceleration, np.array(VALUES) * g, rtol=1e-12)
     assert (record.id, record.event, record.station, record.component) == ("a", "Somewhere", "Some School", "21")
@@ -75,12 +67,14 @@ def test_titles_old_and_new(line: str, title: tuple[str, ...]) -> None:
 
 
 def test_numbers_that_touch_are_told_apart(tmp_path: Path) -> None:
-    path = written(tmp_path / "a.AT2", "NPTS= 3, DT= .01 SEC", data="-.1000000E-02-.2000000E+00 .3000000E+00\n")
+    data = "-.1000000E-02-.2000000E+00 .3000000E+00\n"
+    path = write_file(tmp_path / "a.AT2", at2(data, line="NPTS= 3, DT= .01 SEC"))
     np.testing.assert_allclose(read_records(path)[0].acceleration / g, [-0.001, -0.2, 0.3], rtol=1e-12)
 
 
 def test_another_unit_in_the_header_counts_and_the_callers_does_not(tmp_path: Path) -> None:
-    path = written(tmp_path / "a.AT2", "NPTS= 7, DT= .01", units="ACCELERATION TIME HISTORY IN UNITS OF CM/S/S")
+    text = at2(DATA, line="NPTS= 7, DT= .01", units="ACCELERATION TIME HISTORY IN UNITS OF CM/S/S")
+    path = write_file(tmp_path / "a.AT2", text)
     np.testing.assert_allclose(read_records(path, unit="g")[0].acceleration, np.array(VALUES) * 0.01, rtol=1e-12)
 
 
@@ -112,25 +106,19 @@ def test_another_unit_in_the_header_counts_and_the_callers_does_not(tmp_path: Pa
     ],
 )
 def test_a_damaged_file_gives_one_clear_line(tmp_path: Path, step: str, data: str, words: str) -> None:
-    path = written(tmp_path / "damaged.AT2", step, data=data)
-    with pytest.raises(RecordError, match=words) as caught:
+    path = write_file(tmp_path / "damaged.AT2", at2(data, line=step))
+    with refused_in_one_line(RecordError, path, words, longest=300):
         read_records(path)
-    assert str(caught.value).startswith(str(path))
-    assert "\n" not in str(caught.value)
-    assert len(str(caught.value)) < 300 + len(str(path))
 
 
 def test_a_header_that_ends_early_is_said_so(tmp_path: Path) -> None:
-    path = tmp_path / "short.AT2"
-    path.write_text("\n".join([FIRST, TITLE, UNITS]))
+    path = write_file(tmp_path / "short.AT2", at2("", line="").rstrip())
     with pytest.raises(RecordError, match="header is cut short"):
         read_records(path)
 
 
 def test_only_accelerations_look_like_at2() -> None:
-    assert looks_like("\n".join([FIRST, TITLE, UNITS, "NPTS= 7, DT= .01"]).encode())
-    assert not looks_like(
-        "\n".join([FIRST, TITLE, "VELOCITY TIME SERIES IN UNITS OF CM/S", "NPTS= 7, DT= .01"]).encode()
-    )
+    assert looks_like(at2("", line="NPTS= 7, DT= .01").encode())
+    assert not looks_like(at2("", line="NPTS= 7, DT= .01", units="VELOCITY TIME SERIES IN UNITS OF CM/S").encode())
     assert not looks_like(b"Data\n1559 points at equal spacing\nThe units are (g)\nNPTS=  1559, DT= .02000 SEC\n")
     assert not looks_like(bytes(range(256)))

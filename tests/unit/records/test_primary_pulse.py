@@ -8,7 +8,6 @@ from records.errors import RecordError
 from records.pulses import (
     PERIODS,
     PULSE_SHAPES,
-    PrimaryPulse,
     PulseShape,
     mavroeidis_papageorgiou,
     primary_pulses,
@@ -180,11 +179,6 @@ def test_the_best_are_the_first_of_all(one: PulseShape, count: int) -> None:
         )
 
 
-def found_in(name: str, one: str) -> tuple[Record, PrimaryPulse]:
-    record = read_records(PEER / name)[0]
-    return record, primary_pulses(record, shape=pulse_shape(one))[0]
-
-
 @needs_real_records
 @pytest.mark.parametrize(
     ("name", "low", "high"),
@@ -194,7 +188,8 @@ def found_in(name: str, one: str) -> tuple[Record, PrimaryPulse]:
     ],
 )
 def test_periods_of_well_known_pulses(name: str, low: float, high: float) -> None:
-    record, pulse = found_in(name, "mavroeidis-papageorgiou")
+    (record,) = read_records(PEER / name)
+    pulse = primary_pulses(record, shape=pulse_shape("mavroeidis-papageorgiou"))[0]
     assert low < 1.0 / pulse.frequency < high
     assert 0.3 < pulse.index < 1.0
     assert pulse.amplitude < record.pga

@@ -11,24 +11,17 @@ from records.errors import RecordError
 from records.processing import butterworth, correct_baseline, resample, rotate_to_azimuth, rotd, rotd_spectrum, trim
 from records.record import Record, make_record
 from records.response import displacement, integrate_absolute, integrate_squared, response_spectrum, velocity
+from tests.support.motions import white_noise
 
 DT = 0.01
 TIME = DT * np.arange(4001)
+NOISE = white_noise(1, npts=TIME.size)
 
 
 def sine(frequency: float, *, dt: float = DT) -> Record:
     """Twenty seconds of a sine that grows and fades smoothly."""
     time = dt * np.arange(round(40.0 / dt) + 1)
     return make_record("sine", np.exp(-(((time - 20.0) / 5.0) ** 2)) * np.sin(2 * np.pi * frequency * time), dt)
-
-
-def steady(frequency: float) -> Record:
-    """A hundred seconds of a sine of amplitude 1, tapered over 20 s at both ends."""
-    return make_record("steady", tukey(10_001, 0.4) * np.sin(2 * np.pi * frequency * DT * np.arange(10_001)), DT)
-
-
-def noise(seed: int = 1, npts: int = 4001) -> Record:
-    return make_record("noise", np.random.default_rng(seed).normal(size=npts), DT)
 
 
 def test_velocity_and_displacement_of_a_line() -> None:
@@ -55,7 +48,7 @@ def test_a_baseline_of_its_degree_goes_and_leaves_the_trail(degree: int) -> None
 
 
 def test_a_corrected_record_has_no_baseline_left() -> None:
-    once = correct_baseline(noise(), degree=3)
+    once = correct_baseline(NOISE, degree=3)
     np.testing.assert_allclose(correct_baseline(once, degree=3).acceleration, once.acceleration, rtol=0, atol=1e-12)
     assert np.mean(once.acceleration) == pytest.approx(0.0, abs=1e-12)
 
@@ -73,7 +66,8 @@ def test_a_corrected_record_has_no_baseline_left() -> None:
 def test_the_filter_has_the_gain_of_butterworth_twice_and_no_phase(
     frequency: float, low: float | None, high: float | None, gain: float
 ) -> None:
-    record = steady(frequency)
+    time = DT * np.arange(10_001)  # tapered over 20 s at both ends
+    record = make_record("steady", tukey(time.size, 0.4) * np.sin(2 * np.pi * frequency * time), DT)
     filtered = butterworth(record, low=low, high=high, order=4)
     inner = slice(4500, 5500)  # long after the ends
     np.testing.assert_allclose(
@@ -84,7 +78,7 @@ def test_the_filter_has_the_gain_of_butterworth_twice_and_no_phase(
 
 
 def test_the_filter_reads_the_same_backwards() -> None:
-    record = noise()
+    record = NOISE
     backwards = make_record("backwards", record.acceleration[::-1], DT)
     forwards = butterworth(record, low=0.2, high=20.0).acceleration
     np.testing.assert_allclose(
@@ -108,12 +102,12 @@ def test_what_the_new_step_cannot_show_is_gone_and_not_folded_back() -> None:
 
 
 def test_the_same_step_changes_nothing() -> None:
-    record = noise()
+    record = NOISE
     assert resample(record, dt=DT) is record
 
 
 def test_trimming_keeps_the_shares_of_arias_intensity() -> None:
-    record = noise()
+    record = NOISE
     kept = trim(record, start=0.05, end=0.95)
     whole = integrate_squared(record)[-1]
     assert integrate_squared(kept)[-1] / whole == pytest.approx(0.9, abs=2e-3)  # to a sample at each end
@@ -144,7 +138,7 @@ def test_a_motion_along_an_azimuth_is_whole_there_and_nothing_across() -> None:
 
 
 def test_components_at_any_angle_give_the_same_north() -> None:
-    a, b = noise(1).acceleration, noise(2).acceleration
+    a, b = white_noise(1, npts=4001).acceleration, white_noise(2, npts=4001).acceleration
     first = make_record("a", a, DT, azimuth=0.0)
     second = make_record("b", a * np.cos(1.0) + b * np.sin(1.0), DT, azimuth=1.0)
     np.testing.assert_allclose(rotate_to_azimuth(first, second, azimuth=np.pi / 2).acceleration, b, rtol=0, atol=1e-12)
@@ -167,7 +161,7 @@ def test_rotd_of_a_straight_motion_is_its_cosine() -> None:
 @pytest.mark.parametrize("seed", range(4))
 def test_the_peak_of_rotd_is_the_percentile_of_the_peaks(seed: int, percentile: float) -> None:
     """Of 180 directions, of which none need have the median; each direction by a matrix here."""
-    first, second = (make_record("rotd", noise(2 * seed + i, 40).acceleration * (1 + i), DT) for i in (0, 1))
+    first, second = (make_record("rotd", white_noise(2 * seed + i, npts=40).acceleration * (1 + i), DT) for i in (0, 1))
     angle = np.radians(np.arange(180.0))[:, np.newaxis]
     peaks = np.abs(np.cos(angle) * first.acceleration + np.sin(angle) * second.acceleration).max(axis=1)
     found = rotd(first, second, percentile=percentile)
@@ -196,29 +190,29 @@ def test_the_spectrum_over_directions_of_a_straight_motion() -> None:
 @pytest.mark.parametrize(
     ("wrong", "words"),
     [
-        (lambda: correct_baseline(noise(), degree=-1), "degree -1"),
-        (lambda: correct_baseline(noise(), degree=99), "degree 99"),
+        (lambda: correct_baseline(NOISE, degree=-1), "degree -1"),
+        (lambda: correct_baseline(NOISE, degree=99), "degree 99"),
         (
-            lambda: butterworth(noise(), low=10.0, high=1.0),
+            lambda: butterworth(NOISE, low=10.0, high=1.0),
             "low corner 10 Hz, high corner 1 Hz; .* below half the rate, 50 Hz, and the low one",
         ),
-        (lambda: butterworth(noise(), low=60.0), "below half the rate, 50 Hz"),
-        (lambda: butterworth(noise(), low=np.nan), ": low corner nan Hz; .* half the rate, 50 Hz$"),
-        (lambda: butterworth(noise(), low=0.0), ": low corner 0 Hz"),
-        (lambda: butterworth(noise(), low=1.0, order=0), "order 0"),
-        (lambda: butterworth(noise(), low=1e-9), "samples would be needed"),
-        (lambda: resample(noise(), dt=0.0), "step 0.0 s"),
-        (lambda: resample(noise(), dt=np.inf), "step inf s"),
-        (lambda: resample(noise(), dt=1e-9), "whole numbers"),
-        (lambda: resample(noise(), dt=DT / np.pi), "whole numbers"),
-        (lambda: resample(noise(npts=4_000_000), dt=DT / 1000), "samples would be needed"),
-        (lambda: trim(noise(), start=0.9, end=0.1), "trimmed from 0.9 to 0.1"),
-        (lambda: trim(noise(), end=np.nan), "trimmed from 0.0 to nan"),
+        (lambda: butterworth(NOISE, low=60.0), "below half the rate, 50 Hz"),
+        (lambda: butterworth(NOISE, low=np.nan), ": low corner nan Hz; .* half the rate, 50 Hz$"),
+        (lambda: butterworth(NOISE, low=0.0), ": low corner 0 Hz"),
+        (lambda: butterworth(NOISE, low=1.0, order=0), "order 0"),
+        (lambda: butterworth(NOISE, low=1e-9), "samples would be needed"),
+        (lambda: resample(NOISE, dt=0.0), "step 0.0 s"),
+        (lambda: resample(NOISE, dt=np.inf), "step inf s"),
+        (lambda: resample(NOISE, dt=1e-9), "whole numbers"),
+        (lambda: resample(NOISE, dt=DT / np.pi), "whole numbers"),
+        (lambda: resample(white_noise(npts=4_000_000), dt=DT / 1000), "samples would be needed"),
+        (lambda: trim(NOISE, start=0.9, end=0.1), "trimmed from 0.9 to 0.1"),
+        (lambda: trim(NOISE, end=np.nan), "trimmed from 0.0 to nan"),
         (lambda: rotd(*pair(), percentile=101.0), "percentile 101.0"),
         (lambda: rotd(pair()[0], pair()[0], percentile=50.0), "must be perpendicular"),
         (lambda: rotate_to_azimuth(pair()[0], pair()[0], azimuth=1.0), "at least 10 deg apart"),
-        (lambda: rotate_to_azimuth(pair()[0], noise(), azimuth=1.0), "azimuth of its component .* is not known"),
-        (lambda: rotd(noise(), sine(1.0, dt=0.02), percentile=50.0), "resample one to the other"),
+        (lambda: rotate_to_azimuth(pair()[0], NOISE, azimuth=1.0), "azimuth of its component .* is not known"),
+        (lambda: rotd(NOISE, sine(1.0, dt=0.02), percentile=50.0), "resample one to the other"),
     ],
 )
 def test_what_cannot_be_done_is_one_line(wrong: Callable[[], Record], words: str) -> None:

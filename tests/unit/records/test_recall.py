@@ -13,12 +13,7 @@ from records.formats.header import NO_OVERRIDES, HeaderOverrides
 from records.reading import read_with_overrides, recall_records
 from records.record import make_record
 from records.response import response_spectrum
-
-
-def written(path: Path, factor: float) -> Path:
-    rows = (f"{0.01 * k:.2f},{factor * np.sin(0.1 * k):.6f}" for k in range(400))
-    path.write_text("\n".join(["time [s],acceleration [m/s^2]", *rows]))
-    return path
+from tests.support.motions import write_noise
 
 
 def test_file_is_read_once_until_it_changes(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -26,11 +21,12 @@ def test_file_is_read_once_until_it_changes(tmp_path: Path, monkeypatch: pytest.
     monkeypatch.setattr(
         reading, "read_with_overrides", lambda path, given: read.append(path) or read_with_overrides(path, given)
     )
-    path = written(tmp_path / "a.csv", 1.0)
+    path = tmp_path / "a.csv"
+    write_noise(path)
     first = recall_records(path, NO_OVERRIDES)
     assert recall_records(path, NO_OVERRIDES) is first
     assert len(read) == 1
-    written(path, 2.0)
+    write_noise(path, amplitude=2.0)
     assert recall_records(path, NO_OVERRIDES)[0].pga == pytest.approx(2.0 * first[0].pga, rel=1e-5)
     with pytest.raises(RecordError, match="unit"):
         recall_records(path, HeaderOverrides(unit="parsec"))

@@ -6,7 +6,7 @@ from itertools import combinations
 import numpy as np
 import pytest
 
-from records.candidates import PERIODS, Candidate, sequence_number
+from records.candidates import PERIODS, sequence_number
 from records.errors import RecordError
 from records.scaling import band, truncate_band
 from records.selection import (
@@ -20,35 +20,10 @@ from records.selection import (
     passes,
     select,
 )
-from spectra.asce7 import design_spectrum
 from spectra.table import table_spectrum
+from tests.support.candidates import TARGET, candidate
 
-TARGET = design_spectrum(s_ds=5.0, s_d1=2.0, t_l=6.0)
 BAND = band(0.2, 2.0)
-
-
-def candidate(number: int, *, event: str = "", component: str = "000", seed: int | None = None) -> Candidate:
-    rng = np.random.default_rng(number if seed is None else seed)
-    smooth = np.interp(np.arange(121), np.linspace(0, 120, 9), rng.normal(0.0, 0.5, 9))
-    spectrum = TARGET.acceleration(PERIODS) * np.exp(rng.normal(0.0, 1.0) + smooth)
-    return Candidate(
-        path=f"{number}.AT2",
-        position=0,
-        id=str(number),
-        event=event or f"event {number}",
-        station=f"station {number}",
-        component=component,
-        date="",
-        place="",
-        magnitude=5.0 + number % 3,
-        distance=1e4 * (number + 1),
-        vs30=None if number % 2 else 400.0,
-        nga=None,
-        dt=0.01,
-        npts=2000,
-        measures={"pga": float(spectrum[0]), "d5_95": 10.0},
-        spectrum=spectrum,
-    )
 
 
 def pool(seed: int, n: int, groups: int) -> Pool:

@@ -8,6 +8,7 @@ from scipy.constants import g
 
 from spectra.errors import SpectrumError
 from spectra.table import read_table, table_spectrum
+from tests.support.files import refused_in_one_line, write_file
 
 T, S_A = [0.0, 0.1, 0.5, 2.0], [1.0, 2.5, 2.5, 0.6]
 
@@ -126,9 +127,6 @@ def test_files_in_the_usual_dresses_are_read(tmp_path: Path, text: str, unit: fl
     ],
 )
 def test_files_that_cannot_be_read_give_one_clear_line(tmp_path: Path, data: bytes, words: str) -> None:
-    path = tmp_path / "junk.csv"
-    path.write_bytes(data)
-    with pytest.raises(SpectrumError, match=words) as caught:
+    path = write_file(tmp_path / "junk.csv", data)
+    with refused_in_one_line(SpectrumError, path, words):
         read_table(path)
-    assert str(caught.value).startswith(str(path))
-    assert "\n" not in str(caught.value)

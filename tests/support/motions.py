@@ -37,7 +37,12 @@ def write_noise(file: Path, *, duration: float = 12.0, seed: int = 3, amplitude:
     t = np.arange(0.0, duration, 0.01)
     noise = np.random.default_rng(seed).normal(size=t.size)
     smooth = np.convolve(noise, np.hanning(15), mode="same") * np.sin(np.pi * t / duration)
-    rows = "\n".join(f"{x:.2f},{amplitude * y:.6f}" for x, y in zip(t, smooth, strict=True))
+    write_record(file, t, amplitude * smooth)
+
+
+def write_record(file: Path, time: np.ndarray, acceleration: np.ndarray) -> None:
+    """Write a CSV record of samples at so many seconds, of an acceleration [m/s2]."""
+    rows = "\n".join(f"{x:.6g},{y:.6f}" for x, y in zip(time, acceleration, strict=True))
     file.write_text(f"time [s],acceleration [m/s2]\n{rows}\n")
 
 

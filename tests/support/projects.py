@@ -19,6 +19,7 @@ from assess.results import MechanismResult, Results
 from assess.study.mechanism_results import parameters
 from assess.study.run import run_study
 from assess.study.study import Study
+from tests.support.motions import write_noise
 
 Table = dict[str, Any]
 
@@ -103,6 +104,27 @@ def load_project(folder: Path, *texts: str | bytes) -> Project:
 def study_of(folder: Path, *texts: str) -> Study:
     """Return the study of a project file of these texts, which is written into `folder`."""
     return build(load_project(folder, *texts))
+
+
+def write_blocks(folder: Path, *, records: int, mechanisms: int = 1, **analysis: Any) -> Path:
+    """Write a project with so many published blocks and records of 6 s, judged by ASCE 43-05 at 0.2 g."""
+    (folder / "records").mkdir(parents=True)
+    for seed in range(records):
+        write_noise(folder / "records" / f"r{seed:03d}.csv", duration=6.0, seed=seed, amplitude=2.0)
+    text = tables_toml(
+        site={"spectrum": ASCE7, "pga": "0.2 g"},
+        verdict={"basis": "asce43-05"},
+        mechanisms={f"m{number}": published(2.0 + 0.01 * number, 0.1) for number in range(mechanisms)},
+        records={"files": ["records/*.csv"]},
+        analysis={"procedures": ["asce43-05-spectrum", "asce43-05-history"], **analysis},
+    )
+    return write_project(folder, text)
+
+
+def replace_once(text: str, old: str, new: str) -> str:
+    """Return a text with `new` where `old` stands, which it does once."""
+    assert text.count(old) == 1, old
+    return text.replace(old, new)
 
 
 def mechanism_of(folder: Path, *texts: str) -> Mechanism:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import csv
 import signal
 from pathlib import Path
-from typing import NoReturn
+from unittest.mock import Mock
 
 import pytest
 
@@ -64,10 +64,7 @@ def test_what_is_asked_wrongly_is_one_line(street: Path, capsys: pytest.CaptureF
 def test_ctrl_c_says_how_to_go_on(
     street: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    def stop(*_: object, **__: object) -> NoReturn:
-        raise Terminated(signal.SIGINT)
-
-    monkeypatch.setattr(assess.verbs, "batch", stop)
+    monkeypatch.setattr(assess.verbs, "batch", Mock(side_effect=Terminated(signal.SIGINT)))
     assert ended("batch", street / "street.csv", "-o", street / "out") == 130
     assert capsys.readouterr().err.splitlines() == [
         f"assess: interrupted; what is done is kept in {street / 'out'}; go on with --resume",

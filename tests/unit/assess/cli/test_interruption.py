@@ -9,8 +9,7 @@ from pathlib import Path
 import pytest
 
 from tests.support.command import ended
-from tests.support.motions import write_noise
-from tests.support.projects import ASCE7, published, tables_toml
+from tests.support.projects import write_blocks
 from tests.support.terminal import Interrupted, interrupt
 
 pytestmark = pytest.mark.skipif(not Path("/proc/self/stat").exists(), reason="processes are counted in /proc")
@@ -46,22 +45,6 @@ PULSES = {
 }
 
 
-def project_of(folder: Path, *, records: int, mechanisms: int) -> Path:
-    """Write a project with so many records and mechanisms, and long envelopes."""
-    (folder / "records").mkdir(parents=True)
-    for seed in range(records):
-        write_noise(folder / "records" / f"r{seed:03d}.csv", duration=6.0, seed=seed, amplitude=2.0)
-    tables = {
-        "site": {"spectrum": ASCE7, "pga": "0.2 g"},
-        "verdict": {"basis": "asce43-05"},
-        "mechanisms": {f"m{number}": published(2.0 + 0.01 * number, 0.1) for number in range(mechanisms)},
-        "records": {"files": ["records/*.csv"]},
-        "analysis": {"procedures": ["asce43-05-spectrum", "asce43-05-history"], "pulses": PULSES},
-    }
-    (folder / "project.toml").write_text(tables_toml(**tables))
-    return folder / "project.toml"
-
-
 def interrupted(name: str, project: Path, out: Path, *, at: str, after: float = 0.0, group: bool = True) -> Interrupted:
     """Interrupt one of the commands; the places in its arguments are below `out`."""
     places = {
@@ -90,7 +73,7 @@ def check(name: str, found: Interrupted, out: Path) -> None:
 
 @pytest.mark.parametrize(("name", "at"), [("run", "rocking histories"), ("index", "records")], ids=["run", "index"])
 def test_ctrl_c_ends_a_command_and_its_workers(name: str, at: str, tmp_path: Path) -> None:
-    project = project_of(tmp_path / "in" / "one", records=40 if name == "index" else 2, mechanisms=12)
+    project = write_blocks(tmp_path / "in" / "one", records=40 if name == "index" else 2, mechanisms=12, pulses=PULSES)
     out = tmp_path / "out"
     out.mkdir()
     found = interrupted(name, project, out, at=at)
@@ -101,7 +84,7 @@ def test_ctrl_c_ends_a_command_and_its_workers(name: str, at: str, tmp_path: Pat
 @pytest.fixture(scope="module")
 def whole(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A project with its results, among copies of it."""
-    project = project_of(tmp_path_factory.mktemp("whole") / "one", records=24, mechanisms=10)
+    project = write_blocks(tmp_path_factory.mktemp("whole") / "one", records=24, mechanisms=10, pulses=PULSES)
     for number in range(4):
         shutil.copytree(project.parent, project.parent.with_name(f"copy-{number}"))
     assert ended("run", "-q", project, "--no-report") in (0, 1, 3)

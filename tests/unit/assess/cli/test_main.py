@@ -4,8 +4,8 @@ import hashlib
 import json
 import subprocess
 import sys
-from collections.abc import Callable
 from pathlib import Path
+from unittest.mock import Mock
 
 import pytest
 
@@ -169,26 +169,19 @@ def test_error_in_its_own_process_has_no_traceback(tmp_path: Path) -> None:
     assert "\x1b" not in done.stderr
 
 
-def raising(error: BaseException) -> Callable[..., None]:
-    def fail(*_: object, **__: object) -> None:
-        raise error
-
-    return fail
-
-
 @pytest.mark.parametrize(
     "error", [MechanismError("m: x"), RecordError("m: x"), SpectrumError("m: x"), OSError(28, "m: x")]
 )
 def test_errors_of_the_user_end_with_2(
     error: Exception, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    monkeypatch.setattr("assess.project.build.build", raising(error))
+    monkeypatch.setattr("assess.project.build.build", Mock(side_effect=error))
     assert ended("check", source("single_wall")) == 2
     assert capsys.readouterr().err.startswith("assess: error: m: x")
 
 
 def test_bug_ends_with_70_and_a_log(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
-    monkeypatch.setattr("assess.project.build.build", raising(ZeroDivisionError("a\nbug")))
+    monkeypatch.setattr("assess.project.build.build", Mock(side_effect=ZeroDivisionError("a\nbug")))
     assert ended("check", source("single_wall")) == 70
     err = capsys.readouterr().err
     assert err.startswith("assess: internal error: ZeroDivisionError: a bug (log: ")
@@ -199,5 +192,5 @@ def test_bug_ends_with_70_and_a_log(monkeypatch: pytest.MonkeyPatch, capsys: pyt
 
 
 def test_interrupt_ends_with_130(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("assess.project.build.build", raising(KeyboardInterrupt()))
+    monkeypatch.setattr("assess.project.build.build", Mock(side_effect=KeyboardInterrupt()))
     assert ended("check", source("single_wall")) == 130

@@ -5,9 +5,10 @@ from __future__ import annotations
 import json
 import os
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
+from unittest.mock import Mock
 
 import pytest
 
@@ -162,10 +163,8 @@ def test_what_does_not_fit_together_is_the_results_fault(
 def test_a_mistake_of_the_program_is_not_blamed_on_results_as_they_were_written(
     outputs: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    def fail(*_: object, **__: object) -> Iterator[None]:
-        raise ZeroDivisionError("a mistake")
 
-    monkeypatch.setattr("assess.results.diff.differences", fail)
+    monkeypatch.setattr("assess.results.diff.differences", Mock(side_effect=ZeroDivisionError("a mistake")))
     assert ended("diff", outputs, outputs) == 70
     Path(capsys.readouterr().err.rpartition("(log: ")[2].rstrip(")\n")).unlink()
 

@@ -8,37 +8,17 @@ from pathlib import Path
 import pytest
 
 from tests.support.command import ended
-from tests.support.motions import write_noise
-from tests.support.projects import ASCE7, published, tables_toml
+from tests.support.projects import write_blocks
 from tests.support.terminal import Screen, terminal
 
+QUICK = {"samples": 12, "draws": 100}
 SHORT = {"amplitude": {"from": "0 g", "to": "4 g", "count": 3}, "frequency": {"from": "1 Hz", "to": "4 Hz", "count": 3}}
-
-
-def written(folder: Path, *, records: int, pulses: dict[str, object], mechanisms: int = 1) -> Path:
-    """A project with so many records and mechanisms."""
-    (folder / "records").mkdir(parents=True)
-    for seed in range(records):
-        write_noise(folder / "records" / f"r{seed}.csv", duration=6.0, seed=seed, amplitude=2.0)
-    tables = {
-        "site": {"spectrum": ASCE7, "pga": "0.2 g"},
-        "verdict": {"basis": "asce43-05"},
-        "mechanisms": {f"m{number}": published(2.0 + 0.01 * number, 0.1) for number in range(mechanisms)},
-        "records": {"files": ["records/*.csv"]},
-        "analysis": {
-            "procedures": ["asce43-05-spectrum", "asce43-05-history"],
-            "pulses": pulses,
-            "fragility": {"samples": 12, "draws": 100},
-        },
-    }
-    (folder / "project.toml").write_text(tables_toml(**tables))
-    return folder / "project.toml"
 
 
 @pytest.fixture(scope="module")
 def project(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A project, its results, and a folder of projects with it."""
-    file = written(tmp_path_factory.mktemp("terminal") / "one", records=2, pulses=SHORT)
+    file = write_blocks(tmp_path_factory.mktemp("terminal") / "one", records=2, pulses=SHORT, fragility=QUICK)
     assert ended("run", "-q", file, "--no-report", "--jobs", 1) in (0, 1, 3)
     return file
 
@@ -117,7 +97,7 @@ def test_verbose_tells_stages_records_and_compiled_code(project: Path, capsys: p
     lines = capsys.readouterr().err.splitlines()
     assert [line for line in lines if not line.startswith("assess: ")] == []
     told = "\n".join(lines)
-    for part in ("reading: ", "rocking histories: ", "record records/r0.csv, factor ", "machine code: "):
+    for part in ("reading: ", "rocking histories: ", "record records/r000.csv, factor ", "machine code: "):
         assert part in told
 
 

@@ -20,7 +20,7 @@ from assess.results.json import dumps_verification, read_verification
 from assess.results.verification import USES, exercised_by_case
 from assess.verification.case_files import cases_for, read_cases
 from tests.support.command import ended
-from tests.support.projects import project_toml
+from tests.support.projects import project_toml, study_of
 
 KEY = "own_arithmetic/tie"
 
@@ -163,9 +163,7 @@ def told(folder, text, pdf=b""):
     (folder / "v.json").write_text(text, encoding="utf-8")
     if pdf:
         (folder / "v.pdf").write_bytes(pdf)
-    project = folder / "wall.toml"
-    project.write_text(project_toml(report={"verification": "v.json"}), encoding="utf-8")
-    return {each.key for each in build(load(project)).messages}
+    return {each.key for each in study_of(folder, project_toml(report={"verification": "v.json"})).messages}
 
 
 @pytest.mark.parametrize(

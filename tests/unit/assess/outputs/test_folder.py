@@ -3,6 +3,7 @@
 import os
 from pathlib import Path
 from typing import Any
+from unittest.mock import Mock
 
 import pytest
 
@@ -109,10 +110,8 @@ def test_failing_move_is_undone_and_what_was_made_is_kept(
 
 
 def test_without_links_files_are_moved(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    def unsupported(*_: object) -> None:
-        raise OSError(95, "Operation not supported")
 
-    monkeypatch.setattr(os, "link", unsupported)
+    monkeypatch.setattr(os, "link", Mock(side_effect=OSError(95, "Operation not supported")))
     for files in (FIRST, SECOND):
         run(tmp_path, files)
         assert content(tmp_path) == files

@@ -3,6 +3,7 @@
 import json
 import os
 from pathlib import Path
+from unittest.mock import Mock
 
 import pytest
 
@@ -61,11 +62,8 @@ def test_a_disk_that_is_full_before_the_moves_keeps_what_was_made(
     out = tmp_path / "out"
     run(out, {"results.json": "1"})
 
-    def full(*_: object) -> None:
-        raise OSError(28, "No space left on device")
-
     with monkeypatch.context() as patch:
-        patch.setattr(writing, "write_journal", full)
+        patch.setattr(writing, "write_journal", Mock(side_effect=OSError(28, "No space left on device")))
         with pytest.raises(OutputError, match=r"No space left on device.*what was made is in"):
             run(out, {"results.json": "2"})
     assert content(out) == {"results.json": "1"}

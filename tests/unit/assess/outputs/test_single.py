@@ -2,6 +2,7 @@
 
 import os
 from pathlib import Path
+from unittest.mock import Mock
 
 import pytest
 
@@ -16,11 +17,9 @@ def put(path: Path, text: str) -> None:
 
 @pytest.mark.parametrize("links", [True, False])
 def test_a_file_is_made_and_never_replaced(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, links: bool) -> None:
-    def unsupported(*_: object) -> None:
-        raise OSError(95, "Operation not supported")
 
     if not links:
-        monkeypatch.setattr(os, "link", unsupported)
+        monkeypatch.setattr(os, "link", Mock(side_effect=OSError(95, "Operation not supported")))
     put(tmp_path / "a.svg", "1")
     put(tmp_path / "a.svg", "1")
     with pytest.raises(OutputError, match=r"a\.svg: is there already and holds something else; move it away, or give"):

@@ -24,6 +24,7 @@ from assess.geometry.solid import box
 from assess.study.run import run_envelopes, run_study
 from assess.study.study import Study
 from tests.support import projects
+from tests.support.motions import write_noise
 from tests.support.projects import project_toml, wall
 
 WALL = box(thickness=0.6, length=4.0, height=8.0, base=[0, 0, 0], density=2000.0, name="w")
@@ -34,10 +35,7 @@ HOUSE = '[building]\nheight = "9 m"\n'
 
 
 def study_of(folder: Path, mechanism: str, *, building: str = "", analysis: str = "") -> Study:
-    t = np.arange(0.0, 6.0, 0.01)
-    noise = np.convolve(np.random.default_rng(3).normal(size=t.size), np.hanning(15), mode="same")
-    rows = "\n".join(f"{x:.2f},{y:.6f}" for x, y in zip(t, noise * np.sin(np.pi * t / 6.0), strict=True))
-    (folder / "a.csv").write_text(f"time [s],acceleration [m/s2]\n{rows}\n")
+    write_noise(folder / "a.csv", duration=6.0)
     text = project_toml(
         analysis,
         building,

@@ -8,9 +8,9 @@ import pytest
 
 from assess.codes.checklists import CHECKLISTS, item_name, possible_mechanism
 from assess.errors import ProjectError
-from assess.project.project_file import load
 from assess.project.sections.content import checklist
 from assess.results import ChecklistItem
+from tests.support.projects import load_project
 
 WALL = """
 [materials.stone]
@@ -29,16 +29,8 @@ CHURCH = '[report]\nbuilding_type = "church"\n'
 
 
 def items(folder: Path, text: str) -> dict[str, ChecklistItem]:
-    (folder / "project.toml").write_text(text, encoding="utf-8")
-    content = load(folder).content
+    content = load_project(folder, text).content
     return {each.key: each for each in checklist(content.report, content.mechanisms)}
-
-
-def error(folder: Path, text: str) -> str:
-    with pytest.raises(ProjectError) as found:
-        items(folder, text)
-    assert "\n" not in str(found.value)
-    return str(found.value)
 
 
 def test_a_church_has_the_28_mechanisms_of_the_form_in_order_and_names_are_unique():
@@ -135,4 +127,7 @@ def test_an_item_examined_in_part_counts_as_not_examined_with_its_mechanisms_and
     ],
 )
 def test_what_does_not_fit_the_list_is_an_error_with_key_and_remedy(tmp_path, text, said):
-    assert said in error(tmp_path, WALL + text)
+    with pytest.raises(ProjectError) as caught:
+        items(tmp_path, WALL + text)
+    assert said in str(caught.value)
+    assert "\n" not in str(caught.value)

@@ -31,8 +31,8 @@ DMI2008 = {"dmi2008-linear", "dmi2008-nonlinear", "dmi2008-nonlinear-thesis"}
 NTC2018 = {"ntc2018-linear", "ntc2018-nonlinear", "ntc2018-history"}
 
 
-def project(*, code="ntc2018", spectrum=NTC, tail="", count=1, **mechanism):
-    return project_toml(
+def study_of(folder: Path, *, code="ntc2018", spectrum=NTC, tail="", count=1, **mechanism):
+    text = project_toml(
         tail,
         site={"spectrum": f'code = "{code}"\n{spectrum}'},
         materials={"m": {"density": 2000}},
@@ -40,10 +40,7 @@ def project(*, code="ntc2018", spectrum=NTC, tail="", count=1, **mechanism):
         mechanisms={"w": block("w", **mechanism)},
         records={"synthetic": {"count": count, "duration": "10 s"}},
     )
-
-
-def study_of(folder: Path, *, code="ntc2018", spectrum=NTC, tail="", count=1):
-    return projects.study_of(folder, project(code=code, spectrum=spectrum, tail=tail, count=count))
+    return projects.study_of(folder, text)
 
 
 @pytest.mark.parametrize(
@@ -101,9 +98,7 @@ def test_without_crushing_the_factor_of_lc1_decides_and_a_lower_one_informs(tmp_
 
 
 def test_crushing_without_a_knowledge_level_is_not_answered_and_names_the_key(tmp_path):
-    (tmp_path / "project.toml").write_text(project(interface={"strength": "2 MPa"}))
-    study = build(load(tmp_path))
-    verdict = run_study(study).verdict
+    verdict = run_study(study_of(tmp_path, interface={"strength": "2 MPa"})).verdict
     assert "procedures.ntc2018.knowledge_level" in [each.key for each in verdict.missing]
 
 

@@ -12,7 +12,6 @@ from assess.project.project_file import load
 from assess.results import Results
 from assess.results.json import dumps, loads
 from assess.study.run import run_study
-from assess.study.study import Study
 from assess.study.suites import equivalent_periods
 from records.catalogue import NAME
 from records.errors import RecordError
@@ -22,7 +21,7 @@ from records.response import response_spectrum
 from reports.assessment import assessment
 from reports.language.texts import Quantity
 from tests.support.letters import letters, rows
-from tests.support.projects import ASCE7, published, study_of, tables_toml
+from tests.support.projects import ASCE7, published, results_of, study_of, tables_toml
 
 SELECT = 'files = ["motions"]\nselect = { count = 3, scale_limits = [0.01, 100.0] }'
 
@@ -59,13 +58,9 @@ def project(records: str = SELECT) -> str:
     )
 
 
-def study(folder: Path, records: str = SELECT) -> Study:
-    return study_of(folder, project(records))
-
-
 @pytest.fixture(scope="module")
 def results(folder: Path) -> Results:
-    return run_study(study(folder))
+    return results_of(folder, project())
 
 
 def equal_work(alpha: float, p: float) -> float:
@@ -75,7 +70,7 @@ def equal_work(alpha: float, p: float) -> float:
 
 
 def test_periods_of_the_mechanisms_are_the_range(folder: Path) -> None:
-    built = study(folder)
+    built = study_of(folder, project())
     found = equivalent_periods(built.mechanisms)
     assert found["slow"] == pytest.approx([equal_work(0.14, 1.6)] * 2, rel=1e-6)
     assert found["quick"] == pytest.approx([equal_work(0.34, 3.36)] * 2, rel=1e-6)
@@ -104,8 +99,8 @@ def test_the_suite_is_of_different_earthquakes_horizontal_and_scaled_to_the_targ
 def test_the_factor_is_that_of_least_squares_over_the_range(results: Results, folder: Path) -> None:
     motion = results.ground_motion
     assert motion is not None
-    band = study(folder).fitting.band.period
-    built = {record.id: record for record in study(folder).records}
+    band = study_of(folder, project()).fitting.band.period
+    built = {record.id: record for record in study_of(folder, project()).records}
     target = np.interp(band, motion.period_s, motion.target_g) * g
     for record in results.records:
         ratio = np.log(target / response_spectrum(built[record.id], band))
@@ -114,24 +109,26 @@ def test_the_factor_is_that_of_least_squares_over_the_range(results: Results, fo
 
 
 def test_a_folder_has_a_catalogue_afterwards_and_a_pattern_has_none(folder: Path, tmp_path: Path) -> None:
-    study(folder)
+    study_of(folder, project())
     assert (folder / "motions" / NAME).is_file()
     (folder / "motions" / NAME).unlink()
-    with_pattern = study(folder, SELECT.replace("motions", "motions/*.AT2"))
+    with_pattern = study_of(folder, project(SELECT.replace("motions", "motions/*.AT2")))
     assert not (folder / "motions" / NAME).exists()
-    assert {record.id for record in with_pattern.records} == {record.id for record in study(folder).records}
+    assert {record.id for record in with_pattern.records} == {
+        record.id for record in study_of(folder, project()).records
+    }
 
 
 def test_what_cannot_be_read_in_a_folder_is_told_and_in_a_list_refused(folder: Path) -> None:
-    (notice,) = (one for one in study(folder).messages if one.where == "records.files")
+    (notice,) = (one for one in study_of(folder, project()).messages if one.where == "records.files")
     assert notice.key == "file-not-read"
     assert "README" in notice.text
     with pytest.raises(RecordError, match="README"):
-        study(folder, SELECT.replace('"motions"', '"motions/README"'))
+        study_of(folder, project(SELECT.replace('"motions"', '"motions/README"')))
 
 
 def test_components_kept_together_share_their_factor(folder: Path) -> None:
-    found = run_study(study(folder, SELECT.replace("count = 3", 'count = 3, components = "together"')))
+    found = run_study(study_of(folder, project(SELECT.replace("count = 3", 'count = 3, components = "together"'))))
     assert len(found.records) == 6
     factors: dict[str, set[float]] = {}
     for record in found.records:
@@ -142,7 +139,7 @@ def test_components_kept_together_share_their_factor(folder: Path) -> None:
 
 def test_the_same_project_gives_the_same_bytes(folder: Path, results: Results) -> None:
     text = dumps(results)
-    assert dumps(run_study(study(folder))) == text
+    assert dumps(results_of(folder, project())) == text
     assert loads(text) == results
 
 
@@ -175,7 +172,7 @@ def test_bad_input_is_one_line_that_names_the_key(
     folder: Path, records: str, error: type[Exception], said: str
 ) -> None:
     with pytest.raises(error, match=said) as caught:
-        study(folder, records)
+        study_of(folder, project(records))
     assert "\n" not in str(caught.value)
 
 
@@ -206,7 +203,7 @@ def test_the_report_has_the_suite_beside_target_and_codes(results: Results) -> N
 
 
 def test_artificial_records_have_a_ground_motion_without_a_selection(folder: Path) -> None:
-    found = run_study(study(folder, "synthetic = { count = 3, duration = 8 }")).ground_motion
+    found = run_study(study_of(folder, project("synthetic = { count = 3, duration = 8 }"))).ground_motion
     assert found is not None
     assert found.selection is None
     assert (found.from_s, found.to_s) == pytest.approx((0.1, 2.0))

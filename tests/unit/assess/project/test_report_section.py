@@ -8,17 +8,17 @@ from pathlib import Path
 import pytest
 
 from assess.errors import ProjectError
-from assess.project.project_file import json_schema, load
+from assess.project.project_file import json_schema
 from assess.project.report import report_matter_of
 from assess.results import ReportMatter, Revision
+from tests.support.projects import load_project
 
 SPIRE = '[mechanisms.spire]\nkind = "equivalent-block"\np = 1.6\nuplift = 0.14\nradius = 2.8\n'
 MARKUP = "=cmd|'/c calc'!A0 <b>&amp;</p> <script>alert(1)</script> ]]> $x$ ../../etc {pga} %s"
 
 
 def matter(folder: Path, text: str) -> ReportMatter:
-    (folder / "project.toml").write_text(text, encoding="utf-8")
-    project = load(folder)
+    project = load_project(folder, text)
     return report_matter_of(project.content, project.folder)
 
 

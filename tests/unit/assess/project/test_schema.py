@@ -1,6 +1,7 @@
 """The project file: what is read, and one clear line for what is wrong."""
 
 import hashlib
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -11,6 +12,7 @@ from assess.errors import ProjectError
 from assess.project.project_file import json_schema, load, resolve
 from assess.project.sections.bodies_and_loads import BoxBody, DirectBody, MeshBody, ProfileBody
 from assess.project.sections.mechanisms import EquivalentBlockSection, SingleBlockSection
+from tests.support.projects import load_project, replace_once, write_project
 
 PROJECT = """
 title = "A wall"
@@ -40,21 +42,11 @@ radius = "2.84 m"
 [analysis]
 levels = ["0.1 g", "0.2 g"]
 """
-
-
-def written(folder: Path, content: str | bytes) -> Path:
-    path = folder / "project.toml"
-    path.write_bytes(content if isinstance(content, bytes) else content.encode())
-    return path
-
-
-def changed(old: str, new: str) -> str:
-    assert PROJECT.count(old) == 1, old
-    return PROJECT.replace(old, new)
+changed = partial(replace_once, PROJECT)
 
 
 def test_quantities_are_si(tmp_path: Path) -> None:
-    content = load(written(tmp_path, PROJECT)).content
+    content = load_project(tmp_path, PROJECT).content
     assert content.site is not None
     assert content.site.pga == pytest.approx(0.1 * g, rel=1e-15)
     wall = content.bodies["wall"]
@@ -67,7 +59,7 @@ def test_quantities_are_si(tmp_path: Path) -> None:
 
 
 def test_defaults(tmp_path: Path) -> None:
-    content = load(written(tmp_path, PROJECT)).content
+    content = load_project(tmp_path, PROJECT).content
     wall = content.mechanisms["wall"]
     assert isinstance(wall, SingleBlockSection)
     assert (wall.blocks, wall.direction, wall.sides, wall.hinges) == ((("wall",),), None, None, None)
@@ -95,7 +87,7 @@ def test_the_four_forms_of_a_body(tmp_path: Path) -> None:
     centroid = [0, "150 cm"]
     inertia = "3000 kg m^2"
     """
-    bodies = load(written(tmp_path, PROJECT + forms)).content.bodies
+    bodies = load_project(tmp_path, PROJECT + forms).content.bodies
     mesh, profile, direct = bodies["a"], bodies["b"], bodies["c"]
     assert isinstance(mesh, MeshBody)
     assert (mesh.mesh, mesh.mesh_unit) == (tmp_path / "wall.stl", 0.001)
@@ -110,34 +102,34 @@ def test_records_are_found_sorted_and_once(tmp_path: Path) -> None:
     for name in ("b.AT2", "a.AT2", "c [x].AT2"):
         (tmp_path / "r" / name).write_text("")
     files = PROJECT + '[records]\nfiles = ["r/c [x].AT2", "r/*.AT2"]\n'
-    records = load(written(tmp_path, files)).content.records
+    records = load_project(tmp_path, files).content.records
     assert [path.name for path in records.files] == ["c [x].AT2", "a.AT2", "b.AT2"]
     assert records.synthetic is None
 
 
 def test_project_remembers_its_file(tmp_path: Path) -> None:
-    path = written(tmp_path, PROJECT)
+    path = write_project(tmp_path, PROJECT)
     project = load(tmp_path)
     assert (project.path, project.folder) == (path, tmp_path)
     assert project.sha256 == hashlib.sha256(path.read_bytes()).hexdigest()
 
 
 def test_byte_order_mark_is_accepted(tmp_path: Path) -> None:
-    assert load(written(tmp_path, b"\xef\xbb\xbf" + PROJECT.encode())).content.title == "A wall"
+    assert load_project(tmp_path, b"\xef\xbb\xbf" + PROJECT.encode()).content.title == "A wall"
 
 
 def test_a_cut_is_an_elevation_or_a_plane(tmp_path: Path) -> None:
-    assert resolve(load(written(tmp_path, PROJECT)))["mechanisms.wall.cut"].value is None
-    at = resolve(load(written(tmp_path, changed("restitution = 0.9", 'cut = "477 cm"'))))
+    assert resolve(load_project(tmp_path, PROJECT))["mechanisms.wall.cut"].value is None
+    at = resolve(load_project(tmp_path, changed("restitution = 0.9", 'cut = "477 cm"')))
     assert (at["mechanisms.wall.cut"].value, at["mechanisms.wall.cut"].given) == (4.77, True)
     plane = changed("restitution = 0.9", 'cut = { point = [0, 0, "1 ft"], normal = [0.3, 0, 1] }')
-    values = resolve(load(written(tmp_path, plane)))
+    values = resolve(load_project(tmp_path, plane))
     assert values["mechanisms.wall.cut.point"].value == [0.0, 0.0, 0.3048]
     assert values["mechanisms.wall.cut.normal"].value == [0.3, 0.0, 1.0]
 
 
 def test_resolved_tells_given_from_default(tmp_path: Path) -> None:
-    values = resolve(load(written(tmp_path, PROJECT)))
+    values = resolve(load_project(tmp_path, PROJECT))
     pairs = {key: (value.value, value.given) for key, value in values.items()}
     assert pairs["bodies.wall.box.thickness"] == (0.6, True)
     assert pairs["bodies.wall.box.base"] == ([0.0, 0.0, 0.0], False)
@@ -153,7 +145,7 @@ def test_many_mechanisms_are_read(tmp_path: Path) -> None:
         f'[mechanisms.w{i}]\nkind = "equivalent-block"\np = "{i + 1} 1/s"\nuplift = "0.1"\nradius = "{i + 1} m"\n'
         for i in range(25)
     )
-    assert len(load(written(tmp_path, PROJECT + walls)).content.mechanisms) == 27
+    assert len(load_project(tmp_path, PROJECT + walls).content.mechanisms) == 27
 
 
 WRONG: dict[str, tuple[str | bytes, str]] = {
@@ -264,7 +256,7 @@ WRONG: dict[str, tuple[str | bytes, str]] = {
 @pytest.mark.parametrize("case", WRONG)
 def test_what_is_wrong_is_one_line(case: str, tmp_path: Path) -> None:
     content, expected = WRONG[case]
-    path = written(tmp_path, content)
+    path = write_project(tmp_path, content)
     with pytest.raises(ProjectError) as caught:
         load(path)
     text = str(caught.value)
@@ -276,9 +268,9 @@ def test_what_is_wrong_is_one_line(case: str, tmp_path: Path) -> None:
 def test_more_errors_are_counted(tmp_path: Path) -> None:
     two = changed('"4 m"', '"4 s"').replace('"2.84 m"', '"2.84 kg"').replace('p = "1.60 1/s"', "p = 0")
     with pytest.raises(ProjectError, match=r"bodies\.wall\.box\.height: .* \(and 2 more\)$"):
-        load(written(tmp_path, two))
+        load_project(tmp_path, two)
     with pytest.raises(ProjectError, match=r'analysis\.levels\[1\]: "x": .* or a number in m/s\^2$'):
-        load(written(tmp_path, changed('["0.1 g", "0.2 g"]', '["x"]')))  # that none is left is no second fault
+        load_project(tmp_path, changed('["0.1 g", "0.2 g"]', '["x"]'))  # that none is left is no second fault
 
 
 @pytest.mark.parametrize("path", ["missing.toml", "", "/dev/zero", "a\0b"])
@@ -314,17 +306,17 @@ def test_json_schema_is_closed_and_strict() -> None:
 
 def test_a_bare_number_that_is_hardly_an_earthquake_is_told(tmp_path: Path) -> None:
     slip = changed('levels = ["0.1 g", "0.2 g"]', 'levels = [0.1, 1.3, "0.01 g"]').replace('"0.25 g"', "0.15")
-    messages = load(written(tmp_path, slip)).messages
+    messages = load_project(tmp_path, slip).messages
     assert [(message.key, message.where, message.text) for message in messages] == [
         ("unit", "site.spectrum.s_d1", '0.15 m/s2 is 0.0153 g; write "0.15 g" if that was meant'),
         ("unit", "analysis.levels[1]", '0.1 m/s2 is 0.0102 g; write "0.1 g" if that was meant'),
     ]
-    assert load(written(tmp_path, PROJECT)).messages == ()
+    assert load_project(tmp_path, PROJECT).messages == ()
 
 
 def test_a_bare_size_that_is_hardly_a_wall_is_told(tmp_path: Path) -> None:
     thick = "[bodies.thick]\nmaterial = 'brick'\nbox = { thickness = 350, length = 2, height = 3 }\n"
-    (message,) = load(written(tmp_path, f"{PROJECT}\n{thick}")).messages
+    (message,) = load_project(tmp_path, f"{PROJECT}\n{thick}").messages
     assert (message.key, message.where) == ("box-size", "bodies.thick.box.thickness")
     assert (
         message.text == 'a number without a unit is in m, so this is 350 m; if another unit was meant, write "350 mm"'
@@ -339,6 +331,6 @@ def test_a_bare_size_that_is_hardly_a_wall_is_told(tmp_path: Path) -> None:
     ],
 )
 def test_a_source_belongs_to_a_key_and_says_its_kind(tmp_path: Path, sources: str, said: str) -> None:
-    path = written(tmp_path, f"{PROJECT}\n[report.sources]\n{sources}\n")
+    path = write_project(tmp_path, f"{PROJECT}\n[report.sources]\n{sources}\n")
     with pytest.raises(ProjectError, match=said):
         load(path)

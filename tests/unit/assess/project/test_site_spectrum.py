@@ -8,11 +8,11 @@ from scipy.constants import g
 from assess.codes.context import StatedFirstMode
 from assess.errors import ProjectError
 from assess.project.build import build
-from assess.project.project_file import load, resolve
+from assess.project.project_file import resolve
 from assess.project.site_and_structure import site_in, spectrum_of, vertical_of
 from assess.study.ground_motion import spectrum_result
 from spectra.errors import SpectrumError
-from tests.support.projects import published, tables_toml
+from tests.support.projects import load_project, published, replace_once, tables_toml
 
 ROWS = """hazard = [
   { return_period = 30, a_g = "0.05 g", f_0 = 2.4, t_c_star = "0.28 s" },
@@ -30,10 +30,8 @@ PGA = {"asce7-16": 0.4, "ec8": 0.30, "nzs1170.5": 0.532, "ntc2018": 0.3010, "haz
 
 
 def loaded(folder: Path, table: str, *, site: str = "", rest: str = ""):
-    path = folder / "project.toml"
     wall = tables_toml(mechanisms={"wall": published()})
-    path.write_text(f"[site]\n{site}\n[site.spectrum]\n{table}\n{wall}{rest}", encoding="utf-8")
-    return load(path)
+    return load_project(folder, f"[site]\n{site}\n[site.spectrum]\n{table}\n{wall}{rest}")
 
 
 def spectrum(folder: Path, table: str, *, site: str = ""):
@@ -109,12 +107,9 @@ def test_a_pga_below_that_of_the_hazard_decides_nothing(tmp_path: Path) -> None:
     hazard = CODES["hazard"].replace("ntc2008", "ntc2018")
     own = build(loaded(tmp_path, hazard)).spectrum
     assert own is not None
-
-    def missing(share: float) -> list[str]:
+    for share, missing in ((0.1, ["site.pga"]), (0.99, ["site.pga"]), (0.999, []), (1.5, [])):
         study = build(loaded(tmp_path, hazard, site=f"pga = {share * own.pga}"))
-        return [each.key for each in study.question.missing]
-
-    assert [missing(share) for share in (0.1, 0.99, 0.999, 1.5)] == [["site.pga"], ["site.pga"], [], []]
+        assert [each.key for each in study.question.missing] == missing
 
 
 def test_two_limit_states_of_the_site_must_agree(tmp_path: Path) -> None:
@@ -222,25 +217,29 @@ def test_defaults_are_told_apart(tmp_path: Path) -> None:
     assert found["site.spectrum.a_g"].given
 
 
-def edited(code: str, old: str, new: str) -> str:
-    assert CODES[code].count(old) == 1
-    return CODES[code].replace(old, new)
-
-
 WRONG = {
     "both forms of asce7": (CODES["asce7-16"] + '\ns_ds = "1 g"', 's_ds: "1 g": follows from s_s, s_1 and site_class'),
-    "half a map": (edited("asce7-16", 's_1 = "0.6 g"\n', ""), "s_1: missing; mapped spectral acceleration at 1 s"),
+    "half a map": (
+        replace_once(CODES["asce7-16"], 's_1 = "0.6 g"\n', ""),
+        "s_1: missing; mapped spectral acceleration at 1 s",
+    ),
     "neither form": ('code = "asce7-16"\nt_l = 6', "s_ds: missing; design spectral acceleration at short periods"),
-    "site class": (edited("asce7-16", '"D"', '"G"'), 'site_class: "G": not allowed; write "A", "B"'),
-    "ground": (edited("ec8", '"B"', '"b"'), 'ground_type: "b": not allowed; write "A", "B"'),
+    "site class": (replace_once(CODES["asce7-16"], '"D"', '"G"'), 'site_class: "G": not allowed; write "A", "B"'),
+    "ground": (replace_once(CODES["ec8"], '"B"', '"b"'), 'ground_type: "b": not allowed; write "A", "B"'),
     "type": (CODES["ec8"] + "\ntype = 3", "type: 3: not allowed; write 1 or 2"),
     "importance": (CODES["ec8"] + "\nimportance_factor = 0", "importance_factor: 0: must be greater than 0"),
     "key of another code": (CODES["ec8"] + '\nsoil = "B"', 'soil: "B": unknown key'),
-    "a length for an acceleration": (edited("ec8", '"0.25 g"', '"0.25 m"'), 'a_g: "0.25 m": "m" is not a unit of'),
+    "a length for an acceleration": (
+        replace_once(CODES["ec8"], '"0.25 g"', '"0.25 m"'),
+        'a_g: "0.25 m": "m" is not a unit of',
+    ),
     "r twice": (CODES["nzs1170.5"] + "\nreturn_period = 500", "r: 1.0: give either r"),
-    "no r": (edited("nzs1170.5", "r = 1.0\n", ""), "r: give either r, the return period factor, or return_period"),
+    "no r": (
+        replace_once(CODES["nzs1170.5"], "r = 1.0\n", ""),
+        "r: give either r, the return period factor, or return_period",
+    ),
     "seconds for years": (
-        edited("nzs1170.5", "r = 1.0", 'return_period = "500 s"'),
+        replace_once(CODES["nzs1170.5"], "r = 1.0", 'return_period = "500 s"'),
         'return_period: "500 s": "s" is not a unit of duration; write a duration like "50 years", or a number in years',
     ),
     "hazard of one row": (
@@ -249,10 +248,13 @@ WRONG = {
     ),
     "life without hazard": (CODES["ntc2018"] + "\nnominal_life = 50", "nominal_life: 50: goes with hazard = ["),
     "a_g beside hazard": (CODES["hazard"] + '\na_g = "0.1 g"', 'a_g: "0.1 g": stands in the rows of hazard'),
-    "row without f_0": (edited("hazard", "f_0 = 2.4, ", ""), "hazard[1].f_0: missing; largest amplification"),
+    "row without f_0": (
+        replace_once(CODES["hazard"], "f_0 = 2.4, ", ""),
+        "hazard[1].f_0: missing; largest amplification",
+    ),
     "limit state": (CODES["hazard"] + '\nlimit_state = "SLU"', 'limit_state: "SLU": not allowed; write "SLO"'),
     "relief": (CODES["ntc2018"] + "\nrelief_position = 1.2", "relief_position: 1.2: must be 1 or less"),
-    "hazard of words": (edited("hazard", ROWS, 'hazard = "big"'), 'hazard: "big": not a list'),
+    "hazard of words": (replace_once(CODES["hazard"], ROWS, 'hazard = "big"'), 'hazard: "big": not a list'),
 }
 
 
@@ -266,20 +268,23 @@ def test_what_is_wrong_is_one_line(case: str, tmp_path: Path) -> None:
 
 
 REFUSED = {
-    "class F": (edited("asce7-16", '"D"', '"F"'), "site_class = F: ASCE 7-16 §11.4.8 asks for a site response"),
+    "class F": (
+        replace_once(CODES["asce7-16"], '"D"', '"F"'),
+        "site_class = F: ASCE 7-16 §11.4.8 asks for a site response",
+    ),
     "class of another edition": (
         CODES["asce7-16"].replace("asce7-16", "asce7-10").replace('"D"', '"D-default"'),
         "site_class = D-default; ASCE 7-10 Table 11.4-1 has A, B, C, D, E",
     ),
     "special ground": (
-        edited("ec8", '"B"', '"S1"'),
+        replace_once(CODES["ec8"], '"B"', '"S1"'),
         r"ground_type = S1: EN 1998-1, 3.1.2(4)P asks for a special study",
     ),
-    "special soil": (edited("ntc2018", '"B"', '"S2"'), "soil = S2: §3.2.2 asks for a special analysis"),
-    "f_0": (edited("ntc2018", "2.364", "2.0"), "f_0 = 2; NTC 2018 §3.2.3.2 has at least 2.2"),
-    "unsorted hazard": (edited("hazard", "= 475", "= 3000"), "the return periods of its rows do not rise"),
+    "special soil": (replace_once(CODES["ntc2018"], '"B"', '"S2"'), "soil = S2: §3.2.2 asks for a special analysis"),
+    "f_0": (replace_once(CODES["ntc2018"], "2.364", "2.0"), "f_0 = 2; NTC 2018 §3.2.3.2 has at least 2.2"),
+    "unsorted hazard": (replace_once(CODES["hazard"], "= 475", "= 3000"), "the return periods of its rows do not rise"),
     "short hazard": (
-        edited("hazard", '"2475 years"', "500") + '\nlimit_state = "SLC"',
+        replace_once(CODES["hazard"], '"2475 years"', "500") + '\nlimit_state = "SLC"',
         "the return period asked for, 974.8 years, is outside its rows, 30 to 500 years; add rows",
     ),
 }

@@ -11,10 +11,8 @@ import pytest
 from assess.errors import AssessError, OutputError, ProjectError
 from assess.project import record_set, suites
 from assess.project.suite_lock import LOCK_NAME, is_sealed
-from assess.results import Results
 from assess.results.diff import differences
 from assess.results.json import dumps, loads
-from assess.study.run import run_study
 from assess.study.suites import motions_of, suite_faults
 from records.processing import at2_text
 from records.record import make_record
@@ -23,7 +21,7 @@ from reports.chapters.suite import suite_sentences
 from tests.support.command import ended
 from tests.support.letters import letters
 from tests.support.places import PEER, needs_real_records
-from tests.support.projects import ASCE7, Table, published, study_of, tables_toml
+from tests.support.projects import ASCE7, Table, published, results_of, study_of, tables_toml, write_project
 
 SELECT = 'files = ["motions/*.AT2"]\nselect = { count = 3, scale_limits = [0.001, 1000.0] }\nfactor = 1.1'
 LOCKED = f'lock = "{LOCK_NAME}"\n{SELECT}'
@@ -53,19 +51,15 @@ def project(records: str, *, site: Table | None = None, **mechanisms: Table) -> 
     )
 
 
-def results_of(folder: Path, records: str, *, site: Table | None = None, **mechanisms: Table) -> Results:
-    return run_study(study_of(folder, project(records, site=site, **mechanisms)))
-
-
 def lock(folder: Path, records: str = SELECT, **mechanisms: Table) -> Path:
-    (folder / "project.toml").write_text(project(records, **mechanisms))
+    write_project(folder, project(records, **mechanisms))
     return suites.lock_project(folder)[1]
 
 
 def test_a_locked_suite_gives_the_results_that_it_was_locked_from(folder: Path) -> None:
-    before = results_of(folder, SELECT)
+    before = results_of(folder, project(SELECT))
     path = lock(folder)
-    after = results_of(folder, LOCKED)
+    after = results_of(folder, project(LOCKED))
     assert [(one.id, one.path) for one in after.records] == [(one.id, one.path) for one in before.records]
     assert [one.scale_factor for one in after.records] == [one.scale_factor for one in before.records]
     assert [one.histories for one in after.mechanisms] == [one.histories for one in before.mechanisms]
@@ -83,8 +77,8 @@ def test_a_locked_suite_gives_the_results_that_it_was_locked_from(folder: Path) 
 def test_one_wall_edited_changes_the_earthquakes_of_another_only_without_the_lock(folder: Path) -> None:
     lock(folder)
     for records, same in ((SELECT, False), (LOCKED, True)):
-        before = results_of(folder, records, slow=SLOW, quick=QUICK)
-        after = results_of(folder, records, slow=SLOW, quick=SLUGGISH)
+        before = results_of(folder, project(records, slow=SLOW, quick=QUICK))
+        after = results_of(folder, project(records, slow=SLOW, quick=SLUGGISH))
         factors = [{one.path: one.scale_factor for one in each.records} for each in (before, after)]
         histories = [each.mechanisms[0].histories for each in (before, after)]
         assert (factors[0] == factors[1]) is same
@@ -110,16 +104,18 @@ def test_the_lock_is_the_same_bytes_and_replaces_only_one_as_it_was_written(fold
 
 def test_a_lock_changed_by_hand_is_used_and_told(folder: Path) -> None:
     path = lock(folder)
-    assert {one.key for one in results_of(folder, LOCKED).warnings if one.where == "records.lock"} == {"suite-locked"}
+    assert {one.key for one in results_of(folder, project(LOCKED)).warnings if one.where == "records.lock"} == {
+        "suite-locked"
+    }
     path.write_text(re.sub("scale_factor = .*", "scale_factor = 2.5", path.read_text()))
-    found = results_of(folder, LOCKED)
+    found = results_of(folder, project(LOCKED))
     assert {one.scale_factor for one in found.records} == {2.5}
     assert {one.key for one in found.warnings if one.where == "records.lock"} == {"suite-locked", "lock-edited"}
 
 
 def test_a_record_that_changed_or_is_gone_is_an_error_with_its_remedy(folder: Path) -> None:
     lock(folder)
-    file = folder / results_of(folder, LOCKED).records[0].path
+    file = folder / results_of(folder, project(LOCKED)).records[0].path
     content = file.read_text()
     file.write_text(content + "\n")
     with pytest.raises(ProjectError, match=rf"{file.name} has changed since .*records select PROJECT --lock` again"):
@@ -163,12 +159,12 @@ def test_what_is_no_lock_is_one_line(folder: Path, text: str | None, said: str) 
 
 def test_artificial_records_are_made_again_and_compared(folder: Path) -> None:
     records = 'synthetic = { count = 2, seed = 3, duration = "20 s" }'
-    before = results_of(folder, records)
+    before = results_of(folder, project(records))
     path = lock(folder, records)
     locked = f'lock = "{LOCK_NAME}"'
     slower = published(0.5, 0.14, 29.0)
-    after = results_of(folder, locked, slow=SLOW, quick=slower)
-    moved = results_of(folder, records, slow=SLOW, quick=slower)
+    after = results_of(folder, project(locked, slow=SLOW, quick=slower))
+    moved = results_of(folder, project(records, slow=SLOW, quick=slower))
     shaken = [[(one.scale_factor, one.spectrum) for one in each.records] for each in (before, after, moved)]
     assert shaken[0] == shaken[1]
     assert shaken[0] != shaken[2]
@@ -199,10 +195,10 @@ def test_a_sweep_of_the_pga_scales_a_locked_suite_and_one_of_the_shape_is_refuse
     sweep = '[analysis]\nprocedures = ["asce43-05-history"]\nsweep = { key = "%s", values = %s }\n'
     text = project(LOCKED).split("[analysis]")[0]
     rest = "[verdict]\n" + project(LOCKED).split("[verdict]\n")[1]
-    swept = run_study(study_of(folder, text + sweep % ("site.pga", '["0.2 g", "0.4 g"]') + rest))
+    swept = results_of(folder, text + sweep % ("site.pga", '["0.2 g", "0.4 g"]') + rest)
     assert swept.sweeps
     with pytest.raises(ProjectError, match="spectrum of another shape"):
-        run_study(study_of(folder, text + sweep % ("site.spectrum.s_d1", '["0.2 g", "0.3 g"]') + rest))
+        results_of(folder, text + sweep % ("site.spectrum.s_d1", '["0.2 g", "0.3 g"]') + rest)
 
 
 def test_the_command_writes_beside_the_target_and_the_report_tells(
@@ -212,7 +208,7 @@ def test_the_command_writes_beside_the_target_and_the_report_tells(
     limits = ("--scale-limits", 0.001, 1000, "--count", 3)
     assert ended("records", "select", "--target", folder, folder / "motions", *limits, "--lock") == 0
     assert str(folder / LOCK_NAME) in capsys.readouterr().err
-    found = results_of(folder, LOCKED)
+    found = results_of(folder, project(LOCKED))
     assert 'file = "motions/RSN' in (folder / LOCK_NAME).read_text()
     told = [letters(each) for each in suite_sentences(found)]
     assert (
@@ -233,7 +229,7 @@ FOR = 'files = ["motions/*.AT2"]\nselect = { for = "%s", count = 5, scale_limits
 
 @pytest.mark.parametrize("code", ["asce43-05", "ec8"])
 def test_a_suite_made_for_a_code_meets_it_and_keeps_its_factors_in_a_lock(folder: Path, code: str) -> None:
-    found = results_of(folder, FOR % code)
+    found = results_of(folder, project(FOR % code))
     motion = found.ground_motion
     assert motion is not None
     rules = [one for one in motion.requirements if one.code == motion.made_for]
@@ -243,7 +239,7 @@ def test_a_suite_made_for_a_code_meets_it_and_keeps_its_factors_in_a_lock(folder
     assert motion.selection.misfit == pytest.approx(motion.misfit, rel=1e-9)
     assert "The suite was made to meet the rules of" in letters(suite.selection_sentences(motion)[-1])
     lock(folder, FOR % code)
-    after = results_of(folder, f'lock = "{LOCK_NAME}"\n{FOR % code}', slow=SLOW, quick=SLUGGISH)
+    after = results_of(folder, project(f'lock = "{LOCK_NAME}"\n{FOR % code}', slow=SLOW, quick=SLUGGISH))
     assert [one.scale_factor for one in after.records] == [one.scale_factor for one in found.records]
     assert after.ground_motion is not None
     assert after.ground_motion.made_for == motion.made_for
@@ -268,7 +264,7 @@ def test_the_command_makes_a_suite_for_a_code(folder: Path, capsys: pytest.Captu
     rules = [one["verdict"] for one in found["requirements"] if one["code"] == found["made_for"] == "EN 1998-1:2004"]
     assert rules == ["met"] * 3
     assert 'for = "ec8"' in (folder / LOCK_NAME).read_text()
-    assert results_of(folder, LOCKED).records
+    assert results_of(folder, project(LOCKED)).records
     assert ended(*asked, "--for", "ec9") == 2
     assert ended("records", "select", folder, "--for", "ec8") == 2
     assert "--for needs --target" in capsys.readouterr().err

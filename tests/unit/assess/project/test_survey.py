@@ -13,7 +13,7 @@ from assess.study.variations import survey_tolerances
 from tests.support.projects import NTC, block, lines, project_toml, study_of, wall
 
 
-def study(tmp_path: Path, *, pga: float, tolerance: float, more: str = ""):
+def found(tmp_path: Path, *, pga: float, tolerance: float, more: str = ""):
     text = project_toml(
         site={"limit_state": "SLV", "pga": f"{pga} g", "spectrum": NTC},
         verdict={"survey_tolerance": f"{tolerance} mm"},
@@ -24,13 +24,8 @@ def study(tmp_path: Path, *, pga: float, tolerance: float, more: str = ""):
         bodies={"wall": wall(0.6, 3.0, 6.0, material="m")},
         mechanisms={"wall": lines(block(direction=[1, 0, 0]), more)},
     )
-    return study_of(tmp_path, text)
-
-
-def found(tmp_path: Path, **given):
-    one = study(tmp_path, **given)
-    results = run_study(one, jobs=1)
-    return one, results
+    study = study_of(tmp_path, text)
+    return study, run_study(study, jobs=1)
 
 
 def fall(tmp_path: Path, **given) -> float:

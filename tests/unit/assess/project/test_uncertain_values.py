@@ -9,22 +9,15 @@ import pytest
 
 from assess.errors import ProjectError
 from assess.project.build import build
-from assess.project.project_file import Project, json_schema, load, resolve
+from assess.project.project_file import json_schema, resolve
 from assess.study.run import run_study
-from tests.support.projects import block, project_toml, wall
+from tests.support.projects import block, load_project, project_toml, wall
 
 MEAN = {"mean": "0.60 m", "cov": 0.05}
 
 
-def read(folder: Path, *more: str, **tables: Any) -> Project:
-    path = folder / "project.toml"
-    path.write_text(project_toml(*more, **tables), encoding="utf-8")
-    return load(path)
-
-
 def test_means_are_read_in_the_unit_of_the_key(tmp_path: Path) -> None:
-    project = read(
-        tmp_path,
+    text = project_toml(
         building={"height": "9 m", "period": {"mean": "0.4 s", "cov": "20 %", "distribution": "uniform"}},
         materials={"brick": {"density": {"mean": "18 kN/m^3", "cov": 0.1}, "friction": {"mean": 0.5, "cov": 0.2}}},
         bodies={"wall": wall({**MEAN, "group": "walls"})},
@@ -38,6 +31,7 @@ def test_means_are_read_in_the_unit_of_the_key(tmp_path: Path) -> None:
             )
         },
     )
+    project = load_project(tmp_path, text)
     given = {value.given.key: value.given for value in project.uncertain}
     density, thickness = given["materials.brick.density"], given["bodies.wall.box.thickness"]
     assert (density.mean, density.unit) == (pytest.approx(18000 / 9.80665, rel=1e-12), "kg/m^3")
@@ -58,7 +52,7 @@ def test_resolved_values_are_the_means_and_say_so(tmp_path: Path) -> None:
         "bodies": {"wall": wall(MEAN)},
         "mechanisms": {"wall": block(loads=loads, direction=[1, 0, 0], restitution={"mean": 0.9, "cov": 0.02})},
     }
-    found = resolve(read(tmp_path, **tables))
+    found = resolve(load_project(tmp_path, project_toml(**tables)))
     assert (found["bodies.wall.box.thickness"].value, found["bodies.wall.box.thickness"].cov) == (0.6, {"": 0.05})
     assert found["bodies.wall.box.height"].cov == {}
     assert (found["mechanisms.wall.loads"].value[0]["mass"], found["mechanisms.wall.loads"].cov) == (
@@ -80,14 +74,14 @@ def test_a_run_without_the_section_is_that_of_the_means(tmp_path: Path) -> None:
         "records": {"synthetic": {"count": 1, "duration": "8 s"}},
         "analysis": {"procedures": ["asce43-05-spectrum"]},
     }
-    plain = run_study(build(read(tmp_path, bodies={"wall": wall("0.60 m")}, **ask)))
-    project = read(tmp_path, bodies={"wall": wall(MEAN)}, **ask)
+    plain = run_study(build(load_project(tmp_path, project_toml(bodies={"wall": wall("0.60 m")}, **ask))))
+    project = load_project(tmp_path, project_toml(bodies={"wall": wall(MEAN)}, **ask))
     found = run_study(build(project))
     assert found.uncertainty is None
     assert [each.checks for each in found.mechanisms] == [each.checks for each in plain.mechanisms]
     (told,) = [each for each in found.warnings if each.key == "uncertainty-means"]
     assert "bodies.wall.box.thickness" in told.text
-    assert project.content == read(tmp_path, bodies={"wall": wall("0.60 m")}, **ask).content
+    assert project.content == load_project(tmp_path, project_toml(bodies={"wall": wall("0.60 m")}, **ask)).content
 
 
 @pytest.mark.parametrize(
@@ -118,7 +112,7 @@ def test_a_run_without_the_section_is_that_of_the_means(tmp_path: Path) -> None:
 )
 def test_what_is_no_scatter_is_refused_in_one_line(tmp_path: Path, thickness: Any, said: str) -> None:
     with pytest.raises(ProjectError) as error:
-        read(tmp_path, bodies={"wall": wall(thickness)})
+        load_project(tmp_path, project_toml(bodies={"wall": wall(thickness)}))
     assert said in str(error.value)
     assert "\n" not in str(error.value)
 
@@ -138,13 +132,13 @@ RULE = {"mean": "housner", "cov": 0.1}
 )
 def test_keys_without_scatter_are_refused_by_name(tmp_path: Path, tables: Any, key: str) -> None:
     with pytest.raises(ProjectError, match=rf": {key}: ") as error:
-        read(tmp_path, **tables)
+        load_project(tmp_path, project_toml(**tables))
     assert "\n" not in str(error.value)
 
 
 def test_a_material_may_be_called_mean(tmp_path: Path) -> None:
     materials = {"mean": {"density": 1800}, "cov": {"density": 2000}}
-    project = read(tmp_path, materials=materials, bodies={"wall": wall(material="mean")})
+    project = load_project(tmp_path, project_toml(materials=materials, bodies={"wall": wall(material="mean")}))
     assert project.uncertain == ()
 
 
@@ -160,13 +154,16 @@ def test_a_material_may_be_called_mean(tmp_path: Path) -> None:
 )
 def test_the_section_is_checked(tmp_path: Path, table: Any, said: str) -> None:
     with pytest.raises(ProjectError) as error:
-        build(read(tmp_path, analysis={"uncertainty": table}))
+        build(load_project(tmp_path, project_toml(analysis={"uncertainty": table})))
     assert said in str(error.value)
 
 
 def test_hinges_that_stay_while_faces_move_are_told(tmp_path: Path) -> None:
     mechanisms = {"wall": block(direction=[1, 0, 0], hinges={"A": [0.3, 0]})}
-    project = read(tmp_path, bodies={"wall": wall(MEAN)}, mechanisms=mechanisms, analysis={"uncertainty": {"seed": 3}})
+    project = load_project(
+        tmp_path,
+        project_toml(bodies={"wall": wall(MEAN)}, mechanisms=mechanisms, analysis={"uncertainty": {"seed": 3}}),
+    )
     (told,) = [each for each in build(project).messages if each.key == "uncertainty-hinges-stay"]
     assert told.where == "mechanisms.wall.hinges"
 

@@ -5,11 +5,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from assess.errors import AssessError, ProjectError
-from assess.project.build import build
+from assess.errors import ProjectError
 from assess.project.keys import KeySweep, dependents
 from assess.project.project_file import json_schema, load, resolve
-from tests.support.projects import block, project_toml, published, wall
+from tests.support.projects import block, load_project, project_toml, published, refusal_of, wall, write_project
 
 PROJECT = project_toml(
     materials={"stone": {"density": "2000 kg/m^3"}, "brick": {"density": "1800 kg/m^3"}},
@@ -22,21 +21,13 @@ PROJECT = project_toml(
 )
 
 
-def swept(folder: Path, sweep: str) -> tuple[KeySweep, ...]:
-    (folder / "project.toml").write_text(PROJECT + sweep)
-    return load(folder).sweeps
-
-
 def one(folder: Path, key: str, values: str) -> KeySweep:
-    (variation,) = swept(folder, f"[analysis.sweep]\nkey = '{key}'\n{values}\n")
+    (variation,) = load_project(folder, PROJECT, f"[analysis.sweep]\nkey = '{key}'\n{values}\n").sweeps
     return variation
 
 
 def refused(folder: Path, sweep: str) -> str:
-    (folder / "project.toml").write_text(PROJECT + sweep)
-    with pytest.raises(AssessError) as caught:
-        build(load(folder))
-    line = str(caught.value)
+    line = refusal_of(folder, PROJECT, sweep)
     assert line.startswith(f"{folder / 'project.toml'}: analysis.sweep")
     assert line.isprintable()
     assert len(line) < 400
@@ -120,11 +111,11 @@ def test_names_with_dots_are_written_as_they_are(tmp_path: Path) -> None:
 
 
 def test_several_sweeps_stand_side_by_side(tmp_path: Path) -> None:
-    found = swept(
-        tmp_path,
+    sweeps = (
         '[[analysis.sweep]]\nkey = "bodies.wall.box.height"\nvalues = [3, 4]\n'
-        '[[analysis.sweep]]\nkey = "materials.stone.density"\nvalues = [1800]\n',
+        '[[analysis.sweep]]\nkey = "materials.stone.density"\nvalues = [1800]\n'
     )
+    found = load_project(tmp_path, PROJECT, sweeps).sweeps
     assert [(v.where, len(v.variants)) for v in found] == [("analysis.sweep[1]", 2), ("analysis.sweep[2]", 1)]
 
 
@@ -220,7 +211,7 @@ def test_the_sweep_is_resolved_as_it_was_written(tmp_path: Path) -> None:
     assert found["analysis.sweep.from"].value == 3
     assert found["analysis.sweep.from"].given
     assert not found["analysis.sweep.values"].given
-    swept(tmp_path, '[[analysis.sweep]]\nkey = "bodies.wall.box.height"\nvalues = [3]\n')
+    write_project(tmp_path, PROJECT, '[[analysis.sweep]]\nkey = "bodies.wall.box.height"\nvalues = [3]\n')
     assert resolve(load(tmp_path))["analysis.sweep"].value[0]["key"] == "bodies.wall.box.height"
 
 
@@ -229,6 +220,6 @@ def test_the_schema_for_editors_knows_the_keys() -> None:
 
 
 def test_a_project_without_sweeps_has_no_variations(tmp_path: Path) -> None:
-    assert swept(tmp_path, "") == ()
+    assert load_project(tmp_path, PROJECT).sweeps == ()
     with pytest.raises(ProjectError, match="key: missing"):
-        swept(tmp_path, "[analysis.sweep]\nvalues = [1]\n")
+        load_project(tmp_path, PROJECT, "[analysis.sweep]\nvalues = [1]\n")

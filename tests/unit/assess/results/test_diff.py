@@ -12,8 +12,8 @@ from assess.codes.verdict import Decision
 from assess.messages.message import Message, Severity
 from assess.results import ResolvedValue, Results, SensitivityResult, SweepResult
 from assess.results.diff import KINDS, Difference, differences, same
-from assess.study.run import run_envelopes, run_study
-from tests.support.projects import ASCE7, block, project_toml, published, study_of, wall
+from assess.study.run import run_envelopes
+from tests.support.projects import ASCE7, block, project_toml, published, results_of, study_of, wall
 
 PROJECT = project_toml(
     verdict={"basis": "dmi2008", "procedures": ["dmi2008-linear"]},
@@ -40,10 +40,6 @@ TIE = 'sides = "one"\nloads = [{ kind = "tie", force = "20 kN", at = [0, 4], dir
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return tmp_path_factory.mktemp("runs")
-
-
-def results_of(folder: Path, text: str) -> Results:
-    return run_study(study_of(folder, text), jobs=1)
 
 
 @pytest.fixture(scope="module")

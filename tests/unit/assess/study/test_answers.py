@@ -19,6 +19,7 @@ from assess.study.block import answers
 from assess.study.run import run_study
 from assess.study.study import Study
 from tests.support.command import ended
+from tests.support.motions import write_record
 
 BUILDING = Building(height=9.0, storeys=3, period=0.4, damping=0.05)
 PROCEDURES_OF_WALLS = [name for name in PROCEDURES if "sliding" not in name]
@@ -31,8 +32,7 @@ def write_project(
     """A box wall of stone that crushes, on noise of a fixed seed as its records."""
     for number in range(records):
         noise = np.random.default_rng(number).normal(size=800) * np.hanning(800)
-        rows = "\n".join(f"{0.01 * i:.2f},{a:.6f}" for i, a in enumerate(noise))
-        (folder / f"noise-{number}.csv").write_text(f"time [s],acceleration [m/s2]\n{rows}\n")
+        write_record(folder / f"noise-{number}.csv", 0.01 * np.arange(800), noise)
     knowledge = f'knowledge_level = "{level}"' if level else ""
     structure = (
         f"height = {BUILDING.height}\nstoreys = {BUILDING.storeys}\nperiod = {BUILDING.period}" if building else ""

@@ -8,13 +8,13 @@ import numpy as np
 import pytest
 
 from assess.oscillator import elastic_frequency
-from assess.results import Results
-from assess.study.run import EnvelopeCase, coarse_record_messages, longest_step, run_study
+from assess.study.run import EnvelopeCase, coarse_record_messages, longest_step
 from assess.study.study import ScaledRecord
 from records.record import make_record
 from records.scaling import Scaling
 from tests.support.blocks import tabulated_block
-from tests.support.projects import ASCE7, block, project_toml, study_of, wall
+from tests.support.motions import write_record
+from tests.support.projects import ASCE7, block, project_toml, results_of, wall
 
 PROJECT = project_toml(
     site={"spectrum": ASCE7 | {"s_ds": "0.3 g", "s_d1": "0.1 g"}},
@@ -29,13 +29,10 @@ PROJECT = project_toml(
 )
 
 
-def motions(*steps: float) -> list[ScaledRecord]:
-    return [ScaledRecord(make_record(f"r{k}", [0.0, 1.0, 0.0], dt), Scaling(1.0, 0.0)) for k, dt in enumerate(steps)]
-
-
 def notices(p: float, *steps: float) -> list[str]:
     rocker = EnvelopeCase("tower", tabulated_block(p), "exact", np.ones_like)
-    return [f"{n.key} {n.where} {n.text}" for n in coarse_record_messages([rocker], motions(*steps))]
+    motions = [ScaledRecord(make_record(f"r{k}", [0, 1, 0], dt), Scaling(1.0, 0.0)) for k, dt in enumerate(steps)]
+    return [f"{n.key} {n.where} {n.text}" for n in coarse_record_messages([rocker], motions)]
 
 
 def test_ten_samples_within_1_over_p() -> None:
@@ -54,22 +51,15 @@ def test_many_are_counted() -> None:
     assert "r0 (0.1 s), r1 (0.1 s), r2 (0.1 s), … is too coarse" in text
 
 
-def results(folder: Path, *, dt: float) -> Results:
+@pytest.mark.parametrize(("dt", "coarse"), [(0.025, True), (0.005, False)])
+def test_a_run_tells_which_mechanism_record_and_step(tmp_path: Path, dt: float, coarse: bool) -> None:
+    """Six samples in a period of the wall on its joints, which the rigid wall does not need; or thirty."""
     time = np.arange(0.0, 6.0, dt)
-    rows = "\n".join(f"{t:.6f},{a:.6f}" for t, a in zip(time, np.sin(4.0 * time), strict=True))
-    (folder / "motion.csv").write_text(f"time [s],acceleration [m/s2]\n{rows}\n")
-    return run_study(study_of(folder, PROJECT))
+    write_record(tmp_path / "motion.csv", time, np.sin(4.0 * time))
+    told = [notice for notice in results_of(tmp_path, PROJECT).warnings if notice.key == "coarse-record"]
+    assert [notice.where for notice in told] == ["mechanisms.on joints"] * coarse
+    assert all("motion (0.025 s)" in notice.text and "elastic vibration" in notice.text for notice in told)
 
 
-def test_a_run_tells_which_mechanism_record_and_step(tmp_path: Path) -> None:
-    """Six samples in a period of the wall on its joints, which the rigid wall does not need."""
-    found = results(tmp_path, dt=0.025)
-    coarse = [notice for notice in found.warnings if notice.key == "coarse-record"]
-    assert [notice.where for notice in coarse] == ["mechanisms.on joints"]
-    assert "motion (0.025 s)" in coarse[0].text
-    assert "elastic vibration" in coarse[0].text
-
-
-def test_a_fine_record_is_no_matter(tmp_path: Path) -> None:
-    assert [n for n in results(tmp_path, dt=0.005).warnings if n.key == "coarse-record"] == []
+def test_a_plain_block_does_not_vibrate() -> None:
     assert elastic_frequency(tabulated_block(2.0).positive) is None

@@ -11,10 +11,8 @@ from scipy.integrate import quad
 
 from assess.codes.calculation_sheet import Step, substitute
 from assess.interfaces.section import annulus, hollow_rectangle, rectangle, stress_integrals
-from assess.results import MechanismResult
-from assess.study.mechanism_results import parameters
 from tests.languages.fixed_terms import fixed_terms
-from tests.support.projects import study_of
+from tests.support.projects import parameters_of
 from tests.support.sheets import of_formula
 from tests.unit.assess.model.test_joints import ARCH, LEGS, SINGLE, STONE
 
@@ -34,20 +32,10 @@ def joint(model: str = "flexible", *, stiffness: str = "0.2 GPa/m", strength: st
     return f"interface = {{ {', '.join(part for part in parts if part)} }}\n"
 
 
-def computed(folder: Path, text: str) -> MechanismResult:
-    (found,) = parameters(study_of(folder, text))
-    return found
-
-
 def sheet(folder: Path, lines: str, *, text: str = STONE + SINGLE, hinge: str = "A") -> dict[str, Step]:
     """The lines of one joint by their symbols."""
-    (found,) = (each for each in computed(folder, text + lines).contact_sheets if each.hinge == hinge)
+    (found,) = (each for each in parameters_of(folder, text + lines).contact_sheets if each.hinge == hinge)
     return {step.symbol: step for step in found.steps}
-
-
-def value(step: Step) -> float:
-    assert step.value is not None
-    return step.value
 
 
 # ----------------------------------------------------------------------------------------------- every line, redone
@@ -68,7 +56,7 @@ CASES = [
 
 @pytest.mark.parametrize(("text", "lines"), CASES)
 def test_every_line_comes_out_again_from_its_printed_digits(tmp_path, text, lines):
-    sheets = computed(tmp_path, text + lines).contact_sheets
+    sheets = parameters_of(tmp_path, text + lines).contact_sheets
     assert sheets
     wrong = [(each.hinge, step.symbol, fault) for each in sheets for step in each.steps if step.inputs
              for fault in of_formula(step)]  # fmt: skip
@@ -76,12 +64,12 @@ def test_every_line_comes_out_again_from_its_printed_digits(tmp_path, text, line
     assert {step.symbol for each in sheets for step in each.steps if step.value is None} == set()
     balances = [step for each in sheets for step in each.steps if "check of equilibrium" in step.description]
     assert len(balances) >= len(sheets)
-    assert [value(step) for step in balances] == pytest.approx([1.0] * len(balances), rel=1e-9)
+    assert [step.value for step in balances] == pytest.approx([1.0] * len(balances), rel=1e-9)
 
 
 @pytest.mark.parametrize(("text", "lines"), CASES)
 def test_its_words_are_found_in_the_source(tmp_path, text, lines):
-    steps = [step for each in computed(tmp_path, text + lines).contact_sheets for step in each.steps]
+    steps = [step for each in parameters_of(tmp_path, text + lines).contact_sheets for step in each.steps]
     said = {part for step in steps for part in (step.description, step.clause, step.remark)}
     said |= {step.formula for step in steps if not step.inputs}
     assert said - {""} <= set(fixed_terms())
@@ -93,36 +81,36 @@ def test_its_words_are_found_in_the_source(tmp_path, text, lines):
 def test_a_rectangle_is_that_of_the_thesis(tmp_path):
     """Thesis 6.2 to 6.7 by hand."""
     found, k, f = sheet(tmp_path, joint()), 0.2e9, 1.5e6
-    assert value(found["N"]) == pytest.approx(W, rel=1e-12)
-    assert value(found["σ_0"]) == pytest.approx(W / (B * L), rel=1e-12)
-    assert value(found["φ_o"]) == pytest.approx(2 * W / (k * L * B**2), rel=1e-12)
-    assert value(found["φ_c"]) == pytest.approx(f**2 * L / (2 * k * W), rel=1e-9)
-    assert value(found["a_SF"]) == pytest.approx(2 * W / (3 * f * L), rel=1e-9)
-    largest, fallen = (sin(value(found[symbol])) for symbol in ("ψ_m", "ψ_u"))
-    assert value(found["a_fm"]) == pytest.approx(sqrt(2 * W / (k * L * largest)) / 3, rel=1e-9)
+    assert found["N"].value == pytest.approx(W, rel=1e-12)
+    assert found["σ_0"].value == pytest.approx(W / (B * L), rel=1e-12)
+    assert found["φ_o"].value == pytest.approx(2 * W / (k * L * B**2), rel=1e-12)
+    assert found["φ_c"].value == pytest.approx(f**2 * L / (2 * k * W), rel=1e-9)
+    assert found["a_SF"].value == pytest.approx(2 * W / (3 * f * L), rel=1e-9)
+    largest, fallen = (sin(found[symbol].value) for symbol in ("ψ_m", "ψ_u"))
+    assert found["a_fm"].value == pytest.approx(sqrt(2 * W / (k * L * largest)) / 3, rel=1e-9)
     crushed = (W / (f * L) + f**3 * L / (12 * W * k**2 * fallen**2)) / 2
-    assert value(found["a_fu"]) == pytest.approx(crushed, rel=1e-9)
+    assert found["a_fu"].value == pytest.approx(crushed, rel=1e-9)
 
 
 def test_more_than_half_of_what_it_bears_crushes_before_it_opens(tmp_path):
     found, k, f = sheet(tmp_path, joint(strength="0.15 MPa")), 0.2e9, 0.15e6
-    assert value(found["φ_c"]) == pytest.approx(2 * (f - W / (B * L)) / (k * B), rel=1e-9)
-    assert value(found["φ_o"]) == pytest.approx(f / (2 * k * (B - W / (f * L))), rel=1e-9)
+    assert found["φ_c"].value == pytest.approx(2 * (f - W / (B * L)) / (k * B), rel=1e-9)
+    assert found["φ_o"].value == pytest.approx(f / (2 * k * (B - W / (f * L))), rel=1e-9)
     far = 2 * W / (B * L) - f
-    assert value(found["a_SF"]) == pytest.approx(B * (f + 2 * far) / (3 * (f + far)), rel=1e-9)
+    assert found["a_SF"].value == pytest.approx(B * (f + 2 * far) / (3 * (f + far)), rel=1e-9)
 
 
 def test_a_joint_without_limit_of_strength_keeps_its_hinge_at_the_edge(tmp_path):
     text = (STONE + SINGLE).replace('compressive_strength = "1.5 MPa"\n', "")
     found = sheet(tmp_path, joint(strength=""), text=text)
-    assert value(found["a_SF"]) == 0.0
+    assert found["a_SF"].value == 0.0
     assert "φ_c" not in found
 
 
 def test_a_rigid_joint_with_a_strength_has_a_plastic_block(tmp_path):
     found = sheet(tmp_path, joint("rigid"))
-    assert value(found["a_2p"]) == pytest.approx(W / (1.5e6 * L), rel=1e-9)
-    assert value(found["a_fp"]) == pytest.approx(W / (2 * 1.5e6 * L), rel=1e-9)
+    assert found["a_2p"].value == pytest.approx(W / (1.5e6 * L), rel=1e-9)
+    assert found["a_fp"].value == pytest.approx(W / (2 * 1.5e6 * L), rel=1e-9)
     assert not {"φ_o", "a_SF", "φ_u"} & found.keys()  # its force does not change
 
 
@@ -138,20 +126,20 @@ def test_a_circle_by_quadrature(tmp_path, inner):
         edges = [x for x in (0.5 - inner / 2, 0.5 + inner / 2) if 0 < x < end]
         return quad(lambda x: stress(x) * width(x) * x**power, 0, end, points=edges, epsabs=1e-6, limit=400)[0]
 
-    a, slope, a_u = (value(found[name]) for name in ("a_c", "s_u", "a_u"))
-    assert value(found["A"]) == pytest.approx(pi * (1 - inner**2) / 4, rel=1e-12)
+    a, slope, a_u = (found[name].value for name in ("a_c", "s_u", "a_u"))
+    assert found["A"].value == pytest.approx(pi * (1 - inner**2) / 4, rel=1e-12)
     first = [integral(power, lambda x: f * (1 - x / a), a) for power in (0, 1)]
     assert first[0] == pytest.approx(W, rel=1e-6)
-    assert value(found["a_SF"]) == pytest.approx(first[1] / first[0], rel=1e-6)
+    assert found["a_SF"].value == pytest.approx(first[1] / first[0], rel=1e-6)
     last = [integral(power, lambda x: min(f, k * slope * (a_u - x)), a_u) for power in (0, 1)]
     assert last[0] == pytest.approx(W, rel=1e-6)
-    assert value(found["a_fu"]) == pytest.approx(last[1] / last[0], rel=1e-6)
+    assert found["a_fu"].value == pytest.approx(last[1] / last[0], rel=1e-6)
 
 
 def test_the_force_of_a_portal_is_worked_by_moments(tmp_path):
     """Its beam of 5.2 m x 1 m x 0.7 m rests half on each column, at B and C."""
     beam, column = 1800 * 5.2 * 0.7 * g, 1800 * 0.6 * 3 * g
-    mechanism = computed(tmp_path, STONE + LEGS + joint())
+    mechanism = parameters_of(tmp_path, STONE + LEGS + joint())
     forces = {each.hinge: {step.symbol: step.value for step in each.steps} for each in mechanism.contact_sheets}
     assert [forces[hinge]["N"] for hinge in "ABCD"] == pytest.approx(
         [column + beam / 2, beam / 2, beam / 2, column + beam / 2], rel=1e-9
@@ -162,16 +150,16 @@ def test_the_force_of_a_portal_is_worked_by_moments(tmp_path):
 
 def test_an_arch_presses_square_to_its_inclined_joints(tmp_path):
     """Without horizontal loads the thrust is the same in all joints; A and D carry the whole weight."""
-    mechanism = computed(tmp_path, ARCH + joint(stiffness="5 GPa/m"))
+    mechanism = parameters_of(tmp_path, ARCH + joint(stiffness="5 GPa/m"))
     lines = {each.hinge: {step.symbol: step for step in each.steps} for each in mechanism.contact_sheets}
-    thrust = [abs(value(lines[hinge]["H"])) for hinge in "ABCD"]
+    thrust = [abs(lines[hinge]["H"].value) for hinge in "ABCD"]
     assert thrust == pytest.approx([thrust[0]] * 4, rel=1e-9)
     assert lines["A"]["H"].formula.startswith("(M_2 (x_C − x_D) − M_3 (x_B − x_C)) / ")
-    weight = sum(value(lines[hinge][f"W_{block}"]) for hinge, block in (("A", 1), ("A", 2), ("D", 3)))
-    assert value(lines["A"]["V"]) + value(lines["D"]["V"]) == pytest.approx(weight, rel=1e-9)
+    weight = sum(lines[hinge][f"W_{block}"].value for hinge, block in (("A", 1), ("A", 2), ("D", 3)))
+    assert lines["A"]["V"].value + lines["D"]["V"].value == pytest.approx(weight, rel=1e-9)
     for each, interface in zip(mechanism.contact_sheets, mechanism.interfaces, strict=True):
         assert each.hinge == interface["hinge"]
-        assert value(lines[each.hinge]["N"]) == pytest.approx(interface["normal_force_n"], rel=1e-9)
+        assert lines[each.hinge]["N"].value == pytest.approx(interface["normal_force_n"], rel=1e-9)
 
 
 def test_loads_are_summed_under_their_own_names(tmp_path):
@@ -181,8 +169,8 @@ def test_loads_are_summed_under_their_own_names(tmp_path):
     ]
     """
     found = sheet(tmp_path, joint() + lines)
-    assert value(found["N"]) == pytest.approx(W + 2000 * g + 3000, rel=1e-12)
-    assert [value(found[part]) for part in ("P_1", "P_2")] == pytest.approx([2000 * g, 3000.0])
+    assert found["N"].value == pytest.approx(W + 2000 * g + 3000, rel=1e-12)
+    assert [found[part].value for part in ("P_1", "P_2")] == pytest.approx([2000 * g, 3000.0])
     assert [found[part].subject for part in ("P_1", "P_2")] == ["mass 1", "force 2"]
 
 
@@ -210,8 +198,8 @@ def test_an_outline_of_many_pieces_is_integrated_over_whole_zones(tmp_path):
     shape = f'interface = {{ model = "flexible", stiffness = "1 GPa/m", shape = {{ polygon = {outline} }} }}\n'
     found = sheet(tmp_path, shape)
     assert (found["A"].formula, found["R_c"].formula) == ("∫ w dx", "∫ σ w dx")
-    assert value(found["R_c / N"]) == pytest.approx(1.0, rel=1e-9)
-    assert value(found["R_u / N_u"]) == pytest.approx(1.0, rel=1e-9)
+    assert found["R_c / N"].value == pytest.approx(1.0, rel=1e-9)
+    assert found["R_u / N_u"].value == pytest.approx(1.0, rel=1e-9)
 
 
 def test_powers_of_ten_are_multiplied_with_a_sign(tmp_path):

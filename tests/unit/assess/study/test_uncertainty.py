@@ -16,11 +16,11 @@ from assess.cli.tables.analysis import run_text, uncertainty_lines
 from assess.results import Results
 from assess.results.diff import differences
 from assess.results.json import dumps, loads
-from assess.results.run import UncertainAnswer, UncertaintyResult
+from assess.results.run import UncertainAnswer
 from assess.results.table import table
 from assess.study.run import run_study
 from tests.support.motions import write_noise
-from tests.support.projects import ASCE7, NTC, block, project_toml, study_of, wall
+from tests.support.projects import ASCE7, NTC, block, project_toml, results_of, study_of, wall
 
 THICK = {"mean": "0.60 m", "cov": 0.1}
 SUITE = None
@@ -57,16 +57,11 @@ def project(*more: str, samples: int = 16, procedures: Any = (LINEAR,), **tables
 
 
 def assessed(folder: Path, *more: str, jobs: int = 1, **tables: Any) -> Results:
-    return run_study(study_of(folder, project(*more, **tables)), jobs=jobs)
-
-
-def found(results: Results) -> UncertaintyResult:
-    assert results.uncertainty is not None
-    return results.uncertainty
+    return results_of(folder, project(*more, **tables), jobs=jobs)
 
 
 def answer_of(results: Results, procedure: str = LINEAR, state: str = "SLV") -> UncertainAnswer:
-    (one,) = [each for each in found(results).answers if (each.procedure, each.limit_state) == (procedure, state)]
+    (one,) = [each for each in results.uncertainty.answers if (each.procedure, each.limit_state) == (procedure, state)]
     return one
 
 
@@ -105,9 +100,9 @@ def test_density_of_a_free_wall_changes_nothing_and_the_results_say_so(folder: P
     }
     results = assessed(folder, **tables)
     assert answer_of(results, "ntc2018-history").answered == 16
-    told = [note for note in found(results).notes if note.key == "uncertainty-idle"]
+    told = [note for note in results.uncertainty.notes if note.key == "uncertainty-idle"]
     assert [note.values["keys"] for note in told] == ["materials.brick.density"]
-    for answer in found(results).answers:
+    for answer in results.uncertainty.answers:
         if answer.answered:
             density, thickness = answer.influences
             assert (density.group, density.rank_correlation, density.share) == ("materials.brick.density", None, None)
@@ -136,7 +131,7 @@ def test_the_same_bytes_for_any_number_of_jobs_and_a_seed_of_its_own(folder: Pat
     assert answer_of(histories, "ntc2018-history").answered == 16
     assert dumps(histories) == dumps(assessed(folder, bodies={"wall": wall(THICK)}, **HISTORIES, jobs=2))
     other = assessed(folder, bodies={"wall": wall(THICK)}, uncertainty={"seed": 2})
-    assert found(other).seed == 2
+    assert other.uncertainty.seed == 2
     assert answer_of(histories).ratios != answer_of(other).ratios
     assert loads(dumps(histories)) == histories
 
@@ -173,7 +168,7 @@ def test_a_mesh_is_thickened_as_the_box_it_is(folder: Path) -> None:
         ratios(answer_of(assessed(folder, bodies={"wall": wall(THICK)}))),
         rtol=1e-6,  # single precision of the file
     )
-    (given,) = found(by_mesh).inputs
+    (given,) = by_mesh.uncertainty.inputs
     assert (given.key, given.group, given.cov, given.mean) == (
         "thickness of wall", "thickness", 0.1, pytest.approx(0.6, rel=1e-6),
     )  # fmt: skip
@@ -196,14 +191,14 @@ def test_what_cannot_be_thickened_or_is_swept_is_told(folder: Path) -> None:
         mechanisms=mechanisms,
         uncertainty={"thickness": 0.1},
     )
-    assert [note.where for note in found(results).notes if note.key == "uncertainty-thickness-left-out"] == [
+    assert [note.where for note in results.uncertainty.notes if note.key == "uncertainty-thickness-left-out"] == [
         "mechanisms.stone"
     ]
-    assert {each.mechanism for each in found(results).answers} == {"wall"}
+    assert {each.mechanism for each in results.uncertainty.answers} == {"wall"}
     sweep = {"sweep": {"key": "bodies.wall.box.height", "values": [4, 5]}}
     swept = assessed(folder, bodies={"wall": wall(THICK)}, analysis=sweep)
-    assert found(swept).answers == ()
-    assert [note.key for note in found(swept).notes] == ["uncertainty-left-out", "uncertainty-idle"]
+    assert swept.uncertainty.answers == ()
+    assert [note.key for note in swept.uncertainty.notes] == ["uncertainty-left-out", "uncertainty-idle"]
 
 
 def test_a_sensitivity_beside_is_that_of_the_means(folder: Path) -> None:
@@ -231,7 +226,7 @@ def test_a_sample_that_cannot_be_built_is_not_answered_with_its_reason(folder: P
 def test_restitutions_beyond_one_are_cut_off_and_told(folder: Path) -> None:
     mechanisms = {"wall": block(direction=[1, 0, 0], restitution={"mean": 0.97, "cov": 0.04})}
     results = assessed(folder, samples=16, mechanisms=mechanisms)
-    (note,) = [each for each in found(results).notes if each.key == "uncertainty-cut-off"]
+    (note,) = [each for each in results.uncertainty.notes if each.key == "uncertainty-cut-off"]
     assert note.where == "mechanisms.wall.restitution"
     b = sqrt(log(1.0 + 0.04**2))
     z = (
@@ -250,8 +245,8 @@ def test_table_summary_and_differences(folder: Path) -> None:
     }
     results = assessed(folder, premises, **tables)
     frame = table(results, "uncertainty")
-    assert list(frame["mechanism"]) == ["wall"] * len(found(results).answers)
-    assert frame["quantile_50"][0] == found(results).answers[0].quantiles[2]
+    assert list(frame["mechanism"]) == ["wall"] * len(results.uncertainty.answers)
+    assert frame["quantile_50"][0] == results.uncertainty.answers[0].quantiles[2]
     said = " ".join(run_text(results).split())
     assert "uncertainty: 16 samples of 1 uncertain number in 1 group wall: ntc2018-nonlinear SLV: fails in" in said
     assert "most by walls (share 1)" in said

@@ -7,21 +7,18 @@ from scipy.constants import g
 
 from assess.codes.context import Wall
 from assess.errors import ProjectError
-from assess.project.build import build
-from assess.project.project_file import load as load_project
 from assess.study.checks import carries_floors, wall_of
 from assess.study.run import run_study
-from tests.support.projects import block, project_toml, published, wall
+from tests.support.projects import block, project_toml, published, results_of, study_of, wall
 
 AMERICA = 'code = "asce7-16"\ns_ds = "1 g"\ns_d1 = "0.45 g"\nt_l = "6 s"'
 ZEALAND = 'code = "nzs1170.5"\nsubsoil = "C"\nz = 0.3\nr = 1.0'
 EUROPE = 'code = "ec8"\na_g = "0.2 g"\nground_type = "B"'
 
 
-def text_of(site: str, *, sides: str = "two", rest: str = "") -> str:
+def text_of(site: str, *, sides: str = "two") -> str:
     """A wall that spans, the wall above a cut, one by its numbers and a table."""
     return project_toml(
-        rest,
         site={"spectrum": site},
         building={"height": 8, "storeys": 2},
         materials={"stone": {"density": 2000}},
@@ -39,16 +36,10 @@ def text_of(site: str, *, sides: str = "two", rest: str = "") -> str:
     )
 
 
-def project(folder: Path, site: str, *, sides: str = "two", rest: str = ""):
-    path = folder / "project.toml"
-    path.write_text(text_of(site, sides=sides, rest=rest), encoding="utf-8")
-    return load_project(path)
-
-
 @pytest.mark.parametrize("sides", ["one", "two"])
 def test_size_by_the_geometry(tmp_path: Path, sides: str) -> None:
     """The wall of 0.4 x 4 m; what lies above the cut at 1 m is 3 m high."""
-    walls = {m.name: wall_of(m) for m in build(project(tmp_path, AMERICA, sides=sides)).mechanisms}
+    walls = {m.name: wall_of(m) for m in study_of(tmp_path, text_of(AMERICA, sides=sides)).mechanisms}
     assert walls["values"] is walls["block"] is None
     for name, height in (("spanning", 4.0), ("free", 3.0)):
         wall = walls[name]
@@ -67,8 +58,7 @@ def test_size_by_the_geometry(tmp_path: Path, sides: str) -> None:
 def test_a_site_brings_the_procedures_that_decide_there(
     tmp_path: Path, site: str, name: str, mechanisms: set[str]
 ) -> None:
-    read = project(tmp_path, site)
-    results = run_study(build(read), jobs=1)
+    results = results_of(tmp_path, text_of(site), jobs=1)
     checks = {m.name: [c for c in m.checks if c.procedure == name] for m in results.mechanisms}
     assert {key for key, found in checks.items() if found} == mechanisms
     roles = {check.role for found in checks.values() for check in found}
@@ -78,7 +68,7 @@ def test_a_site_brings_the_procedures_that_decide_there(
 
 def test_asked_for_by_name_every_mechanism_is_answered(tmp_path: Path) -> None:
     rest = '[analysis]\nprocedures = ["asce41-13-ht"]\n[procedures.asce41-13]\nposition = "top-storey"'
-    results = run_study(build(project(tmp_path, AMERICA, rest=rest)), jobs=1)
+    results = results_of(tmp_path, text_of(AMERICA), rest, jobs=1)
     checks = {m.name: m.checks[0] for m in results.mechanisms}
     assert {name for name, check in checks.items() if check.verdict == "not-applicable"} == {"values", "block", "free"}
     assert checks["spanning"].ratio == pytest.approx(4.0 / 0.4 / 9.0, rel=1e-9)  # S_X1 = 0.45 g > 0.37 g
@@ -96,7 +86,7 @@ def test_asked_for_by_name_every_mechanism_is_answered(tmp_path: Path) -> None:
 def test_factors_that_no_table_has_are_refused(tmp_path: Path, code: str, line: str) -> None:
     """NZS 1170.5 Table 8.1 begins with 0.9, EN 1998-1 Table 4.4 ends with 2, gamma_a is no less than 1 (4.3.5.3)."""
     with pytest.raises(ProjectError, match=line.split(" ")[0]):
-        build(project(tmp_path, ZEALAND, rest=f"[procedures.{code}]\n{line}"))
+        study_of(tmp_path, text_of(ZEALAND), f"[procedures.{code}]\n{line}")
 
 
 def test_options_reach_the_clause(tmp_path: Path) -> None:
@@ -105,7 +95,7 @@ def test_options_reach_the_clause(tmp_path: Path) -> None:
         asked
         + "[procedures.nzsee2017]\nusable = 0.5\n[procedures.ec8]\nbehaviour_factor = 1.5\nimportance_factor = 1.2"
     )
-    study = build(project(tmp_path, ZEALAND, rest=rest))
+    study = study_of(tmp_path, text_of(ZEALAND), rest)
     assert (study.options.nzsee2017.usable, study.options.ec8.behaviour_factor) == (0.5, 1.5)
     spanning = run_study(study, jobs=1).mechanisms[0].checks
     assert spanning[0].capacity_rotation_ratio == pytest.approx(0.5 * 0.975, rel=1e-9)  # t_eff without load
@@ -128,8 +118,7 @@ def test_what_presses_on_a_wall(tmp_path: Path, load: str, carries: bool, ratio:
     """The wall is of 6400 kg; a floor that only pushes is a floor, and does not press."""
     load = load.replace("-3200 g*kg", f"{-3200.0 * g} N")
     text = text_of(AMERICA, sides="one").replace("crack = 2.5", f"crack = 2.5\n{load}")
-    (tmp_path / "project.toml").write_text(text, encoding="utf-8")
-    wall = next(m for m in build(load_project(tmp_path / "project.toml")).mechanisms if m.name == "spanning")
+    wall = next(m for m in study_of(tmp_path, text).mechanisms if m.name == "spanning")
     assert carries_floors(wall) is carries
     found = wall_of(wall)
     assert found is not None

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+from typing import Any
+
 import numpy as np
 from scipy.constants import g
 
@@ -24,10 +27,28 @@ def branch(
     return Branch(phi, inertia, g * np.sin(alpha - phi), np.cos(alpha - phi), one, one, restitution, alpha, alpha)
 
 
-def block(p: float = 2.0, alpha: float = 0.2, restitution: float = 0.9, *, sides: int = 2) -> Oscillator:
-    """Return a rectangular block of M R = 1 kg m that rocks to both sides, or to one."""
-    side = branch(p, alpha, restitution)
+def block(
+    p: float = 2.0, alpha: float = 0.2, restitution: float = 0.9, *, sides: int = 2, nodes: int = 257, **columns: Any
+) -> Oscillator:
+    """Return a rectangular block of M R = 1 kg m that rocks to both sides, or to one; columns: of its branch."""
+    side = replace(branch(p, alpha, restitution, nodes=nodes), **columns)
     return Oscillator(side, side if sides == 2 else None, 1.0)
+
+
+def unlike_block(*, jump: bool = False) -> Oscillator:
+    """Return branches that differ, with inertia that varies; the moment may drop where a tie goes slack."""
+    sides = []
+    for alpha, p, slope, restitution in ((0.25, 1.8, 2.0, 0.8), (0.2, 2.1, -1.0, 0.9)):
+        phi = np.linspace(0.0, 1.5 * alpha, 65)
+        if jump:
+            phi = np.sort(np.append(phi, phi[20]))
+        inertia = g / p**2 * (1.0 + slope * phi + 2.0 * phi**2)
+        moment, excitation = g * np.sin(alpha - phi), np.cos(alpha - phi) * (1.0 + 0.3 * phi)
+        if jump:
+            moment[:21] += 0.2 * moment[0]
+        one = np.ones_like(phi)
+        sides.append(Branch(phi, inertia, moment, excitation, one, one, restitution, alpha, alpha))
+    return Oscillator(sides[0], sides[1], 1.0)
 
 
 def tabulated_block(

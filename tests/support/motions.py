@@ -32,6 +32,12 @@ def white_noise(seed: int = 5, *, npts: int = 400, dt: float = 0.01) -> Record:
     return make_record("noise", np.random.default_rng(seed).normal(size=npts), dt)
 
 
+def sine(amplitude: float, frequency: float, *, cycles: float = 1.0, samples: int = 100) -> Record:
+    """Return a sine that first pushes a block on [m/s2, Hz], with so many samples to a cycle."""
+    phase = np.arange(round(cycles * samples) + 1) / samples
+    return make_record("sine", -amplitude * np.sin(2 * np.pi * phase), 1.0 / (samples * frequency))
+
+
 def write_noise(file: Path, *, duration: float = 12.0, seed: int = 3, amplitude: float = 1.0) -> None:
     """Write smoothed white noise under a half sine, of a duration [s] at 100 Hz, as a CSV record."""
     t = np.arange(0.0, duration, 0.01)

@@ -11,10 +11,7 @@ RATIO = [0.05, 0.2, 0.5, 0.8, 1.0, 1.5, 2.0, 4.0, 10.0]
 
 def integrated(r: float, *, ground: float, shape: float, damping: float) -> float:
     """Largest |ground a_g + shape u''| by DOP853, in units of 1 / w and of the pulse's amplitude."""
-
-    def motion(t, y, pulse):
-        return [y[1], -pulse * np.sin(r * t) - 2 * damping * y[1] - y[0]]
-
+    motion = lambda t, y, pulse: [y[1], -pulse * np.sin(r * t) - 2 * damping * y[1] - y[0]]  # noqa: E731
     peak, state = 0.0, [0.0, 0.0]
     for start, end, pulse in ((0.0, 2 * np.pi / r, 1.0), (2 * np.pi / r, 2 * np.pi / r + 13.0, 0.0)):
         out = solve_ivp(motion, (start, end), state, "DOP853", args=(pulse,), rtol=1e-10, atol=1e-13, dense_output=True)

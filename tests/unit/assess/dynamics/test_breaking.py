@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import asin, atan2, cos, hypot, pi, sin
+from math import asin, atan2, cos, hypot, sin
 
 import numpy as np
 import pytest
@@ -13,8 +13,9 @@ from assess.dynamics.history import Jobs, free_rocking, peaks, trace
 from assess.loads.load import Tie
 from assess.mechanisms.single_block import single_block
 from assess.oscillator import energy
-from records.record import make_record
 from tests.support.bodies import planar_box
+from tests.support.motions import sine
+from tests.support.scipy_rocking import event
 
 T, L, H, RHO = 0.8, 2.0, 5.0, 1900.0
 M = RHO * T * L * H
@@ -32,12 +33,6 @@ def moment(phi, *, held):
     return M * g * R * sin(ALPHA - phi) + PULL * UP * cos(phi) * held
 
 
-def sine(amplitude, frequency, *, cycles=1.5, step=0.005):
-    """A pulse that pushes the block on from rest, linear between samples."""
-    time = np.arange(0.0, cycles / frequency + step, step)
-    return make_record("sine", -amplitude * np.sin(2 * pi * frequency * time), step)
-
-
 def by_scipy(record, *, stop):
     """Rotation at the samples, stopped and begun again where the moment jumps; uplift found by hand before."""
     ground = lambda t: np.interp(t, record.time, record.acceleration)  # noqa: E731
@@ -50,10 +45,7 @@ def by_scipy(record, *, stop):
             push = -M * R * cos(ALPHA - y[0]) * ground(time)
             return [y[1], (push - moment(y[0], held=held)) / INERTIA]
 
-        def jump(time, y):
-            return y[0] - AT
-
-        jump.terminal, jump.direction = True, 1.0 if held else -1.0
+        jump = event(0, AT, direction=1 if held else -1, terminal=True)
         out = solve_ivp(motion, (t, end), state, "DOP853", rtol=1e-12, atol=1e-14, events=jump)
         t, state = float(out.t[-1]), out.y[:, -1].tolist()
         if out.status == 1:
@@ -85,7 +77,7 @@ def test_free_motion_keeps_the_energy_of_weight_and_tie():
 
 @pytest.mark.parametrize("amplitude", [4.2, 4.6, 5.0])
 def test_a_history_passes_the_jump_as_scipy_does_with_an_event_there(amplitude):
-    record = sine(amplitude, 0.7)
+    record = sine(amplitude, 0.7, cycles=1.5, samples=286)
     path = trace(ROCKER, record, scale=1.0, equation="exact")
     beyond = np.flatnonzero(path.rotation > AT)
     back = np.flatnonzero((path.rotation[1:] == 0.0) & (path.rotation[:-1] > 0.0))
@@ -97,7 +89,7 @@ def test_a_history_passes_the_jump_as_scipy_does_with_an_event_there(amplitude):
 
 
 def test_a_tie_that_breaks_helps_less_than_one_that_lasts_and_more_than_none():
-    record = sine(1.0, 0.7)
+    record = sine(1.0, 0.7, cycles=1.5, samples=286)
     held = single_block("w", WALL, loads=(TIE,), sides="one", restitution=(0.0, 0.0)).variants
     scale = np.linspace(1.0, 9.0, 161)
     least = []

@@ -9,6 +9,8 @@ y', and many steps over a time err by h^5.
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -17,9 +19,10 @@ from scipy.integrate import solve_ivp
 
 from assess.dynamics import pulses
 from assess.dynamics.history import trace
-from assess.oscillator import Branch, Oscillator
+from assess.oscillator import Oscillator
 from records.pulses import PULSE_SHAPES
 from records.record import make_record
+from tests.support.blocks import block, branch
 
 P, ALPHA, UNCHECKED = 2.0, 0.2, 1e300
 """UNCHECKED: a tolerance that every step meets, so that the record's interval is the step."""
@@ -34,20 +37,16 @@ def arm(phi: float) -> float:
     return 1.0 - (ALPHA - phi) ** 2 / 2
 
 
-def cubic() -> Oscillator:
-    phi = np.linspace(0.0, 1.5 * ALPHA, 4)
-    one = np.ones_like(phi)
-    values = np.array([(moment(x), arm(x)) for x in phi]).T
-    side = Branch(phi, g / P**2 * one, *values, one, one, 0.9, ALPHA, ALPHA)
-    return Oscillator(side, None, 1.0)
+PHI = np.linspace(0.0, 1.5 * ALPHA, 4)
+SIDE = replace(
+    branch(P, ALPHA, nodes=4), restoring=np.array([*map(moment, PHI)]), excitation=np.array([*map(arm, PHI)])
+)
+CUBIC = Oscillator(SIDE, None, 1.0)
 
 
-def by_scipy(duration: float, ground: tuple[float, float]) -> np.ndarray:
-    """phi and phi' at the end, from rest under a ground acceleration that is a line in time."""
-
-    def motion(t: float, y: np.ndarray) -> list[float]:
-        return [y[1], -(P**2) / g * (moment(y[0]) + arm(y[0]) * (ground[0] + ground[1] * t))]
-
+def by_scipy(duration: float, moment: Callable[[float, float], float]) -> np.ndarray:
+    """phi and phi' at the end, from rest under a restoring moment(t, phi) for an M R of 1 kg m."""
+    motion = lambda t, y: [y[1], -(P**2) / g * moment(t, y[0])]  # noqa: E731
     out = solve_ivp(motion, (0.0, duration), [0.0, 0.0], method="DOP853", rtol=3e-14, atol=1e-17)
     return np.asarray(out.y[:, -1])
 
@@ -56,8 +55,9 @@ def error(duration: float, steps: int, ground: tuple[float, float]) -> np.ndarra
     """Of phi and phi' after that many steps."""
     t = np.linspace(0.0, duration, steps + 1)
     record = make_record("line", ground[0] + ground[1] * t, duration / steps)
-    path = trace(cubic(), record, scale=1.0, equation="exact", tolerance=UNCHECKED)
-    return np.abs([path.rotation[-1], path.velocity[-1]] - by_scipy(duration, ground))
+    path = trace(CUBIC, record, scale=1.0, equation="exact", tolerance=UNCHECKED)
+    theirs = by_scipy(duration, lambda t, phi: moment(phi) + arm(phi) * (ground[0] + ground[1] * t))
+    return np.abs([path.rotation[-1], path.velocity[-1]] - theirs)
 
 
 def orders(sizes: np.ndarray, errors: np.ndarray) -> np.ndarray:
@@ -80,20 +80,13 @@ def test_many_steps_err_by_the_fifth_power() -> None:
 def test_a_finer_table_converges_by_the_fourth_power_or_better() -> None:
     """A spline errs by h^4, and by h^5 at its ends. Against the closed formula, from rest under a constant push."""
     duration, push = 0.7, -3.4
-
-    def motion(t: float, y: np.ndarray) -> list[float]:
-        return [y[1], -(P**2) / g * (g * math.sin(ALPHA - y[0]) + math.cos(ALPHA - y[0]) * push)]
-
-    out = solve_ivp(motion, (0.0, duration), [0.0, 0.0], method="DOP853", rtol=3e-14, atol=1e-17)
+    theirs = by_scipy(duration, lambda t, phi: g * math.sin(ALPHA - phi) + math.cos(ALPHA - phi) * push)
     record = make_record("push", np.full(201, push), duration / 200)
     nodes, errors = np.array([17, 33, 65]), []
     for n in nodes:
-        phi = np.linspace(0.0, 2.0 * ALPHA, n)
-        one = np.ones_like(phi)
-        side = Branch(phi, g / P**2 * one, g * np.sin(ALPHA - phi), np.cos(ALPHA - phi), one, one, 0.9, ALPHA, ALPHA)
-        path = trace(Oscillator(side, None, 1.0), record, scale=1.0, equation="exact", tolerance=1e-14)
-        errors.append(np.abs([path.rotation[-1], path.velocity[-1]] - out.y[:, -1]))
-    assert 0.2 * ALPHA < out.y[0, -1] < 1.5 * ALPHA
+        path = trace(block(P, ALPHA, sides=1, nodes=n), record, scale=1.0, equation="exact", tolerance=1e-14)
+        errors.append(np.abs([path.rotation[-1], path.velocity[-1]] - theirs))
+    assert 0.2 * ALPHA < theirs[0] < 1.5 * ALPHA
     assert np.all(orders(1.0 / (nodes - 1), np.array(errors)) > 4.0)
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -10,24 +11,10 @@ from scipy.constants import g
 
 from assess.dynamics.history import Jobs, free_rocking, peaks, product, trace
 from assess.errors import MechanismError
-from assess.oscillator import Branch, Oscillator
-from records.record import Record, make_record
-
-
-def block(**changes: object) -> Oscillator:
-    phi = np.linspace(0.0, 0.3, 65)
-    one = np.ones_like(phi)
-    side = Branch(phi, g / 4.0 * one, g * np.sin(0.2 - phi), np.cos(0.2 - phi), one, one, 0.9, 0.2, 0.2)
-    side = dataclasses.replace(side, **changes)
-    return Oscillator(side, side, 1.0)
-
-
-def pulse(amplitude: float = 3.0) -> Record:
-    return make_record("pulse", -amplitude * np.sin(np.linspace(0.0, 2 * np.pi, 101)), 0.008)
-
-
-def job(oscillator: int = 0, motion: int = 0, scale: float = 1.0) -> Jobs:
-    return Jobs(np.array([oscillator]), np.array([motion]), np.array([scale]))
+from assess.oscillator import Oscillator
+from records.record import make_record
+from tests.support.blocks import block
+from tests.support.motions import sine
 
 
 def test_product_makes_every_combination_once() -> None:
@@ -38,9 +25,9 @@ def test_product_makes_every_combination_once() -> None:
 
 @pytest.mark.parametrize("equation", ["exact", "linearised"])
 def test_a_trace_reaches_the_peak(equation: str) -> None:
-    motion = make_record("pulse and rest", np.r_[pulse().acceleration, np.zeros(200)], 0.008)
-    found = peaks([block()], [motion], job(), equation=equation)
-    history = trace(block(), motion, scale=1.0, equation=equation)
+    motion = make_record("pulse and rest", np.r_[sine(3.0, 1.25).acceleration, np.zeros(200)], 0.008)
+    found = peaks([block(nodes=65)], [motion], product(1, 1, [1.0]), equation=equation)
+    history = trace(block(nodes=65), motion, scale=1.0, equation=equation)
     assert history.time.size == motion.npts
     near = np.searchsorted(history.time, found.time_of_max[0])
     assert history.rotation[near] == pytest.approx(found.max_rotation[0], rel=1e-2)
@@ -53,8 +40,8 @@ def test_a_trace_reaches_the_peak(equation: str) -> None:
 def test_a_trace_from_a_release_is_the_hyperbolic_cosine_of_the_linearised_equation() -> None:
     """phi = phi_ov - (phi_ov - phi_0) cosh(p t) until the impact, 0.9 of the velocity after it (Housner 1963)."""
     still = make_record("still ground", np.zeros(401), 0.005)
-    history = trace(block(), still, scale=1.0, equation="linearised", release=0.15)
-    form = block().positive.linearised
+    history = trace(block(nodes=65), still, scale=1.0, equation="linearised", release=0.15)
+    form = block(nodes=65).positive.linearised
     swing = form.overturning - (form.overturning - 0.15) * np.cosh(form.p * history.time)
     before = swing > 0.0
     assert 50 < before.sum() < history.time.size - 50
@@ -69,42 +56,48 @@ def test_a_trace_from_a_release_is_the_hyperbolic_cosine_of_the_linearised_equat
 
 @pytest.mark.parametrize("equation", ["exact", "linearised"])
 def test_a_trace_ends_where_the_body_has_overturned(equation: str) -> None:
-    motion = make_record("pulse and rest", np.r_[pulse(9.0).acceleration, np.zeros(2000)], 0.008)
-    found = peaks([block()], [motion], job(), equation=equation)
-    history = trace(block(), motion, scale=1.0, equation=equation)
+    motion = make_record("pulse and rest", np.r_[sine(9.0, 1.25).acceleration, np.zeros(2000)], 0.008)
+    found = peaks([block(nodes=65)], [motion], product(1, 1, [1.0]), equation=equation)
+    history = trace(block(nodes=65), motion, scale=1.0, equation=equation)
     assert found.overturned[0]
     assert found.overturning_time[0] < history.time[-1] < motion.time[-1]
     assert np.interp(found.overturning_time[0], history.time, np.abs(history.rotation)) == pytest.approx(0.2, rel=1e-3)
 
 
 def test_results_are_read_only() -> None:
-    found = peaks([block()], [pulse()], job(), equation="exact")
+    found = peaks([block(nodes=65)], [sine(3.0, 1.25)], product(1, 1, [1.0]), equation="exact")
     with pytest.raises(ValueError, match="read-only"):
         found.max_ratio[0] = 1.0
 
 
 def test_no_jobs_no_peaks() -> None:
     empty = np.empty(0, dtype=np.int64)
-    assert peaks([block()], [pulse()], Jobs(empty, empty, np.empty(0)), equation="exact").max_ratio.size == 0
+    assert (
+        peaks([block(nodes=65)], [sine(3.0, 1.25)], Jobs(empty, empty, np.empty(0)), equation="exact").max_ratio.size
+        == 0
+    )
 
 
 @pytest.mark.parametrize(
     ("jobs", "message"),
     [
-        (job(oscillator=1), r"jobs\[0\]: oscillator 1, but there are 1"),
-        (job(motion=-1), r"jobs\[0\]: motion -1, but there are 1"),
-        (job(scale=np.nan), r"jobs\[0\]: scale nan"),
+        (
+            replace(product(1, 1, [1.0]), oscillator=np.ones(1, dtype=np.int64)),
+            r"jobs\[0\]: oscillator 1, but there are 1",
+        ),
+        (replace(product(1, 1, [1.0]), motion=-np.ones(1, dtype=np.int64)), r"jobs\[0\]: motion -1, but there are 1"),
+        (product(1, 1, [np.nan]), r"jobs\[0\]: scale nan"),
         (Jobs(np.zeros(2, dtype=np.int64), np.zeros(1, dtype=np.int64), np.ones(1)), "one of each for every job"),
     ],
 )
 def test_jobs_that_name_nothing(jobs: Jobs, message: str) -> None:
     with pytest.raises(ValueError, match=message):
-        peaks([block()], [pulse()], jobs, equation="exact")
+        peaks([block(nodes=65)], [sine(3.0, 1.25)], jobs, equation="exact")
 
 
 def test_an_unknown_equation_lists_the_known() -> None:
     with pytest.raises(ValueError, match="exact, linearised"):
-        peaks([block()], [pulse()], job(), equation="cubic")  # type: ignore[arg-type]
+        peaks([block(nodes=65)], [sine(3.0, 1.25)], product(1, 1, [1.0]), equation="cubic")  # type: ignore[arg-type]
 
 
 @pytest.mark.parametrize("equation", ["exact", "linearised"])
@@ -119,7 +112,7 @@ def test_an_unknown_equation_lists_the_known() -> None:
 )
 def test_branches_that_cannot_rock(equation: str, changes: dict[str, object], message: str) -> None:
     with pytest.raises(MechanismError, match=message):
-        peaks([block(**changes)], [pulse()], job(), equation=equation)
+        peaks([block(nodes=65, **changes)], [sine(3.0, 1.25)], product(1, 1, [1.0]), equation=equation)
 
 
 @pytest.mark.parametrize("equation", ["exact", "linearised"])
@@ -128,7 +121,7 @@ def test_a_record_that_starts_beyond_uplift_and_reverses_within_a_step_lifts_the
 ) -> None:
     """A body that is the same both ways answers the reversed record with the mirrored motion."""
     motion = make_record("reversal", np.array([4.0, -9.0, 0.0, 0.0]), 0.05)
-    found = peaks([block()], [motion], product(1, 1, [1.0, -1.0]), equation=equation)
+    found = peaks([block(nodes=65)], [motion], product(1, 1, [1.0, -1.0]), equation=equation)
     assert found.max_rotation[0] == -found.max_rotation[1] != 0.0
     assert found.impacts[0] == found.impacts[1]
 
@@ -136,10 +129,10 @@ def test_a_record_that_starts_beyond_uplift_and_reverses_within_a_step_lifts_the
 @pytest.mark.parametrize("polarity", [1.0, -1.0])
 def test_the_larger_ratio_is_found_where_the_joints_of_two_sides_lower_phi_ov_unlike(polarity: float) -> None:
     """The smaller share of a side's own unstable rotation can be the larger ratio to the rigid phi_ov."""
-    plain, lowered = (block(overturning_flexible=0.2, overturning=rigid).positive for rigid in (0.2, 0.6))
-    motion = make_record("pulse and rest", np.r_[pulse().acceleration, np.zeros(200)], 0.008)
+    plain, lowered = (block(nodes=65, overturning_flexible=0.2, overturning=rigid).positive for rigid in (0.2, 0.6))
+    motion = make_record("pulse and rest", np.r_[sine(3.0, 1.25).acceleration, np.zeros(200)], 0.008)
     for oscillator in (Oscillator(plain, lowered, 1.0), Oscillator(lowered, plain, 1.0)):
-        found = peaks([oscillator], [motion], job(scale=polarity), equation="exact")
+        found = peaks([oscillator], [motion], product(1, 1, [polarity]), equation="exact")
         rotation = trace(oscillator, motion, scale=polarity, equation="exact").rotation
         of = [rotation.max() / oscillator.branches[0].overturning, -rotation.min() / oscillator.branches[1].overturning]
         assert found.max_ratio[0] == pytest.approx(max(of), rel=1e-3)
@@ -149,14 +142,24 @@ def test_the_larger_ratio_is_found_where_the_joints_of_two_sides_lower_phi_ov_un
 def test_restitutions_that_together_add_energy_are_refused() -> None:
     """Turning faster about a nearer hinge is no gain of energy, coming back as fast is."""
     phi = np.linspace(0.0, 0.3, 65)
-    near, far = block().positive, block(inertia=np.full_like(phi, g / 2.0)).positive
+    near, far = block(nodes=65).positive, block(nodes=65, inertia=np.full_like(phi, g / 2.0)).positive
     with pytest.raises(MechanismError, match=r"1\.35 and 0\.9.*product must be at most 1"):
-        peaks([Oscillator(dataclasses.replace(far, restitution=1.35), near, 1.0)], [pulse()], job(), equation="exact")
+        peaks(
+            [Oscillator(dataclasses.replace(far, restitution=1.35), near, 1.0)],
+            [sine(3.0, 1.25)],
+            product(1, 1, [1.0]),
+            equation="exact",
+        )
     slower = dataclasses.replace(near, restitution=0.7)
-    peaks([Oscillator(dataclasses.replace(far, restitution=1.35), slower, 1.0)], [pulse()], job(), equation="exact")
+    peaks(
+        [Oscillator(dataclasses.replace(far, restitution=1.35), slower, 1.0)],
+        [sine(3.0, 1.25)],
+        product(1, 1, [1.0]),
+        equation="exact",
+    )
 
 
 @pytest.mark.parametrize("rotation", [-0.1, 0.0, np.nan, np.inf])
 def test_a_release_is_at_a_positive_rotation(rotation: float) -> None:
     with pytest.raises(ValueError, match="release at"):
-        free_rocking(block(), rotation=rotation, duration=1.0)
+        free_rocking(block(nodes=65), rotation=rotation, duration=1.0)

@@ -6,9 +6,8 @@ The threshold found with the kernel is sharp: at 1e-7 below it DOP853 sees the b
 from __future__ import annotations
 
 import math
-from bisect import bisect
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -20,28 +19,17 @@ from assess.dynamics.kernel.events import REST
 from assess.dynamics.packing import Equation
 from assess.dynamics.pulses import PIECES, PulseJobs, envelope, make_pulse_solver, pulse_outcomes, pulse_polynomials
 from assess.interfaces.contact import JointLaw
-from assess.oscillator import Branch, Oscillator, RockingBlock, interpolant, plain_branch
+from assess.oscillator import Oscillator, RockingBlock, plain_branch
 from records.pulses import PULSE_SHAPES, PulseShape, mavroeidis_papageorgiou
+from tests.support.blocks import unlike_block
 from tests.support.bodies import wall_on_joints
-
-
-def frame() -> Oscillator:
-    """Branches that differ, with inertia that varies."""
-
-    def make(alpha: float, p: float, slope: float, restitution: float) -> Branch:
-        phi = np.linspace(0.0, 1.5 * alpha, 65)
-        inertia, excitation = g / p**2 * (1.0 + slope * phi + 2.0 * phi**2), np.cos(alpha - phi) * (1.0 + 0.3 * phi)
-        one = np.ones_like(phi)
-        return Branch(phi, inertia, g * np.sin(alpha - phi), excitation, one, one, restitution, alpha, alpha)
-
-    return Oscillator(make(0.25, 1.8, 2.0, 0.8), make(0.2, 2.1, -1.0, 0.9), 1.0)
-
+from tests.support.scipy_rocking import Side, event, linearised_side, table_side
 
 PLAIN = plain_branch(RockingBlock(1.0, 1.0, 0.2, g / 4.0), restitution=0.85)
 BLOCK, ONE_SIDED, FRAME, WALL = (
     Oscillator(PLAIN, PLAIN, 1.0),
     Oscillator(replace(PLAIN, restitution=0.4), None, 1.0),
-    frame(),
+    unlike_block(),
     # 6 m high, 1 m thick, on a joint of 0.2 GPa/m that crushes at 1.5 MPa
     wall_on_joints(1.0, 6.0, JointLaw(2e8, 1.5e6), length=2.0, restitution=(0.92, 0.92)).oscillator,
 )
@@ -53,36 +41,6 @@ SYSTEMS: dict[str, tuple[Oscillator, Equation]] = {
     "unlike branches": (FRAME, "exact"),
     "on a joint": (WALL, "exact"),
 }
-
-
-@dataclass(frozen=True)
-class Side:
-    """One side for the reference: acceleration(phi, v, ground in its own sign) and what its events need."""
-
-    acceleration: Callable[[float, float, float], float]
-    threshold: float
-    unstable: float
-    end: float
-    restitution: float
-    slow: float
-
-
-class Spline:
-    """The table's cubics, evaluated one number at a time."""
-
-    def __init__(self, branch: Branch) -> None:
-        self.nodes = branch.rotation[1:-1].tolist()
-        self.left = branch.rotation[:-1].tolist()
-        rows = [interpolant(branch.rotation, v).c.T for v in (branch.inertia, branch.restoring, branch.excitation)]
-        self.cubics = np.concatenate(rows, axis=1).tolist()
-
-    def acceleration(self, phi: float, v: float, a: float) -> float:
-        i = bisect(self.nodes, phi)
-        d = phi - self.left[i]
-        i3, i2, i1, i0, r3, r2, r1, r0, b3, b2, b1, b0 = self.cubics[i]
-        bend = 0.5 * ((3 * i3 * d + 2 * i2) * d + i1) * v**2
-        moment, excitation = ((r3 * d + r2) * d + r1) * d + r0, ((b3 * d + b2) * d + b1) * d + b0
-        return -(moment + excitation * a + bend) / (((i3 * d + i2) * d + i1) * d + i0)
 
 
 def formula(shape: PulseShape) -> Callable[[float], float]:
@@ -109,21 +67,6 @@ def formula(shape: PulseShape) -> Callable[[float], float]:
     return lambda x: -slope(x) / top.fun
 
 
-def side_of(branch: Branch, equation: Equation) -> Side:
-    """By scipy's evaluation of the branch's splines, or by the linearised constants."""
-    form = branch.linearised
-    if equation == "linearised":
-        gain, p, phi_ov = form.excitation / form.inertia, form.p, form.overturning
-        slow = REST * p * phi_ov
-        return Side(lambda phi, v, a: p**2 * (phi - phi_ov) - gain * a, g * form.multiplier, phi_ov, 1e9, form.restitution, slow)  # fmt: skip  # noqa: E501
-    moment = interpolant(branch.rotation, branch.restoring)
-    spline = Spline(branch)
-    acceleration = spline.acceleration
-    slow = REST * math.sqrt(2 * float(moment.antiderivative()(branch.unstable)) / branch.inertia[0])
-    threshold = float(branch.restoring[0] / branch.excitation[0])
-    return Side(acceleration, threshold, branch.unstable, branch.rotation[-1], branch.restitution, slow)
-
-
 def lifting(sides: tuple[Side, ...], ground: Callable[[float], float], t: float, end: float) -> tuple[int, float]:
     """The next side that lifts and when: the ground on a fine grid, then brentq; -1 where none does."""
     grid = np.linspace(t, end, 501).tolist()
@@ -141,13 +84,10 @@ def lifting(sides: tuple[Side, ...], ground: Callable[[float], float], t: float,
 def by_scipy(system: str, shape: PulseShape, frequency: float, amplitude: float) -> tuple[bool, int]:
     """Whether it overturns, and its impacts while the pulse lasts."""
     oscillator, equation = SYSTEMS[system]
-    sides = tuple(side_of(branch, equation) for branch in oscillator.branches)
+    sides = tuple(map(linearised_side if equation == "linearised" else table_side, oscillator.branches))
     end, omega = shape.duration(frequency), 2 * math.pi * frequency
     unit = formula(shape)
-
-    def ground(t: float) -> float:
-        return amplitude * unit(shape.start + omega * t)
-
+    ground = lambda t: amplitude * unit(shape.start + omega * t)  # noqa: E731
     t, at, phi, v, impacts, swings = 0.0, -1, 0.0, 0.0, 0, 0
     while t < end or at >= 0:
         if at < 0:
@@ -160,18 +100,11 @@ def by_scipy(system: str, shape: PulseShape, frequency: float, amplitude: float)
         if phi >= limit and v >= 0.0:
             return True, impacts
 
-        def landed(x: float, y: np.ndarray) -> float:
-            return float(y[0])
-
-        def beyond(x: float, y: np.ndarray, limit: float = limit) -> float:
-            return float(y[0]) - limit
-
-        landed.terminal = beyond.terminal = True
-        landed.direction, beyond.direction = -1, 1
+        events = event(0, direction=-1, terminal=True), event(0, limit, direction=1, terminal=True)
         out = solve_ivp(
             lambda x, y, of=side.acceleration, s=s, still=free: [y[1], of(y[0], y[1], 0.0 if still else s * ground(x))],
             (t, t + 60.0) if free else (t, end), [phi, v], method="DOP853", rtol=1e-12,
-            atol=1e-14 * side.unstable, events=[landed, beyond], max_step=math.inf if free else end / 20,
+            atol=1e-14 * side.unstable, events=events, max_step=math.inf if free else end / 20,
         )  # fmt: skip
         t, (phi, v) = out.t[-1], out.y[:, -1]
         if out.t_events[1].size:

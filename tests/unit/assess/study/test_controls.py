@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from functools import cache
 from pathlib import Path
 
 import numpy as np
 import pytest
 from scipy.constants import g
 
-from assess.dynamics.history import Jobs, peaks, trace_with_events
+from assess.dynamics.history import peaks, product, trace_with_events
 from assess.dynamics.packing import Equation
 from assess.geometry.planar import planar_body_from_values
 from assess.loads.load import Force, PointMass, Tie
@@ -40,6 +39,7 @@ from assess.study.history_controls import (
     sampled_finely,
 )
 from assess.study.run import run_study
+from tests.support import blocks
 from tests.support.motions import noise, write_noise
 from tests.support.projects import ASCE7, block, project_toml, published, study_of
 
@@ -84,37 +84,28 @@ def portal(mass: float = 800.0) -> Mechanism:
     return replace(found, faces=((Face(),) * 4,))
 
 
+MOTION = noise(7, npts=900, dt=0.01, peak=5.0, smooth=31, bell=1.0)
 KINDS = {"single": single, "one-sided": lambda: single(sides="one"), "two-block": spanning, "four-hinge": portal}
 SCALES = {"single": 0.45, "one-sided": 0.45, "two-block": 1.2, "four-hinge": 0.45}  # each rocks and does not overturn
 HEAVIER = {"single": lambda: single(1010.0), "two-block": lambda: spanning(1010.0), "four-hinge": lambda: portal(808.0)}
 
 
-def changed(branch: Branch, factor: float = 1.001) -> Branch:
-    """A branch whose restoring moment is wrong."""
-    return replace(branch, restoring=factor * branch.restoring)
-
-
 def of_table(mechanism: Mechanism, factor: float = 1.001) -> Oscillator:
+    """The oscillator with restoring moments that are wrong."""
     found = mechanism.oscillator
-    negative = None if found.negative is None else changed(found.negative, factor)
-    return replace(found, positive=changed(found.positive, factor), negative=negative)
-
-
-@cache
-def motion():
-    return noise(7, npts=900, dt=0.01, peak=5.0, smooth=31, bell=1.0)
+    positive, *negative = (replace(branch, restoring=factor * branch.restoring) for branch in found.branches)
+    return replace(found, positive=positive, negative=negative[0] if negative else None)
 
 
 def governing(oscillator: Oscillator, *, scale: float, equation: Equation = "exact") -> GoverningHistory:
-    job = Jobs(np.zeros(1, int), np.zeros(1, int), np.array([scale]))
-    found = peaks([oscillator], [motion()], job, equation=equation, threads=1)
+    found = peaks([oscillator], [MOTION], product(1, 1, [scale]), equation=equation, threads=1)
     over = bool(found.overturned[0])
     history = HistoryResult(
         "noise", 1, 0.3, scale, 1.0, None if over else float(found.max_rotation[0]),
         None if over else float(found.max_ratio[0]), None, int(found.impacts[0]), over,
         float(found.overturning_time[0]) if over else None, None, "positive",
     )  # fmt: skip
-    return GoverningHistory(history, oscillator, motion(), scale, equation)
+    return GoverningHistory(history, oscillator, MOTION, scale, equation)
 
 
 @pytest.mark.parametrize("kind", KINDS)
@@ -196,12 +187,12 @@ def test_a_wrong_mass_and_a_wrong_restitution_show_in_the_energy() -> None:
     history = governing(mechanism.oscillator, scale=0.45)
     heavier.__dict__["oscillator"] = mechanism.oscillator
     assert energy_control(heavier, history, equation="exact").met is False
-    path, events = trace_with_events(mechanism.oscillator, motion(), scale=0.45, equation="exact")
+    path, events = trace_with_events(mechanism.oscillator, MOTION, scale=0.45, equation="exact")
     side = replace(mechanism.oscillator.positive, restitution=0.89)
     bouncy = replace(mechanism.oscillator, positive=side, negative=side)
     sides = branch_energies(mechanism, mechanism.oscillator, "exact")
-    right = energy_balance(path, events, mechanism.oscillator, sides, motion(), scale=0.45)
-    wrong = energy_balance(path, events, bouncy, sides, motion(), scale=0.45)
+    right = energy_balance(path, events, mechanism.oscillator, sides, MOTION, scale=0.45)
+    wrong = energy_balance(path, events, bouncy, sides, MOTION, scale=0.45)
     assert off(right) < 1e-7
     assert off(wrong) > 10 * CONTROL_TOLERANCE["energy"]
 
@@ -227,25 +218,22 @@ def test_a_vibration_is_followed_at_more_samples_of_the_same_motion() -> None:
         phi, np.full_like(phi, 10.0), 4e6 * phi * (0.2 - phi), *(np.ones((3, phi.size))), restitution=0.9,
         overturning=0.2, critical=0.2, overturning_flexible=0.2,
     )  # fmt: skip
-    fine = sampled_finely(motion(), Oscillator(stiff, stiff, 1.0))  # 45 Hz at 100 Hz: 2.8 rad from sample to sample
-    parts = round(motion().dt / fine.dt)
+    fine = sampled_finely(MOTION, Oscillator(stiff, stiff, 1.0))  # 45 Hz at 100 Hz: 2.8 rad from sample to sample
+    parts = round(MOTION.dt / fine.dt)
     assert parts == 12
-    assert fine.acceleration[::parts] == pytest.approx(motion().acceleration, abs=1e-12)
+    assert fine.acceleration[::parts] == pytest.approx(MOTION.acceleration, abs=1e-12)
     assert fine.acceleration[parts // 2 :: parts] == pytest.approx(
-        0.5 * (motion().acceleration[:-1] + motion().acceleration[1:])
+        0.5 * (MOTION.acceleration[:-1] + MOTION.acceleration[1:])
     )
-    assert sampled_finely(motion(), single().oscillator) is motion()
+    assert sampled_finely(MOTION, single().oscillator) is MOTION
 
 
 def wavy(nodes: int) -> Oscillator:
     """A block whose restoring moment has waves, on a table of some nodes."""
     phi = np.linspace(0.0, 0.3, nodes)
     one = np.ones_like(phi)
-    side = Branch(
-        phi, 4.0 * one, g * (0.2 - phi) * (1.0 + 0.3 * np.sin(80.0 * phi)), one, one, one, restitution=0.9,
-        overturning=0.2, critical=0.2,
-    )  # fmt: skip
-    return Oscillator(side, side, 1.0)
+    waves = 1.0 + 0.3 * np.sin(80.0 * phi)
+    return blocks.block(nodes=nodes, inertia=4.0 * one, restoring=g * (0.2 - phi) * waves, excitation=one)
 
 
 def test_a_coarse_table_does_not_converge_and_a_fine_one_does() -> None:

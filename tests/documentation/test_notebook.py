@@ -11,14 +11,6 @@ import pytest
 PAGE = Path(__file__).parents[2] / "docs/notebook/first_wall.ipynb"
 
 
-def written():
-    """The module that writes the notebook."""
-    spec = importlib.util.spec_from_file_location("write_notebook", PAGE.with_name("write.py"))
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
-
-
 def texts(page):
     """What each cell prints: its stream, or the text of what it shows."""
     shown = ((cell.source, cell.get("outputs", ())) for cell in page.cells)
@@ -30,7 +22,9 @@ def texts(page):
 
 @pytest.mark.filterwarnings("ignore")  # of the packages that run notebooks
 def test_notebook_prints_what_it_says():
-    write = written()
+    spec = importlib.util.spec_from_file_location("write_notebook", PAGE.with_name("write.py"))
+    write = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(write)
     stored = nbformat.read(PAGE, as_version=4)
     assert texts(write.execute(write.notebook())) == texts(stored)
     assert any("image/png" in each.get("data", {}) for cell in stored.cells for each in cell.get("outputs", ()))

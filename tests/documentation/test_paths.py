@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-import importlib
+import pkgutil
 import re
 from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 
-from tests.support.places import ROOT, place_of
+from tests.support.places import MANUAL, ROOT, defines, place_of, text_of
 
-MANUAL = [page for page in sorted((ROOT / "docs").rglob("*.md")) if ROOT / "docs" / "made" not in page.parents]
 PAGES = sorted([ROOT / "README.md", ROOT / "CONTRIBUTING.md", *MANUAL])
 NAMES = [str(page.relative_to(ROOT)) for page in PAGES]
 ROOMS = ("assess/", "spectra/", "records/", "reports/", "tests/", "tools/", "docs/", ".ci/")
@@ -28,12 +27,6 @@ def links_of(page: Path) -> Iterator[tuple[Path, str]]:
             yield (page.parent / target if target else page), heading
 
 
-def anchors_of(page: Path) -> set[str]:
-    """Anchors of a page's headings, as web sites of repositories make them."""
-    headings = re.findall(r"^#+ (.+)$", page.read_text(encoding="utf-8"), re.MULTILINE)
-    return {"#" + re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-") for heading in headings}
-
-
 @pytest.mark.parametrize("page", PAGES, ids=NAMES)
 def test_every_path_exists(page):
     named = [path for path in PATH.findall(page.read_text(encoding="utf-8")) if path.startswith(ROOMS)]
@@ -45,13 +38,15 @@ def test_every_path_exists(page):
 def test_every_link_leads_somewhere(page):
     for target, heading in links_of(page):
         assert target.exists(), target
-        assert not heading or heading in anchors_of(target), (target, heading)
+        headings = re.findall(r"^#+ (.+)$", target.read_text(encoding="utf-8"), re.MULTILINE) if heading else []
+        anchors = {"#" + re.sub(r"[^\w\- ]", "", each.lower()).replace(" ", "-") for each in headings}
+        assert not heading or heading in anchors, (target, heading)
 
 
 @pytest.mark.parametrize("name", DEVELOPERS)
 def test_every_module_exists(name):
-    for dotted in MODULE.findall((ROOT / name).read_text(encoding="utf-8")):
-        assert exists(dotted), dotted
+    for dotted in MODULE.findall(text_of(name)):
+        pkgutil.resolve_name(dotted)  # a module, or something in one
 
 
 @pytest.mark.parametrize("name", ["CONTRIBUTING.md", "docs/architecture.md"])
@@ -69,24 +64,7 @@ def test_every_function_is_in_the_file_named_beside_it():
     pairs = [*re.findall(r"`([\w/]+\.py)`: `(\w+)`", text)]
     pairs += [(path, name) for name, path in re.findall(r"`(\w+)`[ ,(\n]+`([\w/]+\.py)`", text)]
     assert len(pairs) > 20
-    known = {
-        path: re.findall(r"^(?:def|class) (\w+)|^(\w+)\b.*=", place_of(path).read_text(), re.M) for path, _ in pairs
-    }
-    assert [each for each in pairs if each[1] not in {name for names in known[each[0]] for name in names}] == []
-
-
-def text_of(name: str) -> str:
-    return (ROOT / name).read_text(encoding="utf-8")
-
-
-def exists(dotted: str) -> bool:
-    """Whether a dotted name is a module, or something in one."""
-    try:
-        importlib.import_module(dotted)
-    except ModuleNotFoundError:
-        parent, _, name = dotted.rpartition(".")
-        return bool(parent) and hasattr(importlib.import_module(parent), name)
-    return True
+    assert [(path, name) for path, name in pairs if not defines(path, name)] == []
 
 
 def test_every_page_of_docs_is_reached_from_its_index():

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from pathlib import Path
 from typing import Any
 
 import pytest
@@ -11,12 +10,9 @@ import pytest
 from assess.cli.tables.analysis import run_text
 from records.processing import at2_text
 from tests.support.motions import noise
+from tests.support.places import fenced, text_of
 
-PAGE = (Path(__file__).resolve().parents[2] / "README.md").read_text(encoding="utf-8")
-
-
-def blocks(kind: str) -> list[str]:
-    return re.findall(rf"```{kind}\n(.*?)```", PAGE, re.DOTALL)
+PAGE = text_of("README.md")
 
 
 @pytest.fixture(scope="module")
@@ -24,11 +20,11 @@ def session(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Any]:
     """The names of a Python session in which every block was typed, beside its project file and its record."""
     folder, names = tmp_path_factory.mktemp("readme"), {}
     (folder / "wall").mkdir()
-    (folder / "wall" / "project.toml").write_text(blocks("toml")[0], encoding="utf-8")
+    (folder / "wall" / "project.toml").write_text(next(fenced(PAGE, "toml"))[1], encoding="utf-8")
     (folder / "RSN753.AT2").write_text(at2_text(noise(npts=2000, peak=2.0)), encoding="utf-8")
     with pytest.MonkeyPatch.context() as patch:
         patch.chdir(folder)
-        for text in blocks("python"):
+        for _, text in fenced(PAGE, "python"):
             exec(text, names)
     return names | {"folder": folder}
 

@@ -5,8 +5,7 @@ from __future__ import annotations
 import re
 import shlex
 import tomllib
-from collections.abc import Iterator, Mapping
-from pathlib import Path
+from collections.abc import Mapping
 from typing import Any
 
 import pytest
@@ -15,10 +14,9 @@ from jsonschema import Draft202012Validator
 
 from assess.cli.app import app
 from assess.project.project_file import json_schema, load
-from tests.support.projects import as_editors_see
+from tests.support.places import MANUAL, ROOT, fenced
+from tests.support.projects import as_editors_see, tables_toml
 
-ROOT = Path(__file__).resolve().parents[2]
-MANUAL = [page for page in sorted((ROOT / "docs").rglob("*.md")) if ROOT / "docs" / "made" not in page.parents]
 FOLLOWED = ROOT / "docs" / "tutorial"  # these pages are run as a whole: test_tutorials.py
 PAGES = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *MANUAL]
 AROUND = """
@@ -39,12 +37,20 @@ storey = { kind = "two-block", blocks = ["wall"] }
 """
 
 
-def blocks(kind: str) -> Iterator[tuple[str, str]]:
-    """Fenced blocks of one kind, each with the place where it begins."""
-    for page in (page for page in PAGES if FOLLOWED not in page.parents):
-        text = page.read_text(encoding="utf-8")
-        for match in re.finditer(rf"```{kind}\n(.*?)```", text, re.DOTALL):
-            yield f"{page.name}:{text.count(chr(10), 0, match.start()) + 2}", match[1]
+BLOCKS = [
+    pytest.param(text, id=f"{page.name}:{line}")
+    for page in PAGES
+    if FOLLOWED not in page.parents
+    for line, text in fenced(page.read_text(encoding="utf-8"), "toml")
+]
+COMMANDS = [
+    pytest.param(command, id=f"{page.name}:{number}")
+    for page in PAGES
+    for number, line in enumerate(page.read_text(encoding="utf-8").splitlines(), 1)
+    if re.match(r" {4}(\$ )?assess ", line)
+    for command in line.partition("#")[0].replace("$ ", "").split(";")
+]
+"""Lines of indented blocks that call the program."""
 
 
 def merge(into: dict[str, Any], what: Mapping[str, Any]) -> dict[str, Any]:
@@ -67,28 +73,17 @@ def whole(text: str) -> dict[str, Any]:
     return merge(around, {"mechanisms": {"storey" if "interfaces" in given else "wall": given}})
 
 
-def toml(value: Any) -> str:
-    """A value as inline TOML."""
-    if isinstance(value, dict):
-        return "{ " + ", ".join(f'"{key}" = {toml(each)}' for key, each in value.items()) + " }"
-    if isinstance(value, list):
-        return "[" + ", ".join(toml(each) for each in value) + "]"
-    if isinstance(value, bool):
-        return str(value).lower()
-    return f'"{value}"' if isinstance(value, str) else repr(value)
-
-
-@pytest.mark.parametrize("text", [pytest.param(text, id=place) for place, text in blocks("toml")])
+@pytest.mark.parametrize("text", BLOCKS)
 def test_project_files_are_read(text, tmp_path):
     (tmp_path / "records").mkdir()
     (tmp_path / "records" / "one.AT2").write_text("a record")
     (tmp_path / "nga_west2.csv").write_text("a flatfile")
     file = tmp_path / "project.toml"
-    file.write_text("\n".join(f'"{key}" = {toml(value)}' for key, value in whole(text).items()), encoding="utf-8")
+    file.write_text(tables_toml(**whole(text)), encoding="utf-8")
     assert load(file).content.mechanisms
 
 
-@pytest.mark.parametrize("text", [pytest.param(text, id=place) for place, text in blocks("toml")])
+@pytest.mark.parametrize("text", BLOCKS)
 def test_an_editor_finds_no_fault_in_them(text, schema):
     assert [fault.message for fault in schema.iter_errors(as_editors_see(whole(text)))] == []
 
@@ -99,16 +94,7 @@ def schema():
     return Draft202012Validator(json_schema())
 
 
-def commands() -> Iterator[tuple[str, str]]:
-    """Lines of indented blocks that call the program, each with its place."""
-    for page in PAGES:
-        for number, line in enumerate(page.read_text(encoding="utf-8").splitlines(), 1):
-            if re.match(r" {4}(\$ )?assess ", line):
-                for command in line.partition("#")[0].replace("$ ", "").split(";"):
-                    yield f"{page.name}:{number}", command
-
-
-@pytest.mark.parametrize("line", [pytest.param(line, id=place) for place, line in commands()])
+@pytest.mark.parametrize("line", COMMANDS)
 def test_commands_and_their_options_exist(line):
     command: Any = typer.main.get_command(app)
     words = shlex.split(re.sub(r"[\[\]|]", " ", line.partition(">")[0]))[1:]

@@ -8,7 +8,6 @@ import re
 from pathlib import Path
 from xml.etree import ElementTree
 
-import numpy as np
 import pytest
 from lxml import html
 from openpyxl import load_workbook
@@ -19,6 +18,9 @@ from reports.figures.style import printable
 from reports.language.lettering import visible
 from reports.render.csv import csv_field
 from tests.support.command import ended
+from tests.support.files import write_file
+from tests.support.motions import write_noise
+from tests.support.projects import block, published, tables_toml, wall
 
 FIELDS = ("title", "engineer", "checker", "reference", "client", "date", "notes", "masonry_quality")
 NAMES = ("stone", "wall", "floor", "topple", "label", "source")
@@ -36,58 +38,45 @@ def printable_hostile(tag: str) -> str:
     return hostile(tag).removesuffix(" \u202e \x07")
 
 
+REVISION = dict.fromkeys(("number", "date", "description", "author"), printable_hostile("revision"))
+PROJECT = {
+    **{name: hostile(name) for name in FIELDS},
+    "site": {"spectrum": {"code": "table", "file": "@sum <i>.csv"}},
+    "materials": {hostile("stone"): {"density": 2000}},
+    "bodies": {
+        hostile("wall"): wall(0.6, 4, 3, material=hostile("stone")),
+        hostile("floor"): wall(5, 4, 0.1, base=[2.7, 0, 3], material=hostile("stone")),
+    },
+    "mechanisms": {
+        hostile("topple"): {"label": hostile("label")}
+        | block(hostile("wall"), loads=[{"kind": "body", "body": hostile("floor"), "role": "floor"}]),
+        LONG: published(),
+    },
+    "records": {"files": ["=cmd*.csv"]},
+    "analysis": {"levels": ["0.1 g"], "procedures": ["asce43-05-spectrum", "dmi2008-linear"]},
+    "report": {
+        "detail": "full",
+        **{key: printable_hostile(key) for key in MATTER},
+        "revisions": [REVISION],
+        "logo": PICTURE,
+        "figures": [{"file": PICTURE, "caption": printable_hostile("caption")}],
+        "building_type": "house",
+        "not_examined": {"corner": printable_hostile("reason")},
+        "sources": {"title": f"measured: {hostile('source')}"},
+    },
+}
+
+
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory) -> Path:
     """A project with text of an attacker wherever text may stand, and what `assess run` makes of it."""
     folder = tmp_path_factory.mktemp("hostile")
-    time = np.arange(0.0, 8.0, 0.01)
-    motion = 0.5 * np.sin(2 * np.pi * time) * np.exp(-((time - 4) ** 2))
-    lines = [f"{t:.2f},{a:.6f}" for t, a in zip(time, motion, strict=True)]
-    (folder / "=cmd <b>&amp; $x$.csv").write_text("\n".join(["time [s],acceleration [m/s^2]", *lines]))
+    write_noise(folder / "=cmd <b>&amp; $x$.csv", duration=8.0, amplitude=0.1)
     (folder / "@sum <i>.csv").write_text("period [s],acceleration [g]\n0,0.1\n0.1,0.25\n0.4,0.25\n4,0.02\n")
     Image.new("RGB", (8, 6), "red").save(folder / PICTURE)
-    (folder / "project.toml").write_text(project(), encoding="utf-8")
+    write_file(folder / "project.toml", tables_toml(**PROJECT))
     assert ended("run", folder, "-o", folder / "out") in (0, 1, 3)
     return folder
-
-
-def project() -> str:
-    quoted = {name: json.dumps(hostile(name)) for name in (*FIELDS, *NAMES)}
-    mechanism, body = quoted["topple"], quoted["wall"]
-    return "\n".join(
-        [
-            *(f"{key} = {quoted[key]}" for key in FIELDS),
-            '[site.spectrum]\ncode = "table"\nfile = "@sum <i>.csv"',
-            f"[materials.{quoted['stone']}]\ndensity = 2000",
-            f"[bodies.{body}]\nmaterial = {quoted['stone']}\nbox = {{ thickness = 0.6, length = 4, height = 3 }}",
-            f"[bodies.{quoted['floor']}]\nmaterial = {quoted['stone']}",
-            "box = { thickness = 5, length = 4, height = 0.1, base = [2.7, 0, 3] }",
-            f'[mechanisms.{mechanism}]\nlabel = {quoted["label"]}\nkind = "single-block"\nblocks = [{body}]',
-            f'loads = [{{ kind = "body", body = {quoted["floor"]}, role = "floor" }}]',
-            f'[mechanisms.{json.dumps(LONG)}]\nkind = "equivalent-block"\np = 1.6\nuplift = 0.14\nradius = 2.8',
-            '[records]\nfiles = ["=cmd*.csv"]',
-            '[analysis]\nlevels = ["0.1 g"]\nprocedures = ["asce43-05-spectrum", "dmi2008-linear"]',
-            report(),
-            f'[report.sources]\n"title" = {json.dumps("measured: " + hostile("source"))}',
-        ]
-    )
-
-
-def report() -> str:
-    """The front matter, a picture, and the list of possible mechanisms, in hostile words."""
-    said = {name: json.dumps(printable_hostile(name)) for name in (*MATTER, "revision", "caption", "reason")}
-    revision = ", ".join(f"{key} = {said['revision']}" for key in ("number", "date", "description", "author"))
-    return "\n".join(
-        [
-            '[report]\ndetail = "full"',
-            *(f"{key} = {said[key]}" for key in MATTER),
-            f"revisions = [{{ {revision} }}]",
-            f'logo = "{PICTURE}"',
-            f'figures = [{{ file = "{PICTURE}", caption = {said["caption"]} }}]',
-            'building_type = "house"',
-            f"not_examined = {{ corner = {said['reason']} }}",
-        ]
-    )
 
 
 def test_in_results_the_report_s_matter_is_as_it_was_written(folder):

@@ -38,6 +38,9 @@ knowledge_level = "LC1"
 """
 
 
+WALL = assess.box(thickness=0.6, length=4.0, height=4.5, density=2000.0)
+RAISED = assess.box(thickness=0.6, length=4.0, height=4.5, density=2000.0, base=(0.0, 0.0, 30.0))
+PUBLISHED = {"p": 1.5, "uplift": 0.1, "radius": 3.0}
 FLOOR = assess.box(thickness=4.0, length=4.0, height=0.3, density=2500.0, base=(2.2, 0.0, 4.5), name="floor")
 
 
@@ -55,8 +58,7 @@ def folder(tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def block():
-    wall = assess.box(thickness=0.6, length=4.0, height=4.5, density=2000.0)
-    return assess.single_block(wall, direction="weakest")
+    return assess.single_block(WALL, direction="weakest")
 
 
 @pytest.fixture(scope="module")
@@ -315,24 +317,23 @@ def test_answers_above_the_ground_need_the_building(block):
     assert within.verdict.value == "pass"
 
 
-def test_what_is_drawn_above_the_ground_is_not_answered_as_if_it_stood_on_it():
+@pytest.mark.parametrize(
+    ("block", "given", "outcome"),
+    [
+        (assess.single_block(WALL), {}, "pass"),
+        (assess.single_block(WALL, cut=3.0), {}, "not-answered"),
+        (assess.single_block(WALL, cut=3.0), {"base_elevation": 3.0}, "not-answered"),
+        (assess.single_block(WALL, cut=3.0), {"base_elevation": 0.0}, "not-answered"),  # as drawn its base is at 3 m
+        (assess.single_block(RAISED), {}, "pass"),  # the lowest body stands on the ground
+        (assess.single_block(RAISED), {"base_elevation": 6.0}, "not-answered"),
+        (assess.equivalent_block(**PUBLISHED), {}, "pass"),
+        (assess.equivalent_block(**PUBLISHED, elevation=9.0), {}, "not-answered"),
+    ],
+)
+def test_what_is_drawn_above_the_ground_is_not_answered_as_if_it_stood_on_it(block, given, outcome):
     target = assess.spectrum("ec8", a_g=0.02 * assess.g, ground_type="C")
-    wall = assess.box(thickness=0.6, length=4.0, height=4.5, density=2000.0)
-
-    def outcome(block, **given):
-        (check,) = assess.answers(block, target, procedures=["ntc2018-linear"], **given)
-        return check.verdict.value
-
-    whole, upper = assess.single_block(wall), assess.single_block(wall, cut=3.0)
-    assert outcome(whole) == "pass"
-    assert outcome(upper) == outcome(upper, base_elevation=3.0) == "not-answered"
-    assert outcome(upper, base_elevation=0.0) == "not-answered"  # as drawn its base is at 3 m
-    raised = assess.box(thickness=0.6, length=4.0, height=4.5, density=2000.0, base=(0.0, 0.0, 30.0))
-    assert outcome(assess.single_block(raised)) == "pass"  # the lowest body stands on the ground
-    assert outcome(assess.single_block(raised), base_elevation=6.0) == "not-answered"
-    published = {"p": 1.5, "uplift": 0.1, "radius": 3.0}
-    assert outcome(assess.equivalent_block(**published)) == "pass"
-    assert outcome(assess.equivalent_block(**published, elevation=9.0)) == "not-answered"
+    (check,) = assess.answers(block, target, procedures=["ntc2018-linear"], **given)
+    assert check.verdict.value == outcome
 
 
 @pytest.mark.parametrize(

@@ -2,38 +2,25 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 import pytest
 
 from assess.codes.bases import BASES
-from assess.codes.check import Check
 from assess.codes.procedures import PROCEDURES
-from assess.messages.message import Message, Term
+from assess.messages.message import Term
 from tests.languages.fixed_terms import fixed_terms
+from tests.support.objects import objects_in
 from tests.support.subjects import subjects
-
-
-def terms_of(check: Check) -> Iterator[str]:
-    yield from (check.quantity, check.edition, check.limit_state, check.damping_rule)
-    for said in (check.reason, *check.conditions, *check.remarks, *check.caveats):
-        yield from terms_in(said)
-    for step in check.steps:
-        yield from (step.description, step.clause, step.remark)
-        yield from () if step.inputs else (step.formula,)
-
-
-def terms_in(said: Term | Message) -> Iterator[str]:
-    if isinstance(said, Term):
-        yield said.english
-        return
-    for value in said.values.values():
-        yield from terms_in(value) if isinstance(value, Term | Message) else ()
 
 
 @pytest.mark.parametrize("name", PROCEDURES)
 def test_every_term_of_a_check_is_found_in_the_source(name: str) -> None:
-    carried = {term for subject in subjects(name) for term in terms_of(subject.check)}
+    carried: set[str] = set()
+    for check in (subject.check for subject in subjects(name)):
+        carried |= {check.quantity, check.edition, check.limit_state, check.damping_rule}
+        carried |= {each.english for each in objects_in((check.reason, check.conditions, check.remarks), Term)}
+        carried |= {each.english for each in objects_in(check.caveats, Term)}
+        for step in check.steps:
+            carried |= {step.description, step.clause, step.remark, "" if step.inputs else step.formula}
     assert {term for term in carried if any(map(str.isalpha, term))} - set(fixed_terms()) == set()
 
 

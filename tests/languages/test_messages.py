@@ -5,7 +5,6 @@ from __future__ import annotations
 import ast
 import re
 from collections.abc import Iterator
-from dataclasses import fields, is_dataclass
 from pathlib import Path
 
 import pytest
@@ -18,6 +17,7 @@ from assess.project.project_file import load
 from assess.results.json import dumps, loads
 from assess.study.run import run_study
 from tests.support.examples import example_results
+from tests.support.objects import objects_in
 from tests.support.places import SOURCES
 
 FOLDERS = ("assess", "records", "spectra")
@@ -36,24 +36,11 @@ QUOTED = frozenset(
 """Keys and values that quote errors or files as they are."""
 
 
-def messages_in(data: object) -> Iterator[Message]:
-    """Every message within data, those that stand in others too."""
-    if isinstance(data, Message):
-        yield data
-        yield from messages_in(tuple(data.values.values()))
-    elif is_dataclass(data):
-        yield from (each for field in fields(data) for each in messages_in(getattr(data, field.name)))
-    elif isinstance(data, dict):
-        yield from messages_in(tuple(data.values()))
-    elif isinstance(data, tuple | list) and not (data and isinstance(data[0], float)):
-        yield from (each for part in data for each in messages_in(part))
-
-
 def composed(data: object) -> set[tuple[str, str, str]]:
     """Keys and values of messages that hold words."""
     return {
         (each.key, name, value)
-        for each in messages_in(data)
+        for each in objects_in(data, Message)
         for name, value in each.values.items()
         if isinstance(value, str) and WORDS.search(value) and (each.key, name) not in QUOTED
     }
@@ -62,7 +49,7 @@ def composed(data: object) -> set[tuple[str, str, str]]:
 @pytest.mark.parametrize("name", [name for name in EXAMPLES if not EXAMPLES[name].models()])
 def test_no_message_of_results_holds_a_sentence(name: str) -> None:
     results = example_results(name)
-    assert next(messages_in(results), None) is not None
+    assert next(objects_in(results, Message), None) is not None
     assert composed(results) == set()
 
 
@@ -70,7 +57,7 @@ def test_no_message_of_results_holds_a_sentence(name: str) -> None:
 def test_messages_of_results_json_are_those_of_the_run(name: str, tmp_path: Path) -> None:
     results = run_study(build(load(copy_example(name, tmp_path / name))))
     assert composed(results) == set()
-    assert set(messages_in(loads(dumps(results)))) == set(messages_in(results))
+    assert set(objects_in(loads(dumps(results)), Message)) == set(objects_in(results, Message))
 
 
 def test_a_sentence_in_a_message_is_found() -> None:

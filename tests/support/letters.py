@@ -24,14 +24,14 @@ from reports.language.texts import Text
 ENGLISH = Locale()
 
 
-def letters(text: Text) -> str:
-    """A text in English and SI units, with plain spaces."""
-    return ENGLISH.text(text).replace("\u00a0", " ")
+def letters(text: Text, locale: Locale = ENGLISH) -> str:
+    """A text in English and SI units, or as another locale has it, with plain spaces."""
+    return locale.text(text).replace("\u00a0", " ")
 
 
-def lines_of(texts: Iterable[Text]) -> str:
-    """Texts in English and SI units, a line each, with plain spaces."""
-    return "\n".join(map(letters, texts))
+def lines_of(texts: Iterable[Text], locale: Locale = ENGLISH) -> str:
+    """Texts in English and SI units, or as another locale has them, a line each, with plain spaces."""
+    return "\n".join(letters(text, locale) for text in texts)
 
 
 def without_spaces(text: str) -> str:
@@ -56,6 +56,16 @@ def rows(table: Table) -> list[list[str]]:
 def lines(sections: Iterable[Section]) -> list[str]:
     """Every paragraph, point, line of code, pair and row of some sections."""
     return [line for section in sections for block in section.blocks for line in _lines(block)]
+
+
+def text_of(sections: Iterable[Section]) -> str:
+    """What `lines` gives, a line each."""
+    return "\n".join(lines(sections))
+
+
+def prose(*sections: Section) -> str:
+    """Every paragraph of some sections, a line each."""
+    return "\n".join(lines_of(b.paragraphs) for each in sections for b in each.blocks if isinstance(b, Prose))
 
 
 def _lines(block: Block) -> list[str]:

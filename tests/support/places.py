@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import os
+import re
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -14,6 +16,8 @@ SOURCES = Path(assess.__file__).resolve().parents[1]
 ROOT = Path(__file__).resolve().parents[2]
 """The folder of tests, documents and pyproject.toml."""
 PACKAGES = ("assess", "records", "reports", "spectra")
+MANUAL = [page for page in sorted((ROOT / "docs").rglob("*.md")) if ROOT / "docs" / "made" not in page.parents]
+"""The pages of the manual that are written by hand."""
 
 REAL_RECORDS = Path(os.environ.get("ASSESS_RECORDS") or ROOT.parent / "shared" / "records")
 """Accelerograms of others, with their INDEX.csv, which may not be passed on."""
@@ -25,3 +29,19 @@ needs_real_records = pytest.mark.skipif(not (REAL_RECORDS / "INDEX.csv").exists(
 def place_of(path: str) -> Path:
     """Return the place of a path as documents write it, `assess/cli/analysis.py` or `docs/records.md`."""
     return (SOURCES if path.split("/")[0] in PACKAGES else ROOT) / path
+
+
+def text_of(path: str) -> str:
+    """Return the text of a file by its path from the root, as documents write it."""
+    return place_of(path).read_text(encoding="utf-8")
+
+
+def fenced(text: str, kind: str) -> Iterator[tuple[int, str]]:
+    """Yield the fenced blocks of one kind in a page, each with the line where it begins."""
+    for match in re.finditer(rf"```{kind}\n(.*?)```", text, re.DOTALL):
+        yield text.count("\n", 0, match.start()) + 2, match[1]
+
+
+def defines(path: str, name: str) -> bool:
+    """Return whether a module defines a function, a class or a value of this name, itself or in what it defines."""
+    return bool(re.search(rf"^\s*(?:(?:def|class) {name}\b|{name}\s*(?::[^=\n]+)?=[^=])", text_of(path), re.MULTILINE))

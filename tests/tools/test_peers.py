@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from assess.dynamics.packing import Equation
-from records.record import Record, make_record
+from records.record import make_record
 from tools.benchmarks.bench_dynamics import swings_by_scipy, violent
 from tools.benchmarks.bench_records import COARSE, T, by_eqsig, by_pyrotd, ours
 from tools.benchmarks.peers import engines, opensees, page
@@ -28,16 +28,11 @@ def installed(package: str, module: str | None = None) -> ModuleType:
 
 @pytest.mark.parametrize("equation", ["linearised", "exact"])
 def test_histories(equation: Equation) -> None:
-    record = strong_part()
+    record = make_record("part", violent().acceleration[650:950], 0.005)  # 1.5 s about the peak
     wanted = largest_by_scipy(equation, record, 1e-10)
     assert wanted > 0.01
     assert largest_by_us(equation, record, 1e-10) == pytest.approx(wanted, rel=1e-8)
     assert largest_in_one_go(equation, record, 1e-6, "RK45") == pytest.approx(wanted, rel=1e-4)
-
-
-def strong_part() -> Record:
-    """Return 1.5 s about the peak of the violent motion."""
-    return make_record("part", violent().acceleration[650:950], 0.005)
 
 
 def test_swings_of_the_block() -> None:

@@ -5,7 +5,6 @@ from __future__ import annotations
 import dataclasses
 import importlib
 import pkgutil
-from types import ModuleType
 
 import pytest
 
@@ -15,15 +14,12 @@ CHANGED_WHILE_MADE = {"assess.geometry.formats.threemf.PackageObject", "assess.g
 """Classes that are filled step by step by one function, and given to no other."""
 
 
-def modules(name: str) -> list[ModuleType]:
-    package = importlib.import_module(name)
-    inner = pkgutil.walk_packages(package.__path__, f"{name}.") if hasattr(package, "__path__") else []
-    return [package, *(importlib.import_module(each.name) for each in inner)]
-
-
 @pytest.mark.parametrize("package", PACKAGES)
 def test_data_are_frozen(package: str) -> None:
-    found = {each for module in modules(package) for each in vars(module).values() if isinstance(each, type)}
+    module = importlib.import_module(package)
+    names = [each.name for each in pkgutil.walk_packages(getattr(module, "__path__", []), f"{package}.")]
+    modules = [module, *map(importlib.import_module, names)]
+    found = {each for module in modules for each in vars(module).values() if isinstance(each, type)}
     own = [each for each in found if dataclasses.is_dataclass(each) and each.__module__.startswith(package)]
     open_ones = {f"{each.__module__}.{each.__name__}" for each in own if not each.__dataclass_params__.frozen}
     assert own

@@ -14,15 +14,10 @@ SKIPPED = {
 }
 
 
-def report(reason: str) -> pytest.TestReport:
-    """The report of a test that was skipped."""
-    return pytest.TestReport("test", ("test.py", 1, "test"), {}, "skipped", ("test.py", 1, reason), "setup")
-
-
 @pytest.mark.parametrize("name", SKIPPED)
 def test_what_is_required_may_not_be_skipped(name: str) -> None:
     for each, reason in SKIPPED.items():
-        found = report(reason)
+        found = pytest.TestReport("test", ("test.py", 1, "test"), {}, "skipped", ("test.py", 1, reason), "setup")
         fail_if_required(found, (name,))
         assert found.outcome == ("failed" if each == name else "skipped")
 

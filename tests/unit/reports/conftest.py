@@ -348,12 +348,11 @@ def box_view(thickness: float, height: float) -> View:
     return View(tuple(vertices), tuple(triangles), owner, axes, (section,), (1.0, 0.0, 0.0), size, 24)
 
 
-def loads() -> tuple[LoadResult, ...]:
-    found = 'share 0.5 (statics; the rest on "<b>rear & $x$"); bears on 0.8 m2'
-    return (
-        LoadResult("floor <beam>", "mass", 0, (0.2, 6.1), 1160.0, True, None, found),
-        LoadResult("=cmd()", "force", 0, (0.2, 6.4), None, None, (8250.5, -120.0), "given"),
-    )
+FOUND = 'share 0.5 (statics; the rest on "<b>rear & $x$"); bears on 0.8 m2'
+LOADS = (
+    LoadResult("floor <beam>", "mass", 0, (0.2, 6.1), 1160.0, True, None, FOUND),
+    LoadResult("=cmd()", "force", 0, (0.2, 6.4), None, None, (8250.5, -120.0), "given"),
+)
 
 
 def mechanism(
@@ -388,27 +387,24 @@ def mechanism(
         suites(history),
         None,
         "Housner 1963, thesis eq. 3.44" if two else "given",
-        () if two else loads(),
-        round_tower() if two else None,
-        hinge_forces=hinge_forces() if two else (),
+        () if two else LOADS,
+        ROUND_TOWER if two else None,
+        hinge_forces=HINGE_FORCES if two else (),
     )
 
 
-def hinge_forces() -> tuple[HingeForceResult, ...]:
-    """A hinge that slides first, one that rocks first, one that lifts, and the top of a wall."""
-    level, down = (0.0, 1.0), (0.0, -1.0)
-    return (
-        HingeForceResult("A", "positive", -4310.0, 5000.0, 0.862, 0.6, 5000.0, -4310.0, level, True, 0.4, 0.278, False),
-        HingeForceResult("B", "positive", 310.0, 2500.0, 0.124, 0.6, 2500.0, 310.0, level, False, 0.4, None, False),
-        HingeForceResult("A'", "negative", -410.0, -20.0, None, 0.6, -20.0, -410.0, level, True, 0.3, 0.0, False),
-        HingeForceResult("C", "positive", -910.0, -700.0, 1.3, None, 700.0, 910.0, down, True, 0.4, None, True),
-    )
-
-
-def round_tower() -> DirectionSweep:
-    angle = tuple(5.0 * k for k in range(72))
-    multiplier = tuple(float(0.141 * (1 + 0.004 * k % 7)) for k in range(72))
-    return DirectionSweep(angle, multiplier, (1.6,) * 72, (0.14,) * 72, 0.0, 0.027, 131.25)
+LEVEL, DOWN = (0.0, 1.0), (0.0, -1.0)
+HINGE_FORCES = (
+    HingeForceResult("A", "positive", -4310.0, 5000.0, 0.862, 0.6, 5000.0, -4310.0, LEVEL, True, 0.4, 0.278, False),
+    HingeForceResult("B", "positive", 310.0, 2500.0, 0.124, 0.6, 2500.0, 310.0, LEVEL, False, 0.4, None, False),
+    HingeForceResult("A'", "negative", -410.0, -20.0, None, 0.6, -20.0, -410.0, LEVEL, True, 0.3, 0.0, False),
+    HingeForceResult("C", "positive", -910.0, -700.0, 1.3, None, 700.0, 910.0, DOWN, True, 0.4, None, True),
+)
+"""A hinge that slides first, one that rocks first, one that lifts, and the top of a wall."""
+MULTIPLIERS = tuple(float(0.141 * (1 + 0.004 * k % 7)) for k in range(72))
+ROUND_TOWER = DirectionSweep(
+    tuple(5.0 * k for k in range(72)), MULTIPLIERS, (1.6,) * 72, (0.14,) * 72, 0.0, 0.027, 131.25
+)
 
 
 def asked(pga_g: float = LEVELS[0]) -> Question:

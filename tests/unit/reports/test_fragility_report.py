@@ -29,6 +29,7 @@ from tests.support.fragility_results import (
     fragility_results,
     without_risk,
 )
+from tests.support.letters import letters
 from tests.support.sample_document import HOSTILE
 
 LOCALES = [Locale("en", "SI"), Locale("en", "US"), Locale("it", "SI"), Locale("it", "US")]
@@ -44,17 +45,13 @@ def document(results: FragilityResults) -> Document:
     return fragility_report(results)
 
 
-def plain(text: str) -> str:
-    return text.replace("\u00a0", " ")
-
-
 def summary(mechanism: MechanismFragility, locale: Locale | None = None) -> str:
-    return plain(" ".join(map((locale or Locale()).text, fragility.mechanism_summary(mechanism))))
+    return " ".join(letters(each, locale or Locale()) for each in fragility.mechanism_summary(mechanism))
 
 
 def first_page(results: FragilityResults) -> str:
     made = fragility_report(results)
-    return plain(" ".join(made.writer.text(each) for each in texts_in(made.sections[0]) if not isinstance(each, str)))
+    return " ".join(letters(each, made.writer) for each in texts_in(made.sections[0]) if not isinstance(each, str))
 
 
 @pytest.mark.parametrize("locale", LOCALES, ids=lambda each: f"{each.language}-{each.system}")
@@ -87,9 +84,9 @@ def test_five_percent_is_a_quantile_of_the_lognormal() -> None:
 
 
 def test_measures_are_in_the_usual_notation() -> None:
-    names = [plain(Locale().text(measure_text(each))) for each in MEASURES]
+    names = [letters(measure_text(each)) for each in MEASURES]
     assert names == ["PGA", "PGV", "Sa(0.5 s) at the base", "averaged Sa", "PGA/(g tan α)", "p·PGV/(g tan α)"]
-    italian = [plain(Locale("it").text(measure_text(each))) for each in (SA, AVERAGE, SCALED_PGA, SCALED_PGV)]
+    italian = [letters(measure_text(each), Locale("it")) for each in (SA, AVERAGE, SCALED_PGA, SCALED_PGV)]
     assert italian == ["Sa(0,5 s) alla base", "Sa media", "PGA/(g tan α)", "p·PGV/(g tan α)"]
 
 
@@ -133,13 +130,13 @@ def test_a_curve_that_is_not_bounded_says_what_was_counted(results: FragilityRes
 
 
 def test_the_bound_is_called_a_bound(document: Document) -> None:
-    said = {plain(document.writer.text(text)) for text in texts_in(document.sections) if not isinstance(text, str)}
+    said = {letters(text, document.writer) for text in texts_in(document.sections) if not isinstance(text, str)}
     assert any("The dashed line is a bound and no fragility" in text for text in said)
 
 
 def test_trends_are_called_significant_in_words(results: FragilityResults) -> None:
     table = fragility_tables.measures_table(results.mechanisms[0], "measures")
-    texts = [[plain(Locale().text(cell)) for cell in row if hasattr(cell, "english")] for row in table.rows]
+    texts = [[letters(cell) for cell in row if hasattr(cell, "english")] for row in table.rows]
     for row, each in zip(texts, results.mechanisms[0].comparison, strict=True):
         for trend, said in zip(each.trends, row[-3:], strict=True):
             assert said.endswith(": significant") == (trend.p_value < 0.05)
@@ -149,7 +146,7 @@ def test_a_page_has_the_first_islands_and_the_tables_have_all(results: Fragility
     front = results.mechanisms[0]
     many = replace(front, runs=tuple(replace(run, islands=((2.0, 2.5), (3.0, 3.5))) for run in front.runs))
     printed = fragility_tables.islands_table(many, "islands", most=10)
-    assert (len(printed.rows), "the first 10 of 48" in plain(Locale().text(printed.caption))) == (10, True)
+    assert (len(printed.rows), "the first 10 of 48" in letters(printed.caption)) == (10, True)
     made = fragility_report(replace(results, mechanisms=(many,)))
     assert len(next(table for table in made.data if table.name == "fragility-islands").rows) == 48
 
@@ -221,7 +218,7 @@ def test_a_target_that_is_open_says_why(results: FragilityResults, change: dict,
         one = replace(mechanism, risks=tuple(replace(each, **changes) for each in mechanism.risks))
         assert expected in summary(one)
         (row,) = fragility_tables.overview_table(replace(results, mechanisms=(one,))).rows
-        assert shown in plain(Locale().text(row[-1].text))
+        assert shown in letters(row[-1].text)
 
 
 def test_a_median_beyond_the_runs_is_called_extrapolated(results: FragilityResults) -> None:

@@ -8,24 +8,18 @@ from assess.results import ResolvedValue, Results
 from reports.chapters import assumptions, site
 from reports.language.texts import Reference, say
 from reports.language.value_names import PARAMETER_NAMES
+from tests.support.changed_results import with_mechanisms, with_project
 from tests.support.letters import letters, lines, rows
-
-
-def with_project(results: Results, **values: ResolvedValue) -> Results:
-    return replace(results, project={key.replace("__", "."): value for key, value in values.items()})
 
 
 def given(value: object, kind: str = "") -> ResolvedValue:
     return ResolvedValue(value, True, {"": kind} if kind else {})
 
 
-def default(value: object) -> ResolvedValue:
-    return ResolvedValue(value, False)
-
-
 def test_the_longest_key_of_the_sources_counts(results: Results) -> None:
     made = with_project(
         results,
+        instead=True,
         materials__stone__density=given(2000.0, "density"),
         materials__stone__friction=given(0.6),
         report__sources__materials__stone=given("literature: handbook"),
@@ -44,6 +38,7 @@ def test_the_longest_key_of_the_sources_counts(results: Results) -> None:
 def test_a_key_does_not_cover_another_that_begins_alike(results: Results) -> None:
     made = with_project(
         results,
+        instead=True,
         materials__stone2__friction=given(0.6),
         report__sources__materials__stone=given("measured: core"),
     )
@@ -55,7 +50,8 @@ def test_a_key_does_not_cover_another_that_begins_alike(results: Results) -> Non
 def test_defaults_follow_what_the_engineer_assumed_in_grey(results: Results) -> None:
     made = with_project(
         results,
-        site__vertical_ratio=default(0.0),
+        instead=True,
+        site__vertical_ratio=ResolvedValue(0.0, False),
         building__storeys=given(4),
         report__sources__building__storeys=given("assumed: by its windows"),
     )
@@ -66,7 +62,7 @@ def test_defaults_follow_what_the_engineer_assumed_in_grey(results: Results) -> 
 
 def test_a_value_of_several_mechanisms_has_one_row(results: Results) -> None:
     keys = [f"mechanisms.{each.name}.interface.model" for each in results.mechanisms]
-    made = replace(results, project=dict.fromkeys(keys, default("rigid")))
+    made = replace(results, project=dict.fromkeys(keys, ResolvedValue("rigid", False)))
     assert rows(assumptions.assumptions_table(made)) == [
         ["Model of the joints", "rigid", "default of the program", "all mechanisms"]
     ]
@@ -74,7 +70,10 @@ def test_a_value_of_several_mechanisms_has_one_row(results: Results) -> None:
 
 def test_defaults_of_a_code_that_answered_nothing_do_not_matter(results: Results) -> None:
     made = with_project(
-        results, procedures__nzsee2017__masonry=default("rubble"), procedures__dmi2008__confidence_factor=default(1.0)
+        results,
+        instead=True,
+        procedures__nzsee2017__masonry=ResolvedValue("rubble", False),
+        procedures__dmi2008__confidence_factor=ResolvedValue(1.0, False),
     )
     assert [row[0] for row in rows(assumptions.assumptions_table(made))] == ["Confidence factor"]
 
@@ -82,9 +81,10 @@ def test_defaults_of_a_code_that_answered_nothing_do_not_matter(results: Results
 def test_materials_are_in_words_without_empty_columns(results: Results) -> None:
     made = with_project(
         results,
+        instead=True,
         materials__stone__density=given(2240.0, "density"),
         materials__stone__young_modulus=given(6.89e9, "stress"),
-        materials__stone__friction=default(None),
+        materials__stone__friction=ResolvedValue(None, False),
     )
     table = assumptions.materials_table(made)
     assert rows(table) == [["stone", "2240 kg/m³", "6.89 GPa"]]
@@ -92,12 +92,15 @@ def test_materials_are_in_words_without_empty_columns(results: Results) -> None:
 
 
 def test_the_quality_of_the_masonry_is_told(results: Results) -> None:
-    made = with_project(results, masonry_quality=given("squared stone\n"))
+    made = with_project(results, instead=True, masonry_quality=given("squared stone\n"))
     assert "Quality of the masonry: squared stone" in lines(assumptions.sections(made))
 
 
 def test_a_project_that_assumes_nothing_says_so(results: Results) -> None:
-    assert any("No value is marked as assumed" in line for line in lines(assumptions.sections(with_project(results))))
+    assert any(
+        "No value is marked as assumed" in line
+        for line in lines(assumptions.sections(with_project(results, instead=True)))
+    )
 
 
 HAZARD = [{"return_period": years, "a_g": 1.0, "f_0": 2.4, "t_c_star": 0.3} for years in (30.0, 475.0, 2475.0)]
@@ -105,7 +108,9 @@ HAZARD = [{"return_period": years, "a_g": 1.0, "f_0": 2.4, "t_c_star": 0.3} for 
 
 def test_a_list_of_tables_is_one_row(results: Results) -> None:
     source = given("assumed: like the next town")
-    made = with_project(results, site__spectrum__hazard=given(HAZARD), report__sources__site__spectrum__hazard=source)
+    made = with_project(
+        results, instead=True, site__spectrum__hazard=given(HAZARD), report__sources__site__spectrum__hazard=source
+    )
     ((name, where, stated, _),) = assumptions.assumptions_table(made).rows
     assert [name, where] == [PARAMETER_NAMES["hazard"][0], say("see {table}", table=Reference("Table", "hazard"))]
     assert letters(stated) == "assumed: like the next town"
@@ -113,7 +118,7 @@ def test_a_list_of_tables_is_one_row(results: Results) -> None:
 
 
 def test_loads_that_no_table_shows_are_counted(results: Results) -> None:
-    bare = replace(results, mechanisms=tuple(replace(each, loads=()) for each in results.mechanisms))
+    bare = with_mechanisms(results, loads=())
     key = f"mechanisms.{results.mechanisms[0].name}.loads"
     project = {key: given([{"kind": "mass"}]), f"report.sources.{key}": given("assumed: as usual")}
     assert rows(assumptions.assumptions_table(replace(bare, project=project))) == [
@@ -123,12 +128,17 @@ def test_loads_that_no_table_shows_are_counted(results: Results) -> None:
 
 def test_a_list_of_tables_that_no_table_shows_is_counted(results: Results) -> None:
     made = with_project(
-        results, site__layers=given([{"depth": 1.0}] * 2), report__sources__site=given("assumed: as there")
+        results,
+        instead=True,
+        site__layers=given([{"depth": 1.0}] * 2),
+        report__sources__site=given("assumed: as there"),
     )
     assert rows(assumptions.assumptions_table(made)) == [["site.layers", "2 sets of values", "assumed: as there", "–"]]
 
 
 def test_a_parameter_of_the_spectrum_has_its_name(results: Results) -> None:
     source = given("assumed: by the map")
-    made = with_project(results, site__spectrum__soil=given("B"), report__sources__site__spectrum__soil=source)
+    made = with_project(
+        results, instead=True, site__spectrum__soil=given("B"), report__sources__site__spectrum__soil=source
+    )
     assert rows(assumptions.assumptions_table(made)) == [["subsoil category", "B", "assumed: by the map", "–"]]

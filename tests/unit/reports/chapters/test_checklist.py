@@ -9,6 +9,7 @@ import pytest
 from assess.codes.verdict import Index
 from assess.results import ChecklistItem, ReportMatter, Results
 from reports.chapters import key_plan
+from tests.support.changed_results import with_verdict
 from tests.support.letters import letters, lines, rows
 
 GABLE = ChecklistItem("gable", None, "examined", ("parapet",))
@@ -56,14 +57,12 @@ def test_a_church_has_the_numbers_of_the_form(results: Results) -> None:
 def test_the_index_is_at_most_where_something_is_left(
     results: Results, items: tuple[ChecklistItem, ...], said: str
 ) -> None:
-    assert results.verdict is not None
-    share = replace(results, verdict=replace(results.verdict, index=Index("zeta_E", 0.4)))
+    share = with_verdict(results, index=Index("zeta_E", 0.4))
     assert said in letters(key_plan.checklist_meaning(house(share, *items)))
 
 
 def test_a_ratio_is_at_least(results: Results) -> None:
-    assert results.verdict is not None
-    ratio = replace(results, verdict=replace(results.verdict, index=Index("D/C", 0.4)))
+    ratio = with_verdict(results, index=Index("D/C", 0.4))
     assert "at least the largest" in letters(key_plan.checklist_meaning(house(ratio, LEAF)))
 
 
@@ -77,8 +76,7 @@ def test_a_ratio_is_at_least(results: Results) -> None:
 def test_what_is_left_bounds_no_index_where_there_is_none(
     results: Results, items: tuple[ChecklistItem, ...], said: str
 ) -> None:
-    assert results.verdict is not None
-    without = replace(results, verdict=replace(results.verdict, index=None))
+    without = with_verdict(results, index=None)
     for each in (without, replace(results, verdict=None)):
         words = letters(key_plan.checklist_meaning(house(each, *items)))
         assert words.startswith(said)

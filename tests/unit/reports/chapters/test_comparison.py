@@ -5,21 +5,17 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 
+import pytest
+
 from assess.codes.check import Family, Outcome, PgaCurve
 from assess.results import Results
 from reports.chapters import comparison
-from reports.document import Cell, Figure, OutcomeCell
+from reports.document import Figure, OutcomeCell
 from reports.language.locale import Locale
-from tests.support.letters import lines_of
+from tests.support.changed_results import with_verdict
+from tests.support.letters import cell_letters, lines_of
 
 EN = Locale()
-
-
-def shown(cell: Cell) -> str:
-    if isinstance(cell, OutcomeCell):
-        return f"{cell.outcome}: {EN.text(cell.text)}"
-    assert cell is not None
-    return f"{cell:g}" if isinstance(cell, float | int) else EN.text(cell)
 
 
 def test_only_the_sites_own_action_is_coloured(results: Results) -> None:
@@ -32,17 +28,17 @@ def test_only_the_sites_own_action_is_coloured(results: Results) -> None:
     for row in table.rows:
         assert isinstance(row[2], OutcomeCell)
         assert not any(isinstance(cell, OutcomeCell) for cell in row[3:])
-    assert shown(table.rows[1][0]) == "M2 parapet"
-    assert [shown(cell) for cell in table.rows[1][3:5]] == ["0.37", "overturns"]
+    assert cell_letters(table.rows[1][0]) == "M2 parapet"
+    assert [cell_letters(cell) for cell in table.rows[1][3:5]] == ["0.37", "overturns"]
 
 
 def test_the_methods_that_may_decide_stand_in_the_table(
     results: Results, judged_at: Callable[[Results, float], Results]
 ) -> None:
     row = comparison.ratios_table(judged_at(results, 0.45)).rows[1]
-    assert shown(row[2]) == "fail: overturns"
-    assert results.verdict is not None
-    nameless = comparison.ratios_table(replace(results, verdict=replace(results.verdict, basis="", methods=())))
+    assert isinstance(row[2], OutcomeCell)
+    assert (row[2].outcome, cell_letters(row[2])) == ("fail", "overturns")
+    nameless = comparison.ratios_table(with_verdict(results, basis="", methods=()))
     assert not any(isinstance(cell, OutcomeCell) for row in nameless.rows for cell in row)
     without = comparison.ratios_table(replace(results, verdict=None))
     assert not any(isinstance(cell, OutcomeCell) for row in without.rows for cell in row)
@@ -70,15 +66,12 @@ def test_disagreement_names_who_fails_by_which_method(
     assert "disagree" not in lines_of(comparison.findings(replace(judged, mechanisms=agreed)))
 
 
-def test_a_pass_above_the_pga_at_capacity_is_explained(results: Results) -> None:
+@pytest.mark.parametrize(("capacity", "explained"), [(0.28, True), (0.31, False)])
+def test_a_pass_above_the_pga_at_capacity_is_explained(results: Results, capacity: float, explained: bool) -> None:
     first = results.mechanisms[0]
-
-    def said(capacity: float) -> str:
-        passing = replace(first.checks[4], verdict=Outcome.PASS, level_pga_g=0.3, capacity_pga_g=capacity)
-        return lines_of(comparison.findings(replace(results, mechanisms=(replace(first, checks=(passing,)),))))
-
-    assert "For M1 a record that overturns" in said(0.28)
-    assert "For M1 a record that overturns" not in said(0.31)
+    passing = replace(first.checks[4], verdict=Outcome.PASS, level_pga_g=0.3, capacity_pga_g=capacity)
+    made = replace(results, mechanisms=(replace(first, checks=(passing,)),))
+    assert ("For M1 a record that overturns" in lines_of(comparison.findings(made))) == explained
 
 
 def test_overturning_records_are_counted(results: Results) -> None:

@@ -10,16 +10,13 @@ from assess.messages.message import Message, Severity
 from assess.results import Control, Input, Program, ReportMatter, Results
 from reports.chapters import declaration
 from reports.document import OutcomeCell, Signatures, WritingBox
-from tests.support.letters import letters, lines, rows
+from tests.support.changed_results import with_verdict
+from tests.support.letters import letters, lines, rows, text_of
 
 NOTE = Message("n", Severity.NOTE, "", "by moments about the hinges")
 MULTIPLIER = Control("hand-multiplier", "wall-6", "uplift multiplier", 0.14, 0.14, "ratio", 0.0, 1e-6, True, NOTE)
 ENERGY = Control("energy", "wall-6", "energy balance", 10.0, 10.5, "energy", 0.05, 1e-3, False, NOTE)
 NOT_MADE = Control("convergence", "parapet", "rotation", None, None, "rotation", None, 0.01, None, NOTE)
-
-
-def controlled(results: Results, *made: Control) -> Results:
-    return replace(results, controls=made)
 
 
 @pytest.mark.parametrize(
@@ -37,7 +34,7 @@ def test_controls_are_counted(made: tuple[Control, ...], said: str) -> None:
 
 
 def test_a_control_shows_both_numbers_and_its_outcome(results: Results) -> None:
-    table = declaration.controls_table(controlled(results, MULTIPLIER, ENERGY, NOT_MADE))
+    table = declaration.controls_table(replace(results, controls=(MULTIPLIER, ENERGY, NOT_MADE)))
     wall = table.rows[0]
     assert [cell.outcome for cell in wall if isinstance(cell, OutcomeCell)] == ["fail", "pass"]
     assert (wall[3], wall[4]) == (0.14, 0.14)
@@ -48,22 +45,22 @@ def test_a_control_shows_both_numbers_and_its_outcome(results: Results) -> None:
 def test_the_worst_of_several_controls_is_shown(results: Results) -> None:
     small = replace(ENERGY, kind="equilibrium", difference=1e-9, met=True, tolerance=1e-6)
     large = replace(small, difference=1e-3, met=False)
-    assert rows(declaration.controls_table(controlled(results, large, small)))[0][1] == "0.001"
+    assert rows(declaration.controls_table(replace(results, controls=(large, small))))[0][1] == "0.001"
 
 
 def test_what_is_not_met_or_not_made_has_its_note(results: Results) -> None:
-    said = lines(declaration.sections(controlled(results, MULTIPLIER, ENERGY, NOT_MADE)))
+    said = lines(declaration.sections(replace(results, controls=(MULTIPLIER, ENERGY, NOT_MADE))))
     assert "Energy balance, M1: by moments about the hinges" in said
     assert "Convergence, M2: by moments about the hinges" in said
     assert not any(line.startswith("Multiplier by hand, M1") for line in said)
 
 
 def test_results_without_controls_say_so(results: Results) -> None:
-    assert "These results hold no automatic controls." in lines(declaration.sections(controlled(results)))
+    assert "These results hold no automatic controls." in lines(declaration.sections(replace(results, controls=())))
 
 
 def test_every_control_is_in_the_data(results: Results) -> None:
-    assert len(declaration.controls_in_full(controlled(results, MULTIPLIER, ENERGY, NOT_MADE)).rows) == 3
+    assert len(declaration.controls_in_full(replace(results, controls=(MULTIPLIER, ENERGY, NOT_MADE))).rows) == 3
 
 
 def test_the_program_and_the_inputs_can_be_identified(results: Results) -> None:
@@ -80,24 +77,23 @@ def test_the_program_and_the_inputs_can_be_identified(results: Results) -> None:
 
 
 def test_the_kind_of_analysis_is_that_of_the_methods_that_decide(results: Results) -> None:
-    said = "\n".join(lines(declaration.sections(results)[:1]))
+    said = text_of(declaration.sections(results)[:1])
     assert "ASCE 43-05, approximate method: static and non-linear, by an equivalent oscillator" in said
     assert "DMI 2008" not in said
 
 
 def test_large_rotations_are_claimed_only_of_methods_that_follow_them(results: Results) -> None:
-    assert "with large rotations" in "\n".join(lines(declaration.sections(results)[:1]))
+    assert "with large rotations" in text_of(declaration.sections(results)[:1])
     linear = tuple(
         replace(each, checks=tuple(replace(check, procedure="ec8-element") for check in each.checks))
         for each in results.mechanisms
     )
-    said = "\n".join(lines(declaration.sections(replace(results, mechanisms=linear))[:1]))
+    said = text_of(declaration.sections(replace(results, mechanisms=linear))[:1])
     assert "do not follow them through large rotations" in said
 
 
 def test_the_clause_is_named_where_an_italian_code_decides(results: Results) -> None:
-    assert results.verdict is not None
-    italian = replace(results, verdict=replace(results.verdict, basis="ntc2018"))
+    italian = with_verdict(results, basis="ntc2018")
     assert letters(declaration.chapter_title(italian)) == "Calculation by computer (NTC 2018, 10.2)"
     assert "NTC" not in letters(declaration.chapter_title(results))
 

@@ -18,7 +18,8 @@ from reports.chapters.annex_sheets import parameters_table as table_of_parameter
 from reports.document import Figure, Prose, Sheet, Table
 from reports.figures import capacity
 from reports.language.locale import Locale
-from reports.language.texts import Text, Verbatim, quantity
+from reports.language.texts import Verbatim, quantity
+from tests.support.letters import letters
 from tests.support.projects import block, project_toml, wall
 
 SOFT = {"interface": {"model": "flexible", "stiffness": "0.2 GPa/m"}}
@@ -65,21 +66,17 @@ def test_the_contact_at_the_peak_is_that_of_the_closed_form(mechanisms, rotation
     assert resultant == pytest.approx(a / 3, rel=1e-3)
     assert opened == pytest.approx(1 - a / B, rel=1e-3)
     assert crushed == 0.0
-    told = read(annex_sheets.joints_at_peak(mechanism))
+    told = letters(annex_sheets.joints_at_peak(mechanism))
     hinge = "A" if rotation > 0 else "A'"
-    assert f"joint {hinge} presses with up to {read(quantity(stress, 'stress', 3))} (strength 1.5 MPa)" in told
-    assert f"{read(quantity(100 * opened, 'percent', 2))} of it open and none crushed" in told
-
-
-def read(text: Text) -> str:
-    return Locale().text(text).replace("\u00a0", " ")
+    assert f"joint {hinge} presses with up to {letters(quantity(stress, 'stress', 3))} (strength 1.5 MPa)" in told
+    assert f"{letters(quantity(100 * opened, 'percent', 2))} of it open and none crushed" in told
 
 
 def test_what_has_no_peak_says_so(mechanisms):
     flexible = mechanisms["flexible"]
-    assert "No time history" in read(annex_sheets.joints_at_peak(flexible))
-    assert "overturns the mechanism" in read(annex_sheets.joints_at_peak(shaken(flexible, None)))
-    assert "does not move" in read(annex_sheets.joints_at_peak(shaken(flexible, 0.0)))
+    assert "No time history" in letters(annex_sheets.joints_at_peak(flexible))
+    assert "overturns the mechanism" in letters(annex_sheets.joints_at_peak(shaken(flexible, None)))
+    assert "does not move" in letters(annex_sheets.joints_at_peak(shaken(flexible, 0.0)))
 
 
 def test_a_history_counts_from_rest_and_a_joint_from_upright(mechanisms):
@@ -95,7 +92,7 @@ def test_a_history_counts_from_rest_and_a_joint_from_upright(mechanisms):
 def test_the_table_has_every_hinge_and_its_thresholds(mechanisms):
     """Thesis 6.2 and 6.4 with W < f A / 2: the joint opens at 2 W / (k l b^2), crushes at f^2 l / (2 k W)."""
     table = annex_sheets.joints_table(mechanisms["flexible"], name="t")
-    headings = [read(column.label) for column in table.columns]
+    headings = [letters(column.label) for column in table.columns]
     for row in table.rows:
         found = dict(zip(headings, row, strict=True))
         assert found["Stiffness"] == K
@@ -104,7 +101,7 @@ def test_the_table_has_every_hinge_and_its_thresholds(mechanisms):
         assert found["Crushes at"] == pytest.approx(F**2 * L / (2 * K * W), rel=1e-9)
     assert [row[0] for row in table.rows] == [Verbatim("A"), Verbatim("A'")]
     rigid = annex_sheets.joints_table(mechanisms["rigid"], name="t").rows[0]
-    assert [read(rigid[place]) for place in (2, 3, 8)] == ["rigid", "unlimited", "never"]
+    assert [letters(rigid[place]) for place in (2, 3, 8)] == ["rigid", "unlimited", "never"]
 
 
 def test_only_mechanisms_with_joints_have_the_pages(mechanisms):
@@ -116,9 +113,9 @@ def test_only_mechanisms_with_joints_have_the_pages(mechanisms):
 def test_joints_that_are_alike_share_a_sheet(mechanisms):
     (both,) = annex_sheets.contact_sheets(mechanisms["flexible"], "x")
     assert both.name == "x-contact-A"
-    assert read(both.caption).startswith("Contact of joints A and A': force at rest")
+    assert letters(both.caption).startswith("Contact of joints A and A': force at rest")
     (one,) = annex_sheets.contact_sheets(mechanisms["other"], "x")
-    assert read(one.caption).startswith("Contact of joint A: force at rest")
+    assert letters(one.caption).startswith("Contact of joint A: force at rest")
     assert one.steps == mechanisms["other"].contact_sheets[0].steps
     apart = [sheet.name for sheet in annex_sheets.contact_sheets(mechanisms["two"], "x")]
     assert apart[:4] == ["x-contact-A", "x-contact-B", "x-contact-C", "x-contact-A-negative"]
@@ -126,8 +123,8 @@ def test_joints_that_are_alike_share_a_sheet(mechanisms):
 
 
 def test_parameters_show_rest_frequency_and_no_threshold(mechanisms):
-    rows = {read(row[0]): row[2:] for row in table_of_parameters(mechanisms["flexible"], name="p").rows}
-    assert [*map(read, rows["Load multiplier at uplift"])] == ["none", "none"]
+    rows = {letters(row[0]): row[2:] for row in table_of_parameters(mechanisms["flexible"], name="p").rows}
+    assert [*map(letters, rows["Load multiplier at uplift"])] == ["none", "none"]
     assert rows["Rotation at rest"] == (quantity(0.0, "rotation"),) * 2
     frequency = mechanisms["flexible"].oscillator.elastic_frequency_hz
     assert rows["Frequency of small motions about rest"] == (quantity(frequency, "frequency"),) * 2

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from dataclasses import replace
 
 import pytest
@@ -16,17 +15,14 @@ from reports.chapters import mechanism_page, mechanism_verdict, verdict_texts
 from reports.document import Figure, FigureRow, OutcomeCell
 from reports.figures.key_plan import building_of
 from reports.language.locale import Locale
-from reports.language.texts import Text
+from tests.support.changed_results import with_verdict
+from tests.support.letters import lines_of
 
 US = Locale(system="US")
 
 
-def told(texts: Iterable[Text], locale: Locale = Locale()) -> str:  # noqa: B008  a frozen value
-    return "\n".join(map(locale.text, texts)).replace("\u00a0", " ")
-
-
 def described(mechanism: MechanismResult) -> str:
-    return told([mechanism_page.description(mechanism)])
+    return lines_of([mechanism_page.description(mechanism)])
 
 
 def test_the_description_names_kind_sides_direction_and_loads(results: Results) -> None:
@@ -45,20 +41,20 @@ def test_the_x_of_a_sketch_is_told_from_that_of_the_model(results: Results) -> N
     other = "This x is not the axis of the model."
     wall = results.mechanisms[0]
     along, back = (replace(wall, direction=way) for way in ((1.0, 0.0, 0.0), (-1.0, 0.0, 0.0)))
-    assert other not in told([mechanism_page.sketch_caption(along)])
-    assert told([mechanism_page.sketch_caption(back)]).endswith(f"crosses: centroids. {other}")
+    assert other not in lines_of([mechanism_page.sketch_caption(along)])
+    assert lines_of([mechanism_page.sketch_caption(back)]).endswith(f"crosses: centroids. {other}")
 
 
 def test_heights_follow_the_units(results: Results) -> None:
     above = replace(results.mechanisms[0], base_elevation_m=3.048, above_ground=True)
-    assert "Its base is 10 ft above the ground." in told([mechanism_page.description(above)], US)
+    assert "Its base is 10 ft above the ground." in lines_of([mechanism_page.description(above)], US)
     ground = replace(above, base_elevation_m=0.0, above_ground=False)
     assert "Its base is on the ground." in described(ground)
 
 
 def test_the_case_that_stands_for_a_sweep_is_named(results: Results) -> None:
     wall, parapet = results.mechanisms
-    assert told(mechanism_page.represented_case(results, parapet)) == (
+    assert lines_of(mechanism_page.represented_case(results, parapet)) == (
         "3 values of mechanisms.parapet.uplift were studied; this page shows the most critical one: 0.09."
     )
     assert not tuple(mechanism_page.represented_case(results, wall))
@@ -118,20 +114,20 @@ def test_methods_that_do_not_apply_are_named_and_have_no_row(results: Results) -
     changed = replace(wall, checks=checks)
     assert len(mechanism_page.shown_checks(results, changed)) == 4
     (section,) = mechanism_page.sections(results, changed, "01-wall")
-    prose = [told(block.paragraphs) for block in section.blocks if hasattr(block, "paragraphs")]
+    prose = [lines_of(block.paragraphs) for block in section.blocks if hasattr(block, "paragraphs")]
     assert any("Methods that do not apply to this mechanism: DMI 2008, linear." in each for each in prose)
 
 
 def test_what_governs_is_told_with_its_numbers_and_clause(results: Results, judged_at: object) -> None:
     assert callable(judged_at)
     judged = judged_at(results, 0.45)
-    said = told(mechanism_verdict.verdict_sentences(judged, judged.mechanisms[1]))
+    said = lines_of(mechanism_verdict.verdict_sentences(judged, judged.mechanisms[1]))
     assert (
         "ASCE 43-05, response history governs at DBE: overturns: no rotation balances this demand (ASCE/SEI 43-05"
         in said
     )
     judged = judged_at(results, 0.2)
-    said = told(mechanism_verdict.verdict_sentences(judged, judged.mechanisms[0]))
+    said = lines_of(mechanism_verdict.verdict_sentences(judged, judged.mechanisms[0]))
     assert "governs at DBE: rotation 0.0259 rad against an allowable 0.07 rad, a ratio of 0.37" in said
 
 
@@ -149,8 +145,8 @@ def test_a_target_below_full_safety_passes_a_ratio_above_one(results: Results, j
         [cell for cell in row if isinstance(cell, OutcomeCell)]
         for row in mechanism_page.answers_table(lowered, wall, name="a").rows
     ]
-    assert (deciding.outcome, told([deciding.text])) == ("pass", "pass")
-    assert "It passes, as the target is less than full safety: at least 34 %NBS." in told(
+    assert (deciding.outcome, lines_of([deciding.text])) == ("pass", "pass")
+    assert "It passes, as the target is less than full safety: at least 34 %NBS." in lines_of(
         mechanism_verdict.verdict_sentences(lowered, wall)
     )
 
@@ -163,7 +159,7 @@ def test_a_failure_with_a_ratio_within_one_says_why(results: Results) -> None:
     for ratio, outcome in ((0.4, Decision.FAIL), (1.4, Decision.FAIL), (0.4, Decision.PASS)):
         answers = (replace(one.answers[0], ratio=ratio, outcome=outcome, reason=reason),)
         judged = replace(verdict, mechanisms=(replace(one, answers=answers, outcome=outcome), *verdict.mechanisms[1:]))
-        said = told(mechanism_verdict.verdict_sentences(replace(results, verdict=judged), results.mechanisms[0]))
+        said = lines_of(mechanism_verdict.verdict_sentences(replace(results, verdict=judged), results.mechanisms[0]))
         why = "It fails although this ratio is not above 1: the PGA scan already fails just above 0.1 g."
         assert (why in said) == (ratio < 1.0 and outcome == Decision.FAIL)
 
@@ -173,15 +169,14 @@ def test_joints_of_several_models_are_words_of_the_language(results: Results) ->
     kinds = ("rigid", "flexible")
     both = replace(wall, interfaces=tuple({"model": kind, "curve": {}, "hinge": "A"} for kind in kinds))
     assert "Joints: rigid, with crushing and flexible;" in described(both)
-    italian = told([mechanism_page.description(both)], Locale("it"))
+    italian = lines_of([mechanism_page.description(both)], Locale("it"))
     assert "crushing" not in italian
     assert "flexible" not in italian
 
 
 def test_where_no_code_decides_nothing_governs(results: Results) -> None:
-    assert results.verdict is not None
-    nameless = replace(results, verdict=replace(results.verdict, basis=""))
-    assert told(mechanism_verdict.verdict_sentences(nameless, results.mechanisms[0])) == (
+    nameless = with_verdict(results, basis="")
+    assert lines_of(mechanism_verdict.verdict_sentences(nameless, results.mechanisms[0])) == (
         "No code is named that decides: the results of all methods are for comparison only."
     )
     assert not tuple(mechanism_verdict.verdict_sentences(replace(results, verdict=None), results.mechanisms[0]))

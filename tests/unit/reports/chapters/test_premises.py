@@ -5,26 +5,25 @@ from __future__ import annotations
 from dataclasses import replace
 
 from assess.codes.calculation_sheet import step
-from assess.results import LoadResult, MechanismResult, ResolvedValue, Results
+from assess.results import LoadResult, ResolvedValue, Results
 from reports.chapters import verdict, verdict_texts
+from tests.support.changed_results import with_project
 from tests.support.letters import letters, lines
 
 TIE = LoadResult("tie 1", "tie", 0, (0.0, 6.0), None, None, (-20e3, 0.0), "given", lasting="to collapse")
+EXCLUDED = {"materials__stone__disintegration": ResolvedValue("excluded", True)}
 BEAM = LoadResult("floor", "mass", 0, (0.0, 6.0), 800.0, True, None, "given", seat_m=0.2)
 
 
-def with_factor(mechanism: MechanismResult, factor: float | None) -> MechanismResult:
-    """Return the mechanism with deciding checks that state a confidence factor."""
-    steps = (
-        () if factor is None else (step("FC", "confidence factor", "C8.5.4", "of the level of knowledge", factor, "-"),)
-    )
-    return replace(mechanism, checks=tuple(replace(check, role="deciding", steps=steps) for check in mechanism.checks))
-
-
-def with_factors(results: Results, *factors: float | None, **project: ResolvedValue) -> Results:
-    made = tuple(map(with_factor, results.mechanisms, factors))
-    levels = {key.replace("__", "."): value for key, value in project.items()}
-    return replace(results, mechanisms=made, project={**results.project, **levels})
+def with_factors(results: Results, *factors: float | None) -> Results:
+    """Return results whose deciding checks state a confidence factor, one for each mechanism."""
+    made = []
+    for mechanism, factor in zip(results.mechanisms, factors, strict=True):
+        line = ("FC", "confidence factor", "C8.5.4", "of the level of knowledge", factor, "-")
+        steps = () if factor is None else (step(*line),)
+        checks = tuple(replace(check, role="deciding", steps=steps) for check in mechanism.checks)
+        made.append(replace(mechanism, checks=checks))
+    return replace(results, mechanisms=tuple(made))
 
 
 def test_confidence_factors_are_told_by_mechanism(results: Results) -> None:
@@ -41,15 +40,16 @@ def test_confidence_factors_are_told_by_mechanism(results: Results) -> None:
 
 def test_the_knowledge_level_stands_before_its_factor(results: Results) -> None:
     code = next(check.procedure.partition("-")[0] for check in results.mechanisms[0].checks)
-    made = with_factors(results, 1.35, 1.35, **{f"procedures__{code}__knowledge_level": ResolvedValue("LC1", True)})
+    lowest = {f"procedures__{code}__knowledge_level": ResolvedValue("LC1", True)}
+    made = with_project(with_factors(results, 1.35, 1.35), **lowest)
     level, factor = verdict_texts.mechanism_knowledge(made, made.mechanisms[0]) or ("", 0.0)
     assert letters(verdict_texts.factor_text(level, factor)) == "LC1, confidence factor FC = 1.35"
 
 
 def test_what_the_user_vouches_for_is_on_page_1(results: Results) -> None:
-    first, *others = with_factors(results, 1.35, 1.35).mechanisms
-    project = {**results.project, "materials.stone.disintegration": ResolvedValue("excluded", True)}
-    made = replace(results, mechanisms=(replace(first, loads=(TIE, BEAM)), *others), project=project)
+    sound = with_project(with_factors(results, 1.35, 1.35), **EXCLUDED)
+    first, *others = sound.mechanisms
+    made = replace(sound, mechanisms=(replace(first, loads=(TIE, BEAM)), *others))
     told = lines(verdict.sections(made))
     assert "the masonry does not disintegrate, as the project states for stone" in told
     assert "ties and forces of M1 last up to collapse, as the project states" in told
@@ -57,5 +57,5 @@ def test_what_the_user_vouches_for_is_on_page_1(results: Results) -> None:
 
 
 def test_sound_masonry_is_no_condition_where_no_code_asks_for_it(results: Results) -> None:
-    project = {**results.project, "materials.stone.disintegration": ResolvedValue("excluded", True)}
-    assert not list(verdict_texts.stated_premises(replace(with_factors(results, None, None), project=project)))
+    sound = with_project(with_factors(results, None, None), **EXCLUDED)
+    assert not list(verdict_texts.stated_premises(sound))

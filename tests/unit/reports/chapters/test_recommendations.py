@@ -12,7 +12,8 @@ from assess.codes.verdict import Decision
 from assess.messages.message import Quantity
 from assess.results import ChecklistItem, ReportMatter, Results, SensitivityResult
 from reports.chapters import recommendations
-from tests.support.letters import letters, lines, table_of
+from tests.support.changed_results import with_verdict
+from tests.support.letters import letters, table_of, text_of
 
 JudgedAt = Callable[[Results, float], Results]
 THICKNESS = SensitivityResult(
@@ -35,10 +36,6 @@ THICKNESS = SensitivityResult(
 )
 
 
-def said(results: Results) -> str:
-    return "\n".join(lines(recommendations.sections(results)))
-
-
 def values(cells: tuple[object, ...]) -> tuple[object, ...]:
     """The numbers of cells."""
     return tuple(cell.value if isinstance(cell, Quantity) else cell for cell in cells)
@@ -56,12 +53,12 @@ def test_mechanisms_that_fail_have_the_factor_they_lack_the_worst_first(results:
         )
         for one in results.verdict.mechanisms
     )
-    made = replace(results, verdict=replace(results.verdict, mechanisms=failing, outcome=Decision.FAIL))
+    made = with_verdict(results, mechanisms=failing, outcome=Decision.FAIL)
     worst, other = table_of(recommendations.sections(made), "lacking").rows
     assert [letters(row[0]) for row in (worst, other)] == ["M2 parapet", "M1 Wall 6, eroded base"]  # type: ignore[arg-type]
     assert values(worst[1:]) == pytest.approx((0.5 * 0.067, 0.067, 2.0))
     assert values(other[1:]) == pytest.approx((0.8 * 0.067, 0.067, 1.25))
-    assert "requires strengthening" not in said(made)
+    assert "requires strengthening" not in text_of(recommendations.sections(made))
 
 
 def test_a_factor_that_is_not_known_is_left_out(results: Results, judged_at: JudgedAt) -> None:
@@ -72,11 +69,11 @@ def test_a_factor_that_is_not_known_is_left_out(results: Results, judged_at: Jud
 
 
 def test_a_pass_requires_no_strengthening(results: Results) -> None:
-    assert "no mechanism examined requires strengthening" in said(results)
+    assert "no mechanism examined requires strengthening" in text_of(recommendations.sections(results))
 
 
 def test_a_value_that_changes_the_answer_is_surveyed_first(results: Results) -> None:
-    told = said(replace(results, sensitivity=(THICKNESS,)))
+    told = text_of(recommendations.sections(replace(results, sensitivity=(THICKNESS,))))
     assert "thickness of M2 parapet, which changes the answer: ζ_E is 0.7 at 0.55 m and 1.05 at 0.65 m" in told
     assert "sensitivity = true" not in told
 
@@ -84,18 +81,18 @@ def test_a_value_that_changes_the_answer_is_surveyed_first(results: Results) -> 
 def test_a_value_that_changes_nothing_is_named_as_the_strongest(results: Results) -> None:
     stays = replace(THICKNESS, verdict_high=Outcome.FAIL, at_high=0.95)
     weaker = replace(stays, parameter="density", at_low=0.88, at_high=0.92)
-    told = said(replace(results, sensitivity=(weaker, stays)))
+    told = text_of(recommendations.sections(replace(results, sensitivity=(weaker, stays))))
     assert "thickness of M2, which moves the deciding answer most" in told
     assert "density" not in told
 
 
 def test_scatter_is_no_reason_to_survey(results: Results) -> None:
     flat = replace(THICKNESS, at_low=0.9001, at_high=0.8999, verdict_high=Outcome.FAIL)
-    assert "thickness" not in said(replace(results, sensitivity=(flat,)))
+    assert "thickness" not in text_of(recommendations.sections(replace(results, sensitivity=(flat,))))
 
 
 def test_without_a_study_what_to_survey_is_not_known(results: Results) -> None:
-    told = said(results)
+    told = text_of(recommendations.sections(results))
     assert "which a sensitivity study would show: none was made" in told
     assert "[analysis]" not in told
 
@@ -103,7 +100,7 @@ def test_without_a_study_what_to_survey_is_not_known(results: Results) -> None:
 def test_what_lies_at_the_limit_is_surveyed(results: Results) -> None:
     assert results.verdict is not None
     near = tuple(replace(one, at_the_limit=one.mechanism == "parapet") for one in results.verdict.mechanisms)
-    told = said(replace(results, verdict=replace(results.verdict, mechanisms=near)))
+    told = text_of(recommendations.sections(with_verdict(results, mechanisms=near)))
     assert "thickness and position of the hinges of M2: the answer is at the limit" in told
 
 
@@ -113,7 +110,9 @@ def test_what_was_not_examined_comes_next(results: Results) -> None:
         ChecklistItem("in-plane", None, "not-examined", spoken_for=False),
         ChecklistItem("corner", None, "absent"),
     )
-    told = said(replace(results, report=ReportMatter(building_type="house", checklist=items)))
+    told = text_of(
+        recommendations.sections(replace(results, report=ReportMatter(building_type="house", checklist=items)))
+    )
     assert "with this program, or to be ruled out with a reason: overturning of gables" in told
     assert "walls in their plane: damage of walls in their plane" in told
     assert "corner" not in told

@@ -4,23 +4,12 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from assess.codes.check import Check, Outcome
+from assess.codes.check import Outcome
 from assess.messages.message import note
-from assess.results import MechanismResult, ResolvedValue, Results
+from assess.results import ResolvedValue, Results
 from reports.chapters import scope
-from tests.support.letters import letters, lines, rows
-
-
-def limits(results: Results) -> str:
-    return "\n".join(letters(text) for text in scope.applicable_limits(results))
-
-
-def with_checks(mechanism: MechanismResult, *more: Check) -> MechanismResult:
-    return replace(mechanism, checks=(*mechanism.checks, *more))
-
-
-def without_histories(results: Results) -> Results:
-    return replace(results, mechanisms=tuple(replace(each, histories=()) for each in results.mechanisms))
+from tests.support.changed_results import with_mechanisms
+from tests.support.letters import letters, lines, lines_of, rows
 
 
 def test_notes_of_the_engineer_are_signed(results: Results) -> None:
@@ -29,22 +18,22 @@ def test_notes_of_the_engineer_are_signed(results: Results) -> None:
 
 
 def test_limits_of_histories_need_histories(results: Results) -> None:
-    assert "One rocking history cannot be predicted" in limits(results)
-    assert "history" not in limits(without_histories(results))
+    assert "One rocking history cannot be predicted" in lines_of(scope.applicable_limits(results))
+    assert "history" not in lines_of(scope.applicable_limits(with_mechanisms(results, histories=())))
 
 
 def test_the_linearised_equation_is_told_of_those_that_use_it(results: Results) -> None:
-    assert "The histories of M2 solve the linearised equation" in limits(results)
+    assert "The histories of M2 solve the linearised equation" in lines_of(scope.applicable_limits(results))
 
 
 def test_sliding_is_assumed_where_it_was_not_checked(results: Results) -> None:
     wall, parapet = results.mechanisms
     assert "Friction is assumed to be sufficient for all mechanisms" in letters(scope.sliding(results))
     slid = replace(wall.checks[0], procedure="sliding", verdict=Outcome.PASS)
-    some = replace(results, mechanisms=(with_checks(wall, slid), parapet))
+    some = replace(results, mechanisms=(replace(wall, checks=(*wall.checks, slid)), parapet))
     assert "sufficient for M2; it was not checked" in letters(scope.sliding(some))
     unanswered = replace(slid, verdict=Outcome.NOT_ANSWERED)
-    none = replace(results, mechanisms=(with_checks(wall, unanswered), parapet))
+    none = replace(results, mechanisms=(replace(wall, checks=(*wall.checks, unanswered)), parapet))
     assert "sufficient for all mechanisms" in letters(scope.sliding(none))
 
 
@@ -52,9 +41,11 @@ def test_ground_motion_above_the_ground_names_mechanism_and_method(results: Resu
     wall, parapet = results.mechanisms
     remark = note("ground-motion", "")
     low = replace(wall.checks[0], procedure="dmi2008-linear", remarks=(remark,))
-    said = limits(replace(results, mechanisms=(with_checks(wall, low), parapet)))
+    said = lines_of(
+        scope.applicable_limits(replace(results, mechanisms=(replace(wall, checks=(*wall.checks, low)), parapet)))
+    )
     assert "acts unamplified on M1, which are above the ground, in these methods: DMI 2008, linear." in said
-    assert "unamplified" not in limits(results)
+    assert "unamplified" not in lines_of(scope.applicable_limits(results))
 
 
 def test_each_caveat_is_told_once_with_its_methods(results: Results) -> None:

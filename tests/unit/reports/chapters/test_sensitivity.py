@@ -12,9 +12,9 @@ from assess.codes.check import Outcome
 from assess.results import Results, SensitivityResult
 from reports.chapters import sensitivity
 from reports.chapters.sensitivity import rank_inputs
-from reports.document import Figure, Prose, Section, Table
+from reports.document import Figure, Section
 from reports.language.locale import Locale
-from tests.support.letters import lines_of
+from tests.support.letters import lines_of, prose, table_of
 
 EN = Locale()
 
@@ -63,10 +63,6 @@ def chapter(results: Results, found: tuple[SensitivityResult, ...]) -> Section:
     return section
 
 
-def prose(section: Section) -> str:
-    return "\n".join(lines_of(block.paragraphs) for block in section.blocks if isinstance(block, Prose))
-
-
 def test_what_moves_the_answer_most_stands_first(found: tuple[SensitivityResult, ...]) -> None:
     ordered = rank_inputs(found)
     assert [each.number.parameter for each in ordered] == ["thickness", "restitution", "density"]
@@ -91,7 +87,7 @@ def test_an_input_has_one_row_in_the_mechanism_that_it_moves_most(
     results: Results, found: tuple[SensitivityResult, ...]
 ) -> None:
     other = tuple(rows("thickness", 0.10, 0.35, mechanism="parapet"))
-    table = next(block for block in chapter(results, (*found, *other)).blocks if isinstance(block, Table))
+    table = table_of([chapter(results, (*found, *other))], "influences")
     cells = [lines_of(row).split("\n") for row in table.rows]  # type: ignore[arg-type]  all are texts
     assert [row[0] for row in cells].count("thickness") == 1
     first = cells[0]
@@ -149,11 +145,9 @@ def test_where_no_answer_is_known_the_chapter_is_still_made(
 ) -> None:
     silent: dict[str, Any] = {"verdict_base": Outcome.NOT_ANSWERED, "verdict_low": None, "verdict_high": None}
     unknown = tuple(replace(row, at_base=None, at_low=None, at_high=None, **silent) for row in found)
-    assert "not known" in [lines_of([cell]) for cell in table_of(results, unknown).rows[0][4:7]]  # type: ignore[list-item]
-
-
-def table_of(results: Results, found: tuple[SensitivityResult, ...]) -> Table:
-    return next(block for block in chapter(results, found).blocks if isinstance(block, Table))
+    assert "not known" in [
+        lines_of([cell]) for cell in table_of([chapter(results, unknown)], "influences").rows[0][4:7]
+    ]  # type: ignore[list-item]
 
 
 def test_what_decides_stands_before_what_is_for_comparison() -> None:

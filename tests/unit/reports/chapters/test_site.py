@@ -9,16 +9,12 @@ import pytest
 
 from assess.results import GroundMotionResult, RequirementResult, ResolvedValue, Results
 from reports.chapters import site, suite
-from reports.document import OutcomeCell, Prose, Table
+from reports.document import OutcomeCell, Table
 from reports.language.locale import Locale
-from tests.support.letters import lines_of
+from tests.support.changed_results import with_project, with_verdict
+from tests.support.letters import lines_of, prose
 
 EN = Locale()
-
-
-def prose(results: Results) -> str:
-    blocks = (block for section in site.sections(results) for block in section.blocks)
-    return "\n".join(lines_of(block.paragraphs) for block in blocks if isinstance(block, Prose))
 
 
 def rule(verdict: Literal["met", "not met", "not answered"], *, code: str = "ASCE 43-05") -> RequirementResult:
@@ -64,21 +60,20 @@ def test_a_hazard_over_return_periods_is_tabulated_in_g(results: Results) -> Non
 def test_no_spectrum_and_no_records_are_told(results: Results) -> None:
     bare = replace(results, spectrum=None, records=())
     assert [EN.text(section.title) for section in site.sections(bare)] == ["Site and action", "Combination of actions"]
-    assert "The project gives no spectrum of the site." in prose(bare)
+    assert "The project gives no spectrum of the site." in prose(*site.sections(bare))
 
 
 def test_the_combination_is_that_of_the_basis(results: Results) -> None:
-    assert results.verdict is not None
-    assert "ψ₂" not in prose(results)
-    italian = replace(results, verdict=replace(results.verdict, basis="ntc2018"))
-    assert "Combination: E + G₁ + G₂ + P + Σ ψ₂ Q" in prose(italian)
-    assert "NTC 2018, eq. 2.5.5" in prose(italian)
+    assert "ψ₂" not in prose(*site.sections(results))
+    italian = with_verdict(results, basis="ntc2018")
+    assert "Combination: E + G₁ + G₂ + P + Σ ψ₂ Q" in prose(*site.sections(italian))
+    assert "NTC 2018, eq. 2.5.5" in prose(*site.sections(italian))
 
 
 def test_vertical_motion_is_told_either_way(results: Results) -> None:
-    assert "No vertical ground motion is applied." in prose(results)
-    project = {**results.project, "site.vertical_ratio": ResolvedValue(0.67, True)}
-    assert "vertical ground motion of 0.67 times the horizontal one" in prose(replace(results, project=project))
+    assert "No vertical ground motion is applied." in prose(*site.sections(results))
+    shaken = with_project(results, site__vertical_ratio=ResolvedValue(0.67, True))
+    assert "vertical ground motion of 0.67 times the horizontal one" in prose(*site.sections(shaken))
 
 
 def test_loads_that_are_alike_share_a_row(results: Results) -> None:
@@ -92,10 +87,10 @@ def test_loads_that_are_alike_share_a_row(results: Results) -> None:
     assert rows[1][4:] == (8250.5, -120.0)
     bare = replace(results, mechanisms=(wall,))
     assert not site.loads_table(bare).rows
-    assert "The project gives no other loads" in prose(bare)
+    assert "The project gives no other loads" in prose(*site.sections(bare))
     block = replace(bare, mechanisms=(replace(wall, kind="equivalent-block"),))
-    assert "The project gives no other loads" not in prose(block)
-    assert "Loads on equivalent blocks are part of their rocking parameters" in prose(block)
+    assert "The project gives no other loads" not in prose(*site.sections(block))
+    assert "Loads on equivalent blocks are part of their rocking parameters" in prose(*site.sections(block))
 
 
 def test_artificial_records_share_a_row_and_recorded_ones_do_not(results: Results) -> None:

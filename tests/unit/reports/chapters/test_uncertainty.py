@@ -6,7 +6,6 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from matplotlib.text import Text
 
 from assess.results import Results
 from assess.results.json import dumps, loads
@@ -17,9 +16,9 @@ from reports.figures import sensitivity as figure
 from reports.language.locale import Locale
 from tests.languages.test_reports import unknown_words
 from tests.support.document_numbers import misread, shown_numbers, strange_numbers
+from tests.support.drawn_figures import Bracketed, fixed_words
 from tests.support.sample_document import HOSTILE
 from tests.support.uncertainty_results import KEYS, SAMPLES, with_uncertainty
-from tests.unit.reports.figures.test_words import WORD, _Bracketed, outside_brackets
 
 LOCALES = [Locale("en", "SI"), Locale("en", "US"), Locale("it", "SI"), Locale("it", "US")]
 
@@ -134,9 +133,7 @@ def test_keys_are_inert_and_words_go_through_the_locale(sampled: Results) -> Non
     answer = sampled.uncertainty.answers[0]
     hostile = replace(answer, influences=(replace(answer.influences[0], keys=(HOSTILE,), group=HOSTILE),))
     for draw in (figure.draw_distribution, figure.draw_influences):
-        drawn = draw(hostile, _Bracketed())
+        drawn = draw(hostile, Bracketed())
         drawn.draw_without_rendering()
         labels = {each.get_text() for axes in drawn.axes for each in axes.get_yticklabels()}
-        for text in drawn.findobj(Text):
-            if text.get_text() not in labels:
-                assert not WORD.findall(outside_brackets(text.get_text()))
+        assert not fixed_words(drawn, but=labels)

@@ -13,7 +13,8 @@ from assess.messages.message import Message, Severity, warning
 from assess.results import ChecklistItem, ReportMatter, ResolvedValue, Results
 from reports.chapters import recommendations, scope, site, verdict
 from reports.document import Banner, FileLines
-from tests.support.letters import letters, lines
+from tests.support.changed_results import with_verdict
+from tests.support.letters import letters, lines, text_of
 
 JudgedAt = Callable[[Results, float], Results]
 WEAK = Missing("materials.old stone.disintegration", "whether it may disintegrate", 'disintegration = "excluded"')
@@ -21,11 +22,6 @@ WEAK = Missing("materials.old stone.disintegration", "whether it may disintegrat
 
 def condition(number: int) -> Message:
     return Message(f"condition-{number}", Severity.NOTE, "", f"condition {number} is shown to hold")
-
-
-def with_verdict(results: Results, **changes: object) -> Results:
-    assert results.verdict is not None
-    return replace(results, verdict=replace(results.verdict, **changes))  # type: ignore[arg-type]
 
 
 def banner(results: Results) -> Banner:
@@ -74,7 +70,7 @@ def test_a_target_below_full_safety_is_not_the_sites_own_action(results: Results
     assert letters(banner(lowered).headline) == (
         "All 2 mechanisms examined reach the target at the site’s own action, PGA 0.067 g: at least 34 %NBS."
     )
-    words = "\n".join(lines(recommendations.sections(lowered)))
+    words = text_of(recommendations.sections(lowered))
     assert "No mechanism examined requires strengthening to reach the target." in words
     assert "At the site’s own action no mechanism" not in words
 
@@ -82,7 +78,7 @@ def test_a_target_below_full_safety_is_not_the_sites_own_action(results: Results
 def test_a_basis_of_the_engineer_has_no_limit_state(results: Results) -> None:
     assert results.verdict is not None
     own = with_verdict(results, basis="own", limit_states=("own",), clauses=(("By agreement.", ""),))
-    said = "\n".join(lines(verdict.sections(own)))
+    said = text_of(verdict.sections(own))
     assert "Code: By agreement." in said
     assert "Limit state" not in said
     assert "own" not in letters(site.sections(own)[0].blocks[0].paragraphs[0]).replace("site’s own", "")  # type: ignore[union-attr]
@@ -169,8 +165,8 @@ def test_what_the_project_vouches_for_counts_among_the_conditions(results: Resul
     last = replace(results.mechanisms[1], loads=(tied,))
     several = replace(results, mechanisms=(results.mechanisms[0], last))
     many = with_verdict(several, conditions=tuple(map(condition, range(6))))
-    assert "and 2 others, under Scope and limits" in "\n".join(lines(verdict.sections(many)))
-    assert "have the seats that the project gives" in "\n".join(lines(scope.sections(many)))
+    assert "and 2 others, under Scope and limits" in text_of(verdict.sections(many))
+    assert "have the seats that the project gives" in text_of(scope.sections(many))
 
 
 def test_a_list_is_not_shortened_by_one_point(results: Results) -> None:

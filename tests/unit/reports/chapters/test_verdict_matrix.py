@@ -5,12 +5,15 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 
-from assess.codes.check import Check, NumericalSpread, Outcome, Reason, reason_message
+import pytest
+
+from assess.codes.check import NumericalSpread, Outcome, Reason, reason_message
 from assess.codes.verdict import Index
 from assess.results import Results
 from reports.chapters import comparison, recommendations, verdict
 from reports.chapters.verdict_texts import margin_text
 from reports.document import OutcomeCell, Table
+from tests.support.changed_results import with_verdict
 from tests.support.letters import letters, rows
 
 JudgedAt = Callable[[Results, float], Results]
@@ -33,10 +36,6 @@ def with_more(results: Results, procedures: tuple[str, ...], ratio: float = 2.5)
     like = next(check for check in first.checks if check.level_pga_g == results.verdict.action.pga_g)
     more = tuple(replace(like, procedure=name, role="comparison", ratio=ratio) for name in procedures)
     return replace(results, mechanisms=(replace(first, checks=first.checks + more), *results.mechanisms[1:]))
-
-
-def cell_of(check: Check) -> str:
-    return letters(verdict.ratio_text(check))
 
 
 def test_each_mechanism_has_a_row_with_its_number(results: Results) -> None:
@@ -76,56 +75,54 @@ def test_many_methods_share_a_column_with_the_largest_of_their_answers(results: 
 
 
 def test_the_index_of_the_code_has_a_column_unless_it_is_the_ratio(results: Results) -> None:
-    assert results.verdict is not None
     assert "ζ_E" not in headings(results)
-    indexed = replace(results, verdict=replace(results.verdict, index=Index("zeta_E", 0.8)))
+    indexed = with_verdict(results, index=Index("zeta_E", 0.8))
     assert headings(indexed)[3] == "ζ_E"
 
 
 def test_words_stand_for_answers_without_a_number(results: Results) -> None:
     like = results.mechanisms[0].checks[0]
-    assert cell_of(replace(like, verdict=Outcome.PASS, ratio=0.0)) == "no rocking"
-    assert cell_of(replace(like, verdict=Outcome.PASS, ratio=4e-5)) == "below 0.001"
-    assert cell_of(replace(like, verdict=Outcome.NOT_ANSWERED)) == "not answered"
+    assert letters(verdict.ratio_text(replace(like, verdict=Outcome.PASS, ratio=0.0))) == "no rocking"
+    assert letters(verdict.ratio_text(replace(like, verdict=Outcome.PASS, ratio=4e-5))) == "below 0.001"
+    assert letters(verdict.ratio_text(replace(like, verdict=Outcome.NOT_ANSWERED))) == "not answered"
     fallen = replace(like, verdict=Outcome.FAIL, ratio=None, demand=None, reason=reason_message(Reason.OVERTURNS))
-    assert cell_of(fallen) == "overturns"
+    assert letters(verdict.ratio_text(fallen)) == "overturns"
     beyond = replace(fallen, reason=reason_message(Reason.BEYOND_SPECTRUM))
-    assert cell_of(beyond) == "beyond the spectrum"
+    assert letters(verdict.ratio_text(beyond)) == "beyond the spectrum"
 
 
-def spread_by(results: Results, ratio: float, margin: float) -> Results:
-    """The results with histories that decide the second mechanism, of which one figure of the ratio stands."""
-    assert results.verdict is not None
-    pga = results.verdict.action.pga_g
-    spread = NumericalSpread(9, 500, 1, 1.0, 0.8 * ratio, ratio, margin * pga, 1.16 * margin * pga)
-    first, second = results.mechanisms
-    deciding = results.verdict.mechanisms[1].answers[0].procedure
+@pytest.mark.parametrize(
+    ("ratio", "margin", "shown"), [(0.4591, 1.196, ("0.5", "1.2", "–")), (0.9613, 0.983, ("0.96", "0.98", "1.02"))]
+)
+def test_histories_have_no_more_digits_than_stand(
+    results: Results, judged_at: JudgedAt, ratio: float, margin: float, shown: tuple[str, str, str]
+) -> None:
+    """Histories decide the second mechanism, of which one figure of the ratio stands."""
+    judged = judged_at(results, 0.45)
+    assert judged.verdict is not None
+    pga, (first, second) = judged.verdict.action.pga_g, judged.mechanisms
+    numerical = NumericalSpread(9, 500, 1, 1.0, 0.8 * ratio, ratio, margin * pga, 1.16 * margin * pga)
+    deciding = judged.verdict.mechanisms[1].answers[0].procedure
+    changes = {"ratio": ratio, "demand": 0.1, "rotation_ratio": 0.3, "numerical": numerical}
     checks = tuple(
-        replace(each, ratio=ratio, demand=0.1, rotation_ratio=0.3, numerical=spread, capacity_pga_g=margin * pga)
-        if each.procedure == deciding
-        else each
+        replace(each, **changes, capacity_pga_g=margin * pga) if each.procedure == deciding else each  # type: ignore[arg-type]
         for each in second.checks
     )
-    own = replace(results.verdict.mechanisms[1], margin=margin, margin_most=1.16 * margin)
-    found = replace(results.verdict, mechanisms=(results.verdict.mechanisms[0], own))
-    return replace(results, mechanisms=(first, replace(second, checks=checks)), verdict=found)
-
-
-def test_histories_have_no_more_digits_than_stand(results: Results, judged_at: JudgedAt) -> None:
-    judged = judged_at(results, 0.45)
-    for ratio, margin, shown in ((0.4591, 1.196, ("0.5", "1.2", "–")), (0.9613, 0.983, ("0.96", "0.98", "1.02"))):
-        spread = spread_by(judged, ratio, margin)
-        row = rows(matrix(spread))[1]
-        assert shown[0] in row
-        assert row[2].endswith(f"{shown[1]} × the site’s")
-        assert " to " in row[2]
-        assert spread.verdict is not None
-        text = margin_text(spread.verdict.mechanisms[1], spread.verdict.action)
-        assert text is not None
-        assert letters(text) == row[2]
-        compared = rows(comparison.ratios_table(spread))[1]
-        assert compared[-1] == shown[1]
-        (lacking,) = (b for b in recommendations.sections(spread)[0].blocks if isinstance(b, Table))
-        held, factor = rows(lacking)[-1][1], rows(lacking)[-1][3]
-        assert held == row[2].partition(",")[0]
-        assert factor == shown[2]
+    own = replace(judged.verdict.mechanisms[1], margin=margin, margin_most=1.16 * margin)
+    spread = with_verdict(
+        replace(judged, mechanisms=(first, replace(second, checks=checks))),
+        mechanisms=(judged.verdict.mechanisms[0], own),
+    )
+    row = rows(matrix(spread))[1]
+    assert shown[0] in row
+    assert row[2].endswith(f"{shown[1]} × the site’s")
+    assert " to " in row[2]
+    text = margin_text(own, judged.verdict.action)
+    assert text is not None
+    assert letters(text) == row[2]
+    compared = rows(comparison.ratios_table(spread))[1]
+    assert compared[-1] == shown[1]
+    (lacking,) = (b for b in recommendations.sections(spread)[0].blocks if isinstance(b, Table))
+    held, factor = rows(lacking)[-1][1], rows(lacking)[-1][3]
+    assert held == row[2].partition(",")[0]
+    assert factor == shown[2]

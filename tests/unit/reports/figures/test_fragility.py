@@ -2,23 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import replace
 from functools import partial
 
 import numpy as np
 import pytest
 from matplotlib.colors import to_hex
-from matplotlib.figure import Figure
-from matplotlib.text import Text
 
 from assess.results.fragility import FragilityResults
-from reports.document import Figure as Drawing
+from reports.assessment import fragility_report
 from reports.figures import fragility
 from reports.intensity_measures import curves_by, first_measure, main_curve, main_risk
 from reports.language.locale import Locale
+from tests.support.drawn_figures import Bracketed, fixed_words
 from tests.support.fragility_results import PGV, SCALED_PGV, fragility_results
-from tests.unit.reports.figures.test_words import WORD, _Bracketed, outside_brackets
 
 
 @pytest.fixture(scope="module")
@@ -26,24 +23,14 @@ def results() -> FragilityResults:
     return fragility_results()
 
 
-def every(results: FragilityResults) -> Iterator[Drawing]:
-    from reports.assessment import fragility_report
-
-    yield from fragility_report(results).figures
-
-
 def test_no_word_of_a_figure_is_fixed_in_english(results: FragilityResults) -> None:
-    for each in every(results):
-        figure = each.draw(_Bracketed())
-        figure.draw_without_rendering()
-        for text in figure.findobj(Text):
-            words = WORD.findall(outside_brackets(text.get_text())) if text.get_visible() else []
-            assert not words, f"{each.name}: {text.get_text()!r}"
+    for each in fragility_report(results).figures:
+        assert not fixed_words(each.draw(Bracketed())), each.name
 
 
 def test_everything_is_within_the_sheet(results: FragilityResults) -> None:
     for locale in (Locale(), Locale("it", "US")):
-        for each in every(results):
+        for each in fragility_report(results).figures:
             figure = each.draw(locale)
             figure.draw_without_rendering()
             box = figure.get_tightbbox()  # in inches
@@ -52,21 +39,17 @@ def test_everything_is_within_the_sheet(results: FragilityResults) -> None:
             assert (box.x1 <= wide + 0.02, box.y1 <= high + 0.02) == (True, True), each.name
 
 
-def marks(figure: Figure, *, hollow: bool) -> list[float]:
-    """Intensities of the points that are drawn hollow, or full."""
-    lines = [line for line in figure.axes[0].get_lines() if line.get_marker() == "o"]
-    found = [line for line in lines if (to_hex(line.get_markerfacecolor()) == "#ffffff") == hollow]
-    return sorted(float(x) for line in found for x in np.atleast_1d(line.get_xdata()))
-
-
 def test_points_of_large_scale_factors_are_hollow(results: FragilityResults) -> None:
     curve = main_curve(results.mechanisms[0])
     assert curve is not None
     figure = fragility.draw_fragility(curve, Locale())
+    lines = [line for line in figure.axes[0].get_lines() if line.get_marker() == "o"]
     for hollow in (False, True):
+        own = [line for line in lines if (to_hex(line.get_markerfacecolor()) == "#ffffff") == hollow]
+        drawn = sorted(float(x) for line in own for x in np.atleast_1d(line.get_xdata()))
         points = [point.intensity for point in curve.empirical if (2 * point.hollow > point.records) == hollow]
         assert points
-        assert marks(figure, hollow=hollow) == pytest.approx(points)
+        assert drawn == pytest.approx(points)
 
 
 def test_intervals_are_those_of_wilson_and_the_bound_is_dashed(results: FragilityResults) -> None:

@@ -26,7 +26,7 @@ Point = tuple[float, float, float]
 def wall(at: Point = (0.0, 0.0, 0.0), *, cut: float = 0.0, height: float = 6.0) -> View:
     """Return a wall 0.6 x 3 m; above the cut it moves."""
     low, high = (
-        _box((0.6, 3.0, top - bottom), (at[0], at[1], 0.5 * (top + bottom)))
+        trimesh.creation.box((0.6, 3.0, top - bottom)).apply_translation((at[0], at[1], 0.5 * (top + bottom)))
         for bottom, top in ((0, cut), (cut, height))
     )
     parts = [(high, 0)] if not cut else [(low, -1), (high, 0)]
@@ -43,12 +43,6 @@ def wall(at: Point = (0.0, 0.0, 0.0), *, cut: float = 0.0, height: float = 6.0) 
         tuple(vertices), tuple(triangles), tuple(block_of), (axis,), (ring,) if cut else (), (1.0, 0.0, 0.0),
         (0.6, 3.0, height), len(triangles),
     )  # fmt: skip
-
-
-def _box(size: Point, middle: Point) -> trimesh.Trimesh:
-    made = trimesh.creation.box(size)
-    made.apply_translation(middle)
-    return made
 
 
 def built(results: Results, views: Sequence[tuple[View | None, str]]) -> Results:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Iterator
 from functools import partial
 
@@ -16,16 +15,7 @@ from reports.figures import capacity, comparison, key_plan, rocking, sensitivity
 from reports.figures.key_plan import building_of
 from reports.language.locale import Locale
 from reports.language.texts import Verbatim, say
-
-WORD = re.compile(r"[A-Za-z]{4,}")
-
-
-class _Bracketed(Locale):
-    """A language in which each entry stands in brackets."""
-
-    def word(self, english: str) -> str:
-        """Return an entry in brackets."""
-        return f"⟦{english}⟧"
+from tests.support.drawn_figures import WORD, Bracketed, fixed_words
 
 
 def every(results: Results) -> Iterator[Callable[[Locale], Figure]]:
@@ -65,23 +55,13 @@ def every(results: Results) -> Iterator[Callable[[Locale], Figure]]:
     yield partial(sensitivity.draw_tornado, [panel])
 
 
-def outside_brackets(text: str) -> str:
-    while "⟦" in text:
-        text = re.sub(r"⟦[^⟦⟧]*⟧", " ", text)
-    return text
-
-
 def test_no_word_of_a_figure_is_fixed_in_english(results: Results) -> None:
     own = [each.label or each.name for each in results.mechanisms] + [record.id for record in results.records]
     own += [results.spectrum.clause if results.spectrum else "", *(sweep.key for sweep in results.sweeps)]
     own += [name for each in results.mechanisms for name in (*(load.name for load in each.drawing.loads),)]
     allowed = {word for text in own for word in WORD.findall(text)} | {"SRSS"}
     for draw in every(results):
-        figure = draw(_Bracketed())
-        figure.draw_without_rendering()
-        for text in figure.findobj(Text):
-            words = WORD.findall(outside_brackets(text.get_text())) if text.get_visible() else []
-            assert not set(words) - allowed, f"{draw}: {text.get_text()!r}"
+        assert not fixed_words(draw(Bracketed())) - allowed, str(draw)
 
 
 @pytest.mark.parametrize("system", ["SI", "US"])

@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import csv
-from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 from lxml import html
 from openpyxl import load_workbook
 
-from reports.document import Cell, Column, Table
+from reports.document import Table
 from reports.language.lettering import visible
 from reports.language.locale import Locale
 from reports.render.csv import csv_field, write_csv
@@ -60,11 +59,6 @@ def read_as(cell: PlainCell) -> object:
     return pytest.approx(cell, rel=1e-15) if isinstance(cell, float) else cell
 
 
-def columns_of(table: Table) -> Iterator[tuple[tuple[Cell, ...], Column]]:
-    for place, column in enumerate(table.columns):
-        yield tuple(row[place] for row in table.rows), column
-
-
 @LOCALES
 def test_page(tmp_path: Path, locale: Locale) -> None:
     document = sample_document(locale)
@@ -72,10 +66,11 @@ def test_page(tmp_path: Path, locale: Locale) -> None:
     printed = [block for block in document.blocks if isinstance(block, Table)]
     for number, table in enumerate(printed, start=1):
         rows = tree.xpath(f"//table[@id='table-{number}']/tbody/tr")
-        written = [
-            [visible(text) for text in row]
-            for row in zip(*(column_texts(*each, document.writer) for each in columns_of(table)), strict=True)
+        columns = [
+            column_texts(tuple(row[place] for row in table.rows), column, document.writer)
+            for place, column in enumerate(table.columns)
         ]
+        written = [[visible(text) for text in row] for row in zip(*columns, strict=True)]
         assert [[cell.text_content() for cell in row] for row in rows] == written
     (sheet,) = document.sheets
     text = without_spaces(tree.xpath("//table[@id='sheet-1']/tbody")[0].text_content())

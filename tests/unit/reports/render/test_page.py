@@ -179,11 +179,6 @@ def seen_box(driver: webdriver.Chrome) -> list[float]:
     return [float(side) for side in (first(driver, ".stage svg").get_dom_attribute("viewBox") or "").split()]
 
 
-def enlarged(driver: webdriver.Chrome) -> WebElement:
-    first(driver, "figure .picture").click()
-    return first(driver, ".stage")
-
-
 def turning(driver: webdriver.Chrome) -> WebElement:
     buttons = driver.find_elements(By.CSS_SELECTOR, "figure:has(script) .tools button")
     buttons[1].click()
@@ -213,7 +208,8 @@ def test_the_policy_refuses_what_is_not_of_the_page(opened: webdriver.Chrome) ->
 
 def test_a_figure_enlarges_on_click_and_zooms_about_the_pointer(opened: webdriver.Chrome) -> None:
     small = first(opened, "figure .picture svg").size["width"]
-    stage = enlarged(opened)
+    first(opened, "figure .picture").click()
+    stage = first(opened, ".stage")
     assert first(opened, "dialog").get_attribute("open") is not None
     assert first(opened, ".stage svg").size["width"] > 1.1 * small
     before = seen_box(opened)
@@ -250,35 +246,24 @@ def test_bodies_turn_on_drag_keys_and_touch(opened: webdriver.Chrome) -> None:
     stage.send_keys(Keys.ARROW_LEFT)
     keyed = painted(opened)
     assert keyed not in (start, dragged)
-    one_finger(opened, stage)
+    drag(opened, stage, (0, 70))
     touched = painted(opened)
     assert touched not in (start, dragged, keyed)
-    pinch(opened, stage)
+    drag(opened, stage, (-30, -90), (30, 90))
     assert painted(opened) not in (start, dragged, keyed, touched)
     first(opened, "[data-action='0']").click()
     assert painted(opened) == start
 
 
-def one_finger(driver: webdriver.Chrome, element: WebElement) -> None:
-    """One finger that moves to the right."""
-    actions = ActionBuilder(driver, mouse=PointerInput(interaction.POINTER_TOUCH, "one"))
-    finger = actions.pointer_inputs[0]
-    finger.create_pointer_move(origin=element, x=0, y=0)
-    finger.create_pointer_down(button=0)
-    finger.create_pointer_move(origin=element, x=70, y=0, duration=50)
-    finger.create_pointer_up(0)
-    actions.perform()
-
-
-def pinch(driver: webdriver.Chrome, element: WebElement) -> None:
-    """Two fingers that move apart."""
-    actions = ActionBuilder(driver, mouse=PointerInput(interaction.POINTER_TOUCH, "one"))
-    other = actions.add_pointer_input(interaction.POINTER_TOUCH, "other")
-    one = actions.pointer_inputs[0]
-    for finger, side in ((one, -1), (other, 1)):
-        finger.create_pointer_move(origin=element, x=30 * side, y=0)
+def drag(driver: webdriver.Chrome, element: WebElement, *ways: tuple[int, int]) -> None:
+    """Fingers on an element, each from a place beside its middle to another [px]."""
+    actions = ActionBuilder(driver, mouse=PointerInput(interaction.POINTER_TOUCH, "0"))
+    for number in range(1, len(ways)):
+        actions.add_pointer_input(interaction.POINTER_TOUCH, str(number))
+    for finger, (start, end) in zip(actions.pointer_inputs, ways, strict=True):
+        finger.create_pointer_move(origin=element, x=start, y=0)
         finger.create_pointer_down(button=0)
-        finger.create_pointer_move(origin=element, x=90 * side, y=0, duration=50)
+        finger.create_pointer_move(origin=element, x=end, y=0, duration=50)
         finger.create_pointer_up(0)
     actions.perform()
 

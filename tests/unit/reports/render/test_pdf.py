@@ -5,7 +5,6 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from dataclasses import replace
-from functools import partial
 from pathlib import Path
 from typing import Any, Literal
 
@@ -40,6 +39,7 @@ from reports.render.pdf import write_pdf
 from reports.render.pdf_blocks import INK_OF, TINT, column_widths
 from reports.render.table_text import verdict_word
 from reports.render.typeset import BOLD, REGULAR, register_fonts, width_of
+from tests.support.letters import without_spaces
 from tests.support.sample_document import HOSTILE, sample_document
 
 WORDS = "the wall rocks about its base and comes to rest again after a few impacts " * 3
@@ -53,16 +53,6 @@ def text_of(path: Path) -> str:
     return " ".join(pages_of(path))
 
 
-def squeezed(path: Path) -> str:
-    """The text of the pages between head and foot, without spaces and line ends."""
-    return "".join("".join(page.extract_text().split()) for page in PdfReader(path).pages)
-
-
-def contents_of(path: Path) -> bytes:
-    made = (page.get_contents() for page in PdfReader(path).pages)
-    return b"\n".join(each.get_data() for each in made if each is not None)
-
-
 def write(folder: Path, *sections: Section, **changed: Any) -> Path:
     """Write the sample document with these sections in place of its own."""
     return write_pdf(replace(sample_document(), sections=sections, **changed), folder / "report.pdf")
@@ -72,12 +62,8 @@ def section(*blocks: Block, title: str = "A chapter", starts_page: bool = False)
     return Section(Verbatim(title), 0, blocks, starts_page)
 
 
-def draw(height: float, _: Locale) -> Drawn:
-    return Drawn(figsize=(3.3, height))
-
-
 def figure(name: str, height: float) -> Figure:
-    return Figure(name, Verbatim(f"Caption of {name}."), partial(draw, height))
+    return Figure(name, Verbatim(f"Caption of {name}."), lambda _: Drawn(figsize=(3.3, height)))
 
 
 @pytest.fixture(scope="module")
@@ -91,7 +77,7 @@ def report(document: Document, tmp_path_factory: pytest.TempPathFactory) -> Path
 
 
 def test_text_of_the_user_is_printed_letter_for_letter(report: Path) -> None:
-    text, wanted = squeezed(report), "".join(printable(HOSTILE).split())
+    text, wanted = without_spaces(text_of(report)), without_spaces(printable(HOSTILE))
     tags = ("title", "client", "reference", "headline", "basis", "point", "caption-key-plan", "head", "cell", "graded")
     tags += ("mechanism", "name", "listed", "caption-row-1", "photograph", "sheet")
     assert [tag for tag in tags if f"{wanted}{tag}#" not in text] == []
@@ -191,7 +177,10 @@ def test_an_answer_has_a_colour_and_a_word(tmp_path: Path, outcome: Outcome) -> 
     assert "a word" in text_of(path)
     for colour in (TINT[outcome], INK_OF[outcome]):
         red, green, blue = (int(colour[k : k + 2], 16) / 255 for k in (1, 3, 5))
-        drawn = [tuple(map(float, found)) for found in re.findall(rb"([\d.]+) ([\d.]+) ([\d.]+) rg", contents_of(path))]
+        contents = b"\n".join(
+            each.get_data() for page in PdfReader(path).pages if (each := page.get_contents()) is not None
+        )
+        drawn = [tuple(map(float, found)) for found in re.findall(rb"([\d.]+) ([\d.]+) ([\d.]+) rg", contents)]
         assert (red, green, blue) in [pytest.approx(each, abs=1e-3) for each in drawn]
 
 
@@ -237,7 +226,7 @@ def test_words_of_ten_thousand_letters_stay_on_the_page_and_are_printed_whole(tm
             assert x > 45
             assert x + pdfmetrics.stringWidth(text, face, size) < float(page.mediabox.right) - 45
             assert 20 < y < float(page.mediabox.top) - 20
-    assert long.text[:3000] in squeezed(path)
+    assert long.text[:3000] in without_spaces(text_of(path))
     assert len(reader.pages) < 40
 
 
@@ -315,15 +304,14 @@ def test_a_section_that_asks_for_it_begins_a_page_unless_the_page_is_nearly_empt
 
 
 def test_figures_give_way_where_a_page_has_nearly_room_for_all(tmp_path: Path) -> None:
-    def wall(place: int) -> Section:
-        rows = (FigureRow((figure(f"a{place}", 2.6), figure(f"b{place}", 2.6))), FigureRow((figure(f"c{place}", 2.6),)))
-        facts = Facts(tuple((Verbatim("slenderness"), quantity(0.1)) for _ in range(8)))
-        table = Table("t", Verbatim("Walls"), (Column(Verbatim("Wall")),), ((Verbatim("one"),),) * 8)
-        blocks = (rows[0], facts, rows[1], table, Prose((Verbatim(WORDS),) * 4))
-        return section(*blocks, title=f"Wall {place}", starts_page=True)
-
-    first = section(Prose((Verbatim("a line"),) * 25))
-    pages = pages_of(write(tmp_path, first, *map(wall, range(3))))
+    facts = Facts(tuple((Verbatim("slenderness"), quantity(0.1)) for _ in range(8)))
+    table = Table("t", Verbatim("Walls"), (Column(Verbatim("Wall")),), ((Verbatim("one"),),) * 8)
+    sections = [section(Prose((Verbatim("a line"),) * 25))]
+    for place in range(3):
+        a, b, c = (figure(f"{name}{place}", 2.6) for name in "abc")
+        blocks = (FigureRow((a, b)), facts, FigureRow((c,)), table, Prose((Verbatim(WORDS),) * 4))
+        sections.append(section(*blocks, title=f"Wall {place}", starts_page=True))
+    pages = pages_of(write(tmp_path, *sections))
     assert [[f"Caption of c{place}" in page for page in pages[1:]].index(True) for place in range(3)] == [0, 1, 2]
     assert len(pages) == 4
 

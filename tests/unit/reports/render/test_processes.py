@@ -5,19 +5,11 @@ from __future__ import annotations
 import math
 import os
 import sys
-from collections.abc import Callable
+from operator import call
 
 import pytest
 
 from reports.render.vector import document_processes
-
-
-def process_of(_: object) -> int:
-    return os.getpid()
-
-
-def called(subject: Callable[[], int]) -> int:
-    return subject()
 
 
 def test_answers_are_those_of_the_function() -> None:
@@ -28,20 +20,20 @@ def test_answers_are_those_of_the_function() -> None:
 
 
 def test_one_job_stays_in_this_process() -> None:
-    with document_processes(1, None) as submit:
-        assert submit(process_of).result() == os.getpid()
+    with document_processes(1, os.getpid) as submit:
+        assert submit(call).result() == os.getpid()
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="processes are copied on Linux only")
 def test_two_jobs_leave_it() -> None:
-    with document_processes(2, None) as submit:
-        assert submit(process_of).result() != os.getpid()
+    with document_processes(2, os.getpid) as submit:
+        assert submit(call).result() != os.getpid()
 
 
 def test_what_cannot_be_sent_can_be_worked_on() -> None:
     for jobs in (1, 2):
         with document_processes(jobs, lambda: 3) as submit:
-            assert submit(called).result() == 3
+            assert submit(call).result() == 3
 
 
 @pytest.mark.parametrize("jobs", [1, 2])

@@ -9,25 +9,23 @@ from reports.document import NOTHING, Sheet
 from reports.language.locale import Locale
 from reports.render.table_text import SheetRow, sheet_rows
 
+GIVEN = {"a_0": (1.25, "m/s2"), "e*": 0.875}
+WITH_INPUTS = step("a", "acceleration", "C8.7.1", "1.35 a_0 / e*", 1.928571, "m/s2", given=GIVEN, bound="<=")
+
 
 def row(made: Step, locale: Locale | None = None) -> SheetRow:
     (found,) = sheet_rows(Sheet("sheet", NOTHING, (made,)), locale or Locale())
     return found
 
 
-def with_inputs() -> Step:
-    given = {"a_0": (1.25, "m/s2"), "e*": 0.875}
-    return step("a", "acceleration", "C8.7.1", "1.35 a_0 / e*", 1.928571, "m/s2", given=given, bound="<=")
-
-
 def test_numbers_are_put_into_the_formula_and_the_result_has_its_unit() -> None:
-    made = row(with_inputs())
+    made = row(WITH_INPUTS)
     assert (made.formula, made.numbers) == ("1.35 a_0 / e*", "= 1.35 · 1.25 / 0.875")
     assert (made.result, made.beside) == ("≤ 1.929\u00a0m/s²", "")
 
 
 def test_the_locale_has_its_decimal_sign_and_its_unit_beside() -> None:
-    made = row(with_inputs(), Locale("it", "US"))
+    made = row(WITH_INPUTS, Locale("it", "US"))
     assert (made.formula, made.numbers) == ("1,35 a_0 / e*", "= 1,35 · 1,25 / 0,875")
     assert (made.result, made.beside) == ("≤ 1,929\u00a0m/s²", "≤ 0,1967\u00a0g")
 

@@ -33,17 +33,6 @@ def script(shell: str, environment: dict[str, str]) -> str:
     return subprocess.run(["assess"], env=asked, capture_output=True, text=True, check=True).stdout
 
 
-def completed(line: str, environment: dict[str, str]) -> list[str]:
-    """What bash offers after Tab at the end of a line."""
-    words = line.split(" ")
-    quoted = " ".join(f"'{word}'" for word in words)
-    ask = f"COMP_WORDS=({quoted}); COMP_CWORD={len(words) - 1}; _assess_completion assess"
-    text = f"{script('bash', environment)}\n{ask}\nprintf '%s\\n' \"${{COMPREPLY[@]}}\""
-    done = subprocess.run(["bash", "-c", text], env=environment, capture_output=True, text=True, check=True)
-    assert done.stderr == ""
-    return done.stdout.split()
-
-
 @pytest.mark.skipif(shutil.which("bash") is None, reason="there is no bash here")
 @pytest.mark.parametrize(
     ("line", "offered"),
@@ -63,7 +52,13 @@ def completed(line: str, environment: dict[str, str]) -> list[str]:
     ],
 )
 def test_bash_completes(line: str, offered: list[str], environment: dict[str, str]) -> None:
-    assert completed(line, environment) == offered
+    words = line.split(" ")
+    quoted = " ".join(f"'{word}'" for word in words)
+    ask = f"COMP_WORDS=({quoted}); COMP_CWORD={len(words) - 1}; _assess_completion assess"
+    text = f"{script('bash', environment)}\n{ask}\nprintf '%s\\n' \"${{COMPREPLY[@]}}\""
+    done = subprocess.run(["bash", "-c", text], env=environment, capture_output=True, text=True, check=True)
+    assert done.stderr == ""
+    assert done.stdout.split() == offered
 
 
 @pytest.mark.parametrize("shell", ["bash", "zsh", "fish"])

@@ -60,8 +60,12 @@ def interrupted(name: str, project: Path, out: Path, *, at: str, after: float = 
     return interrupt(*arguments, *more, at=at, after=after, group=group)
 
 
-def check(name: str, found: Interrupted, out: Path) -> None:
-    """Fail unless a command that was interrupted at work ended as it should."""
+@pytest.mark.parametrize(("name", "at"), [("run", "rocking histories"), ("index", "records")], ids=["run", "index"])
+def test_ctrl_c_ends_a_command_and_its_workers(name: str, at: str, tmp_path: Path) -> None:
+    project = write_blocks(tmp_path / "in" / "one", records=40 if name == "index" else 2, mechanisms=12, pulses=PULSES)
+    out = tmp_path / "out"
+    out.mkdir()
+    found = interrupted(name, project, out, at=at)
     assert found.left == (), found
     assert found.code == 130, found
     assert "Traceback" not in found.screen
@@ -69,15 +73,6 @@ def check(name: str, found: Interrupted, out: Path) -> None:
     assert STANDS.get(name, NOTHING) in found.line
     if name not in ("batch", "index"):
         assert list(out.iterdir()) == []
-
-
-@pytest.mark.parametrize(("name", "at"), [("run", "rocking histories"), ("index", "records")], ids=["run", "index"])
-def test_ctrl_c_ends_a_command_and_its_workers(name: str, at: str, tmp_path: Path) -> None:
-    project = write_blocks(tmp_path / "in" / "one", records=40 if name == "index" else 2, mechanisms=12, pulses=PULSES)
-    out = tmp_path / "out"
-    out.mkdir()
-    found = interrupted(name, project, out, at=at)
-    check(name, found, out)
     assert name != "index" or found.workers > 2
 
 

@@ -45,14 +45,6 @@ def results(outputs: Path, tmp_path: Path) -> dict[str, Any]:
     return found
 
 
-def cut(results: Any, *steps: str | int) -> None:
-    """Take the last item off the list at the steps."""
-    for step in steps:
-        results = results[step]
-    assert len(results) > 1
-    results.pop()
-
-
 COLUMNS: dict[str, tuple[str | int, ...]] = {
     "spectrum": ("spectrum", "acceleration_g"),
     "record": ("records", 0, "spectrum", "period_s"),
@@ -93,7 +85,11 @@ def test_columns_of_unequal_length_are_refused(
         results["mechanisms"][0]["drawing"]["block_of"].append(0)
         results["mechanisms"][0]["drawing"]["displaced"]["block_of"].append(0)
     else:
-        cut(results, *steps)
+        column: Any = results
+        for step in steps:
+            column = column[step]
+        assert len(column) > 1
+        column.pop()
     path = tmp_path / "results.json"
     path.write_text(json.dumps(results))
     refused(path, capsys, str(steps[0]))

@@ -13,7 +13,7 @@ from scipy.constants import g
 from assess.cli import main
 from records.processing import at2_text, csv_text
 from records.reading import read_records
-from records.record import Earthquake, Record, StationSite, make_record
+from records.record import Earthquake, StationSite, make_record
 from tests.support.command import ended
 from tests.support.projects import ASCE7, published, tables_toml
 
@@ -199,18 +199,17 @@ def test_a_project_states_unit_and_step_of_files_that_do_not(
     assert "absent.xml" in capsys.readouterr().err
 
 
-def described() -> Record:
-    """A record of which everything is known."""
-    quake = Earthquake("1989-10-18T00:04:15Z", 6.93, "Mw", 37.04, -121.883, 17_480.0)
-    site = StationSite(37.046, -121.803, 97.5, 462.24, "NEHRP C", "crest of a dam")
-    words = {"event": "Loma Prieta", "station": "Corralitos, 1 Road", "component": "N30E"}
-    more = {"azimuth": np.radians(30.0), "distance": 7_170.0, "earthquake": quake, "site": site}
-    return make_record("x", SAMPLES, DT, processing_history=("read", "filtered"), **words, **more)
+QUAKE = Earthquake("1989-10-18T00:04:15Z", 6.93, "Mw", 37.04, -121.883, 17_480.0)
+SITE = StationSite(37.046, -121.803, 97.5, 462.24, "NEHRP C", "crest of a dam")
+WORDS = {"event": "Loma Prieta", "station": "Corralitos, 1 Road", "component": "N30E"}
+MORE = {"azimuth": np.radians(30.0), "distance": 7_170.0, "earthquake": QUAKE, "site": SITE}
+WHOLE_RECORD = make_record("x", SAMPLES, DT, processing_history=("read", "filtered"), **WORDS, **MORE)
+"""A record of which everything is known."""
 
 
 @pytest.mark.parametrize("unit", ["m/s2", "g", "cm/s2", "gal", "mm/s2"])
 def test_a_round_trip_keeps_all_that_is_known(tmp_path: Path, unit: str) -> None:
-    before = described()
+    before = WHOLE_RECORD
     (tmp_path / "a.csv").write_text(csv_text(before), encoding="utf-8")
     assert ended("records", "convert", tmp_path / "a.csv", "--to-unit", unit, "-o", tmp_path / "b.csv") == 0
     (after,) = read_records(tmp_path / "b.csv")
@@ -223,7 +222,7 @@ def test_a_round_trip_keeps_all_that_is_known(tmp_path: Path, unit: str) -> None
 
 
 def test_a_file_of_ours_that_was_cut_is_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    whole = csv_text(described())
+    whole = csv_text(WHOLE_RECORD)
     for share in (0.5, 0.9, 0.999):
         (tmp_path / "a.csv").write_text(whole[: int(share * len(whole))].rpartition("\n")[0], encoding="utf-8")
         assert ended("records", "list", tmp_path / "a.csv") == 2

@@ -32,23 +32,12 @@ WRITTEN = ("Check", "Step", "Message")
 """What procedures and calculation sheets return, and formulas do not."""
 
 
-def clause_functions(edition: str) -> set[str]:
-    """Public functions of the files of formulas of an edition, but for what makes checks and lines of sheets."""
-    files = [CODES / f"{name}.py" for name in FILES[edition]]
-    found = [node for file in files for node in ast.parse(file.read_text()).body if isinstance(node, ast.FunctionDef)]
-    formulas = {each.name for each in found if not any(word in ast.unparse(each.returns) for word in WRITTEN)}
-    return {name for name in formulas - NO_FORMULA.get(edition, set()) if not name.startswith("_")}
-
-
-def is_table(test: ast.FunctionDef) -> bool:
-    """Whether a test runs over a table of cases."""
-    return any("parametrize" in ast.unparse(each) for each in test.decorator_list)
-
-
 def called_in_tables(file: Path) -> Iterator[str]:
     """Names of the functions that the parametrised tests of a file call."""
     for test in ast.parse(file.read_text()).body:
-        if isinstance(test, ast.FunctionDef) and is_table(test):
+        if isinstance(test, ast.FunctionDef) and any(
+            "parametrize" in ast.unparse(each) for each in test.decorator_list
+        ):
             for node in ast.walk(test):
                 if isinstance(node, ast.Call):
                     yield ast.unparse(node.func).rpartition(".")[2]
@@ -56,5 +45,10 @@ def called_in_tables(file: Path) -> Iterator[str]:
 
 @pytest.mark.parametrize("edition", FILES)
 def test_every_clause_function_has_a_table_test(edition: str) -> None:
-    missing = clause_functions(edition) - set(called_in_tables(TESTS / edition / "test_clauses.py"))
+    # Public functions of the files of formulas of an edition, but for what makes checks and lines of sheets
+    files = [CODES / f"{name}.py" for name in FILES[edition]]
+    found = [node for file in files for node in ast.parse(file.read_text()).body if isinstance(node, ast.FunctionDef)]
+    formulas = {each.name for each in found if not any(word in ast.unparse(each.returns) for word in WRITTEN)}
+    public = {name for name in formulas - NO_FORMULA.get(edition, set()) if not name.startswith("_")}
+    missing = public - set(called_in_tables(TESTS / edition / "test_clauses.py"))
     assert not missing, f"add a table test of {', '.join(sorted(missing))} to {edition}/test_clauses.py"

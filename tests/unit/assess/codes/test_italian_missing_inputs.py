@@ -27,15 +27,14 @@ FLOOR = OpenSeat("floor", "positive", np.linspace(0.0, 0.3, 301), 6.0 * np.linsp
 PROCEDURES = {"ntc2018-linear": ntc2018.assess_linear, "ntc2018-nonlinear": ntc2018.assess_nonlinear}
 
 
-def wall():
-    return equivalent_block("w", p=1.6, uplift=0.2, radius=3.0).oscillator
+WALL = equivalent_block("w", p=1.6, uplift=0.2, radius=3.0).oscillator
 
 
 def asked(procedure="ntc2018-nonlinear", *, state="SLV", factor=None, spectrum=None, building=None, **more):
     used = spectrum or SPECTRA["SLV"]
     context = Context(used, (used.pga,), 0.0, more.pop("elevation", 0.0), building, **more)
     options = ItalianOptions(factor, (state,))
-    return apply_procedure(procedure, partial(PROCEDURES[procedure], options=options), wall(), context)
+    return apply_procedure(procedure, partial(PROCEDURES[procedure], options=options), WALL, context)
 
 
 def factor_of(check):
@@ -82,7 +81,7 @@ def test_without_a_seat_slc_is_not_answered_and_slv_passes_on_that_condition():
     (condition,) = slv.conditions
     assert condition.key == "seats-hold"
     moved = condition.values["seats"].values["moved"].value
-    assert moved == pytest.approx(6.0 * slv.capacity_rotation_ratio * wall().branches[0].overturning, rel=1e-6)
+    assert moved == pytest.approx(6.0 * slv.capacity_rotation_ratio * WALL.branches[0].overturning, rel=1e-6)
     assert moved > 1.5 * slv.capacity  # 6 m up, where the centre of masses is 2.9 m up
     assert asked()[0].conditions == ()
 

@@ -26,13 +26,12 @@ def site(*, levels=(0.25 * g,)):
     return Context(spectra["SLV"], levels, 0.0, 0.0, None, hazard=hazard)
 
 
-def wall():
-    return equivalent_block("w", p=1.8, uplift=0.15, radius=2.4).oscillator
+WALL = equivalent_block("w", p=1.8, uplift=0.15, radius=2.4).oscillator
 
 
 def test_each_limit_state_has_its_own_pga_and_the_level_multiplies_all():
     damage, life = ntc2018.assess_linear(
-        wall(), site(levels=(0.125 * g,)), options=ItalianOptions(limit_states=("SLD", "SLV"))
+        WALL, site(levels=(0.125 * g,)), options=ItalianOptions(limit_states=("SLD", "SLV"))
     )
     assert damage.level_pga_g == life.level_pga_g == pytest.approx(0.125, rel=1e-12)
     assert damage.demand == pytest.approx(0.05 * g, rel=1e-12)  # 0.10 g · 0.125 / 0.25
@@ -44,7 +43,7 @@ def test_each_limit_state_has_its_own_pga_and_the_level_multiplies_all():
 def test_without_hazard_every_limit_state_has_the_pga_of_the_level():
     alone = Context(spectrum(0.25), (0.2 * g,), 0.0, 0.0, None)
     assert pga_ratio(None, alone.spectrum, "SLD") == 1.0
-    (damage,) = ntc2018.assess_linear(wall(), alone, options=ItalianOptions(limit_states=("SLD",)))
+    (damage,) = ntc2018.assess_linear(WALL, alone, options=ItalianOptions(limit_states=("SLD",)))
     assert damage.demand == pytest.approx(0.2 * g, rel=1e-12)
     assert damage.return_period_years is None
     assert "that of the level" in damage.steps[0].description
@@ -80,14 +79,14 @@ def test_clamped_return_period_is_said_so():
 
 
 def test_older_edition_is_rated_where_the_site_gives_its_hazard():
-    (check,) = dmi2008.assess_linear(wall(), site(), options=ItalianOptions())
+    (check,) = dmi2008.assess_linear(WALL, site(), options=ItalianOptions())
     assert check.safety_index == pytest.approx(1 / check.ratio, rel=1e-12)
     assert check.return_period_years is not None
 
 
 def test_older_edition_has_an_index_on_a_single_spectrum_too():
     (check,) = dmi2008.assess_linear(
-        wall(), Context(spectrum(0.25), (0.2 * g,), 0.0, 0.0, None), options=ItalianOptions()
+        WALL, Context(spectrum(0.25), (0.2 * g,), 0.0, 0.0, None), options=ItalianOptions()
     )
     assert check.safety_index == pytest.approx(1 / check.ratio, rel=1e-12)
     assert check.return_period_years is None

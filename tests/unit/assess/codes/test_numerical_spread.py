@@ -134,18 +134,16 @@ def test_every_level_has_the_same_draw_and_more_records_do_not_change_it():
     assert (draw_values(values)[3] == [values[run, n] for n, run in enumerate(draw_runs(7, 9)[3])]).all()
 
 
-def scan():
-    """p is 1, about 8/9, about 7/9 (below 0.84), 1, about 4/9, 1/9 and 0, at 0.1 to 0.7 g: the one record by itself."""
-    suites = []
-    for place, falls in enumerate((0, 1, 2, 0, 5, 8, 9)):
-        runs = np.full((9, 7), 0.1)
-        runs[9 - falls :, 0] = inf
-        suites.append(suite(runs, (place + 1) * 0.1 * g))
-    return tuple(suites)
+FALLS = (0, 1, 2, 0, 5, 8, 9)
+"""p is 1, about 8/9, about 7/9 (below 0.84), 1, about 4/9, 1/9 and 0, at 0.1 to 0.7 g: the one record by itself."""
+SCAN = tuple(
+    suite(np.where((np.arange(9) >= 9 - falls)[:, None] & (np.arange(7) == 0), inf, 0.1), (place + 1) * 0.1 * g)
+    for place, falls in enumerate(FALLS)
+)
 
 
 def test_capacities_are_the_last_levels_before_too_few_draws_hold():
-    found = check(ASCE, *np.full((9, 7), 0.1), scan=scan())
+    found = check(ASCE, *np.full((9, 7), 0.1), scan=SCAN)
     assert found.capacity_pga_g == pytest.approx(0.2)
     assert found.numerical.capacity_half_pga_g == pytest.approx(0.4)
     assert found.numerical.capacity_low_pga_g == pytest.approx(0.5)
@@ -155,14 +153,14 @@ def test_capacities_are_the_last_levels_before_too_few_draws_hold():
 def test_a_level_that_the_records_as_they_are_fail_ends_the_capacity():
     runs = np.full((9, 7), 0.1)
     runs[0, 0] = inf
-    found = check(ASCE, *np.full((9, 7), 0.1), scan=(scan()[0], suite(runs, 0.15 * g), *scan()[1:]))
+    found = check(ASCE, *np.full((9, 7), 0.1), scan=(SCAN[0], suite(runs, 0.15 * g), *SCAN[1:]))
     assert found.capacity_pga_g == pytest.approx(0.1)
     assert found.numerical.capacity_half_pga_g == pytest.approx(0.4)
 
 
 def test_an_index_is_at_the_limit_where_more_draws_would_reach_the_target():
     """Italian targets below one compare zeta_E: 0.2 g of 0.2 g, where half of the draws hold to 0.4 g."""
-    found = check(NTC, *np.full((9, 7), 0.1), scan=scan())
+    found = check(NTC, *np.full((9, 7), 0.1), scan=SCAN)
     index = Index("ζ_E", found.safety_index)
     assert found.safety_index == pytest.approx(1.0)
     assert not is_near(found, index, 0.8, 0.0)
@@ -175,7 +173,7 @@ def test_a_level_that_passes_above_a_failure_of_the_scan_fails_at_the_limit(basi
     """At 0.2 g all draws hold, at 0.15 g none: the margin is 0.1 / 0.2, which no target of one is reached with."""
     fallen = suite(np.full((9, 7), 0.9), 0.15 * g)
     assess = NTC if basis == "ntc2018" else ASCE
-    found = check(assess, *np.full((9, 7), 0.1), scan=(scan()[0], fallen, *scan()[1:]))
+    found = check(assess, *np.full((9, 7), 0.1), scan=(SCAN[0], fallen, *SCAN[1:]))
     assert (found.verdict, found.capacity_pga_g) == (Outcome.PASS, pytest.approx(0.1))
     assert [each.key for each in found.remarks] == ["fails-below"]
     assert decide(found, BASES[basis], 1.0) == Decision.FAIL
@@ -185,7 +183,7 @@ def test_a_level_that_passes_above_a_failure_of_the_scan_fails_at_the_limit(basi
 @pytest.mark.parametrize("basis", ["ntc2018", "asce43-05"])
 def test_a_pass_without_a_scan_has_a_condition(basis):
     assess = NTC if basis == "ntc2018" else ASCE
-    scanned, alone = (check(assess, *np.full((9, 7), 0.1), scan=each) for each in (scan(), ()))
+    scanned, alone = (check(assess, *np.full((9, 7), 0.1), scan=each) for each in (SCAN, ()))
     assert "not-scanned" not in [each.key for each in scanned.conditions]
     assert "not-scanned" in [each.key for each in alone.conditions]
 

@@ -126,17 +126,11 @@ def test_uplift_is_lambda_g() -> None:
     assert uplift_acceleration(UNLIKE, "linearised") == pytest.approx(g * OTHER.linearised.multiplier, rel=1e-12)
 
 
-def joint(softness: float = 0.05) -> Oscillator:
-    """A block whose moment grows from nothing to its peak within `softness` of its overturning rotation."""
-    phi = ONE.rotation
-    soft = ONE.restoring * -np.expm1(-3.0 * phi / (softness * ONE.overturning))
-    side = replace(ONE, restoring=soft, overturning_flexible=ONE.overturning)
-    return Oscillator(side, side, 1.0)
-
-
 def test_without_a_threshold_the_scan_begins_below_what_is_resisted() -> None:
     """A slow cosine overturns it as soon as it exceeds what any rotation holds; uplift is zero."""
-    body = joint()
+    soft = ONE.restoring * -np.expm1(-3.0 * ONE.rotation / (0.05 * ONE.overturning))  # grows from nothing to its peak
+    side = replace(ONE, restoring=soft, overturning_flexible=ONE.overturning)
+    body = Oscillator(side, side, 1.0)
     found = envelope(body, PULSE_SHAPES["cosine"], np.array([0.02]), np.array([0.0, 6.0]), equation="exact")
     assert found.uplift.tolist() == [0.0]
     most = g * float(multiplier(body.positive).max())

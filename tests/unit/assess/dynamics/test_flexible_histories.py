@@ -26,10 +26,6 @@ W, LAW = MASS * g, JointLaw(2e8, 1.5e6)
 SHAKING = {"peak": 2.4, "npts": 160, "dt": 0.025, "smooth": 12, "bell": 1.0}
 
 
-def wall(**joint) -> Oscillator:
-    return wall_on_joints(B, H, **{"law": LAW, "length": L, "restitution": (0.92, 0.92)} | joint).oscillator
-
-
 BODIES = {
     "flexible": {},
     "semi-flexible": {"model": "semi-flexible"},
@@ -40,7 +36,8 @@ EVERY = pytest.mark.parametrize("body", BODIES, indirect=True)
 
 @cache
 def body_named(name: str) -> Oscillator:
-    return wall(**BODIES[name])
+    joint = {"law": LAW, "length": L, "restitution": (0.92, 0.92)} | BODIES[name]
+    return wall_on_joints(B, H, **joint).oscillator
 
 
 @pytest.fixture

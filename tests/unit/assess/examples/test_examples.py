@@ -22,12 +22,6 @@ def examples(tmp_path_factory) -> dict[str, Path]:
     return {name: copy_example(name, folder / name) for name in EXAMPLES}
 
 
-def require_readers(name: str) -> None:
-    """Skip an example whose model needs a reader that is not installed."""
-    if EXAMPLES[name].models():
-        pytest.importorskip("ifcopenshell", reason="the extra 'ifc' is not installed")
-
-
 def test_every_folder_of_examples_is_listed_once_in_one_line(capsys) -> None:
     assert {path.name for path in source("x").parent.iterdir() if path.is_dir()} == set(EXAMPLES)
     assert all((source(name) / each.file).is_file() for name, each in EXAMPLES.items())
@@ -107,7 +101,8 @@ VERDICTS = {  # exit codes: 0 pass, 1 fail, 3 incomplete
 def test_an_example_runs_from_check_to_the_verdict_of_its_readme(
     name: str, examples: dict[str, Path], capsys: pytest.CaptureFixture[str], one_build: None
 ) -> None:
-    require_readers(name)
+    if EXAMPLES[name].models():
+        pytest.importorskip("ifcopenshell", reason="the extra 'ifc' is not installed")
     run = example_run(name)
     capsys.readouterr()
     assert ended("check", run.project) == 0

@@ -16,14 +16,12 @@ def read(surface: Surface) -> trimesh.Trimesh:
     return trimesh.load_mesh(trimesh.util.wrap_as_stream(ply(surface)), file_type="ply")
 
 
-def box() -> Surface:
-    """A slab of 4 rows and 3 columns, 0.5 m x 2 m x 3 m."""
-    y, z = np.meshgrid(np.linspace(-1.0, 1.0, 3), np.linspace(0.0, 3.0, 4))
-    return slab(*(np.stack([np.full_like(y, x), y, z], -1) for x in (0.25, -0.25)))
+Y, Z = np.meshgrid(np.linspace(-1.0, 1.0, 3), np.linspace(0.0, 3.0, 4))
+SLAB = slab(*(np.stack([np.full_like(Y, x), Y, Z], -1) for x in (0.25, -0.25)))  # 0.5 m x 2 m x 3 m
 
 
 def test_a_slab_is_a_closed_box():
-    mesh = read(box())
+    mesh = read(SLAB)
     assert mesh.is_watertight
     assert mesh.volume == pytest.approx(3.0, rel=1e-12)
     np.testing.assert_allclose(mesh.center_mass, [0.0, 0.0, 1.5], rtol=0, atol=1e-12)
@@ -49,5 +47,5 @@ def test_a_body_of_revolution(profile, volume, euler):
 
 
 def test_the_file_keeps_every_digit():
-    surface = box()
+    surface = SLAB
     np.testing.assert_array_equal(np.unique(read(surface).vertices, axis=0), np.unique(surface.points, axis=0))

@@ -21,15 +21,6 @@ def ball(n: int = 900) -> Surface:
     return merge_vertices(body.vertices, body.triangles)
 
 
-def tube(n: int = 24) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Vertices of a ring tower, radii 2 and 1 m, 5 m high; triangles of its skins and top; triangles of its foot."""
-    turn = 2.0 * np.pi * np.arange(n) / n
-    rings = [np.column_stack([r * np.cos(turn), r * np.sin(turn), np.full(n, z)]) for r in (2, 1) for z in (0, 5)]
-    k, q = np.arange(n), (np.arange(n) + 1) % n
-    skin = lambda a, b: np.vstack([np.column_stack([a + k, a + q, b + q]), np.column_stack([a + k, b + q, b + k])])  # noqa: E731
-    return np.vstack(rings), np.vstack([skin(0, n), skin(3 * n, 2 * n), skin(n, 3 * n)]), skin(2 * n, 0)
-
-
 @pytest.mark.parametrize("share", [0.005, 0.02, 0.05])
 def test_missing_triangles_of_a_ball_are_closed(share: float) -> None:
     vertices, triangles = ball()
@@ -41,7 +32,14 @@ def test_missing_triangles_of_a_ball_are_closed(share: float) -> None:
 
 
 def test_a_missing_foot_of_a_hollow_tower_is_a_ring() -> None:
-    vertices, rest, foot = tube()
+    # Vertices of a ring tower, radii 2 and 1 m, 5 m high; triangles of its skins and top; triangles of its foot
+    n = 24
+    turn = 2.0 * np.pi * np.arange(n) / n
+    rings = [np.column_stack([r * np.cos(turn), r * np.sin(turn), np.full(n, z)]) for r in (2, 1) for z in (0, 5)]
+    k, q = np.arange(n), (np.arange(n) + 1) % n
+    skin = lambda a, b: np.vstack([np.column_stack([a + k, a + q, b + q]), np.column_stack([a + k, b + q, b + k])])  # noqa: E731
+    vertices, foot = np.vstack(rings), skin(2 * n, 0)
+    rest = np.vstack([skin(0, n), skin(3 * n, 2 * n), skin(n, 3 * n)])
     found, told = repair((vertices, rest), where="tower")
     whole = volume(vertices, np.vstack([rest, foot]))
     assert volume(*found) == pytest.approx(whole, rel=1e-12)

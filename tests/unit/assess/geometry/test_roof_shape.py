@@ -11,12 +11,9 @@ from assess.loads.roofs_and_vaults import extent_along, intrados_area, mean_leve
 from tests.support.solids import moved_solid
 from tests.support.vaults import barrel_section, groined_vault, thicken
 
-
-def gable(*, span=6.0, rise=2.5, thickness=0.2) -> Solid:
-    """A pair of slabs of even thickness: their undersides lie under their tops by `thickness`, upright."""
-    half, t = span / 2, thickness
-    points = [[-half, 0], [0, rise], [half, 0], [half, t], [0, rise + t], [-half, t]]
-    return profile(points, length=4.0, density=500.0, name="roof")
+GABLE = profile(  # a pair of slabs of even thickness: their undersides lie under their tops by 0.2 m, upright
+    [[-3, 0], [0, 2.5], [3, 0], [3, 0.2], [0, 2.7], [-3, 0.2]], length=4.0, density=500.0, name="roof"
+)
 
 
 def ring(*, parts=240, **form) -> Solid:
@@ -33,7 +30,7 @@ def turned(solid: Solid, degrees: float) -> Solid:
 
 
 @pytest.mark.parametrize("degrees", [0.0, 35.0, 90.0, 200.0])
-@pytest.mark.parametrize("covering", [gable(), ring(parts=24), ring(half_angle=0.6, parts=24)])
+@pytest.mark.parametrize("covering", [GABLE, ring(parts=24), ring(half_angle=0.6, parts=24)])
 def test_the_axis_runs_across_the_ridge(covering, degrees):
     found = roof_slope(turned(covering, degrees))
     across = (np.cos(np.radians(degrees)), np.sin(np.radians(degrees)), 0.0)
@@ -58,7 +55,7 @@ def test_a_single_slope_and_a_flat_roof():
 
 def test_span_and_rise_along_an_axis():
     axis = np.array([np.cos(0.5), np.sin(0.5), 0.0])
-    solid = turned(gable(), np.degrees(0.5))
+    solid = turned(GABLE, np.degrees(0.5))
     low, high = extent_along(solid, axis=axis)
     assert high - low == pytest.approx(6.0, rel=1e-9)
     assert overall_height(solid) == pytest.approx(2.7, rel=1e-9)
@@ -67,7 +64,7 @@ def test_span_and_rise_along_an_axis():
 @pytest.mark.parametrize("degrees", [0.0, 35.0])
 def test_lever_of_slabs_of_even_thickness_is_a_quarter_of_the_span(degrees):
     axis = np.array([np.cos(np.radians(degrees)), np.sin(np.radians(degrees)), 0.0])
-    assert mean_lever_arm(turned(gable(), degrees), axis=axis) == pytest.approx(6.0 / 4, rel=1e-9)
+    assert mean_lever_arm(turned(GABLE, degrees), axis=axis) == pytest.approx(6.0 / 4, rel=1e-9)
 
 
 @pytest.mark.parametrize("half_angle", [0.3, 0.9, np.pi / 2])

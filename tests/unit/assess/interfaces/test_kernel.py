@@ -109,22 +109,14 @@ def test_order_of_the_rotations_does_not_matter(section):
     np.testing.assert_allclose(shuffled[:, [RESULTANT, CLOSURE]], straight[order][:, [RESULTANT, CLOSURE]], rtol=1e-13)
 
 
-def rough():
-    """A strip with a row of teeth closer together than rounding of single precision."""
-    teeth = [(1.0 - 2e-7 * n, 1.0 + 0.1 * (n % 2)) for n in range(20)]
-    return polygon(shapely.Polygon([(0, 0), (2, 0), (2, 1), *teeth, (0, 1)]), direction=(1.0, 0.0))
-
-
-def many_sided():
-    """A polygon of 2000 sides, whose pieces near its ends are short."""
-    angles = np.linspace(0, 2 * np.pi, 2000, endpoint=False)
-    return polygon(shapely.Polygon(np.column_stack([np.cos(angles), np.sin(angles)])), direction=(1.0, 0.3))
+TEETH = [(1.0 - 2e-7 * n, 1.0 + 0.1 * (n % 2)) for n in range(20)]  # closer together than single precision rounds
+ROUGH = polygon(shapely.Polygon([(0, 0), (2, 0), (2, 1), *TEETH, (0, 1)]), direction=(1.0, 0.0))
+ANGLES = np.linspace(0, 2 * np.pi, 2000, endpoint=False)  # of corners: the pieces near the ends are short
+MANY_SIDED = polygon(shapely.Polygon(np.column_stack([np.cos(ANGLES), np.sin(ANGLES)])), direction=(1.0, 0.3))
 
 
 @pytest.mark.parametrize("thickness", [1e-2, 1e-5, 1e-6, 1e-8])
-@pytest.mark.parametrize(
-    ("section", "share"), [(many_sided(), 0.01), (many_sided(), 0.9), (rough(), 1.000002 / rough().area)]
-)
+@pytest.mark.parametrize(("section", "share"), [(MANY_SIDED, 0.01), (MANY_SIDED, 0.9), (ROUGH, 1.000002 / ROUGH.area)])
 def test_thin_elastic_zone_loses_no_digits(section, share, thickness):
     """Against rational arithmetic; thickness: of the zone over the depth, share: force over what can be carried."""
     N = F * section.area * share

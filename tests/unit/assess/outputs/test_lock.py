@@ -25,16 +25,12 @@ with hold_lock(Path(sys.argv[1]), command="assess run"):
 """
 
 
-def holder(folder: Path) -> subprocess.Popen[str]:
-    """Another process that holds the lock of the folder."""
-    process = subprocess.Popen([sys.executable, "-c", HOLD, str(folder)], stdout=subprocess.PIPE, text=True)
+def test_a_second_command_is_told_who_is_writing(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    # Another process that holds the lock of the folder
+    process = subprocess.Popen([sys.executable, "-c", HOLD, str(tmp_path)], stdout=subprocess.PIPE, text=True)
     assert process.stdout is not None
     assert process.stdout.readline() == "held\n"
-    return process
-
-
-def test_a_second_command_is_told_who_is_writing(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    with holder(tmp_path) as first:
+    with process as first:
         monkeypatch.setattr(lock.time, "sleep", lambda _: pytest.fail("it waits"))
         words = rf"{tmp_path}: is being written by assess run \(process {first.pid} on {socket.gethostname()}, since 20"
         with pytest.raises(HeldError, match=words):

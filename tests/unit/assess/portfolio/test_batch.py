@@ -175,16 +175,12 @@ def test_a_project_that_ends_its_process_is_a_row_and_the_others_are_done(tmp_pa
     assert (broken[0].exit_code, "alone and twice" in broken[0].reason) == (70, True)
 
 
-def start(place: Path, number: int, seconds: float) -> subprocess.Popen[bytes]:
-    command = [sys.executable, "-m", "tests.support.portfolios", str(place), str(number), str(seconds)]
-    return subprocess.Popen(command, cwd=SOURCES, env={**os.environ, "PYTHONPATH": str(SOURCES)})
-
-
 @pytest.mark.parametrize("after", [1, 7, 19])
 def test_killed_and_resumed_it_comes_to_the_same_bytes(after: int, tmp_path: Path) -> None:
     number, place = 20, tmp_path / "out"
     tasks = [task(str(n), "sleep 0.04") for n in range(number)]
-    with start(place, number, 0.04) as process:
+    command = [sys.executable, "-m", "tests.support.portfolios", str(place), str(number), "0.04"]
+    with subprocess.Popen(command, cwd=SOURCES, env={**os.environ, "PYTHONPATH": str(SOURCES)}) as process:
         deadline = time.monotonic() + 60
         while time.monotonic() < deadline and not ((place / "ledger.sqlite").exists() and _count(place) >= after):
             time.sleep(0.005)

@@ -99,10 +99,9 @@ def test_a_limit_state_is_compared_with_itself_where_the_other_run_has_more(befo
 
 
 def test_the_other_way_round_is_the_mirror_image(before: Results, after: Results) -> None:
-    def turned(change: Difference) -> Difference:
-        return replace(change, before=change.after, after=change.before)
-
-    assert set(map(repr, differences(after, before))) == {repr(turned(change)) for change in differences(before, after)}
+    assert set(map(repr, differences(after, before))) == {
+        repr(replace(change, before=change.after, after=change.before)) for change in differences(before, after)
+    }
 
 
 def test_what_one_run_alone_has_is_a_change(before: Results) -> None:

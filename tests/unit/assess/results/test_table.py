@@ -51,13 +51,11 @@ def assert_rows(frame: pd.DataFrame, rows: list[dict[str, Any]]) -> None:
             assert (pd.isna(found) and expected is None) or found == expected, (place, name)
 
 
-def of_mechanisms(plain: Any, key: str) -> list[dict[str, Any]]:
-    return [{"mechanism": each["name"], **row} for each in plain["mechanisms"] for row in each[key]]
-
-
 @pytest.mark.parametrize("name", ["checks", "histories", "suites"])
 def test_tables_of_mechanisms_hold_the_numbers_of_the_file(results: Results, plain: Any, name: str) -> None:
-    assert_rows(table(results, name), of_mechanisms(plain, name))
+    assert_rows(
+        table(results, name), [{"mechanism": each["name"], **row} for each in plain["mechanisms"] for row in each[name]]
+    )
 
 
 @pytest.mark.parametrize("name", ["records", "comparison", "sensitivity"])

@@ -44,13 +44,9 @@ def study_of(folder: Path, *, spectrum=ASCE, mechanism="", records=QUIET, analys
         records=records,
         analysis=analysis,
     )
-    return projects.study_of(folder, facing(mechanism, text) + tail)
-
-
-def facing(mechanism: str, text: str) -> str:
-    """The project without its own direction where the lines of the mechanism give one."""
-    own = any(line.startswith("direction") for line in mechanism.splitlines())
-    return text.replace("direction = [1, 0, 0]\n", "", 1) if own else text
+    if any(line.startswith("direction") for line in mechanism.splitlines()):  # in place of the project's own
+        text = text.replace("direction = [1, 0, 0]\n", "", 1)
+    return projects.study_of(folder, text, tail)
 
 
 def test_levels_rise_and_default_to_the_sites_own_pga(tmp_path):

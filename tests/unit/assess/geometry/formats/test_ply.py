@@ -21,13 +21,9 @@ STRUCT = {"<": "binary_little_endian", ">": "binary_big_endian", "": "ascii"}
 SQUARE = [(0.0, 0.0, 0.0), (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (1.0, 1.0, 0.0), (0.0, 2.0, 0.0), (1.0, 2.0, 0.0)]
 
 
-def kept(folder: Path, data: bytes) -> Path:
-    (folder / "mesh.ply").write_bytes(data)
-    return folder / "mesh.ply"
-
-
 def read(folder: Path, data: bytes) -> ElementMesh:
-    (found,) = read_ply(kept(folder, data)).meshes
+    (folder / "mesh.ply").write_bytes(data)
+    (found,) = read_ply(folder / "mesh.ply").meshes
     return found
 
 

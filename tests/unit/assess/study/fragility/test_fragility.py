@@ -68,12 +68,6 @@ COUNT, SCATTER = 60, 0.4
 DURATIONS = 0.12 * np.exp(SCATTER * norm.ppf((np.arange(COUNT) + 0.5) / COUNT))
 
 
-@cache
-def pulse_results(folder: Path) -> FragilityResults:
-    pulses = tuple(half_sine(duration, place) for place, duration in enumerate(DURATIONS))
-    return run_fragility(study_with(folder, pulses, largest_factor=1000.0, draws=100), jobs=1)
-
-
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return tmp_path_factory.mktemp("fragility")
@@ -81,7 +75,8 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture(scope="module")
 def pulses(folder: Path) -> FragilityResults:
-    return pulse_results(folder)
+    pulses = tuple(half_sine(duration, place) for place, duration in enumerate(DURATIONS))
+    return run_fragility(study_with(folder, pulses, largest_factor=1000.0, draws=100), jobs=1)
 
 
 def test_an_oracle_in_closed_form(pulses: FragilityResults) -> None:

@@ -304,8 +304,8 @@ def write_report(
     from assess.outputs.manifest import REPORT, RESULTS
     from assess.outputs.writing import output_folder
     from assess.results.json import dumps
-    from reports.language.catalogue import languages
-    from reports.writing import write_all
+    from reports.assessment import write_all
+    from reports.language.locale import languages
 
     if not isinstance(run, Run):
         raise OutputError(f"run: {type(run).__name__} given; give what assess.run returns")
@@ -502,6 +502,6 @@ def _write_outputs(job: Job, results: Results) -> str:
         (stage / RESULTS).write_bytes(dumps(results).encode())
         if job.keep == "results":
             return ""
-        from reports.writing import write_all
+        from reports.assessment import write_all
 
         return f"{job.folder.name}/{write_all(results, stage, jobs=1).relative_to(stage).as_posix()}"

@@ -51,7 +51,7 @@ Cell = Text | OutcomeCell | Link | float | int | bool | None
 class Column:
     """One column of a table.
 
-    dimension : of its numbers, a key of `reports.language.units.UNITS`, shown in the heading; "" for text
+    dimension : of its numbers, a key of `reports.language.locale.UNITS`, shown in the heading; "" for text
     figures : significant figures of its numbers
     share : of the width of the table, 0 to share what is left by the length of its cells
     """

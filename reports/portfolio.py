@@ -10,13 +10,12 @@ from assess.portfolio.tasks import ProjectRow, rank
 from assess.results.provenance import describe_program
 from reports.chapters.cells import LIMIT_STATE, METHOD, OUTCOME, OUTCOMES, RATIO
 from reports.document import Cell, Column, Document, Link, OutcomeCell, Prose, Section, Table
-from reports.language.locale import Locale
+from reports.language.locale import Locale, System
 from reports.language.texts import Phrase, Text, Verbatim, count, say
-from reports.language.units import System
-from reports.render.csv import write_csv
+from reports.mechanisms import short_title
 from reports.render.html import write_html
 from reports.render.spreadsheet import write_xlsx
-from reports.titles import short_title
+from reports.render.table_text import write_csv
 
 NAME = "ranked"
 FILES = (f"{NAME}.csv", f"{NAME}.xlsx", f"{NAME}.html")

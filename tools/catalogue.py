@@ -19,8 +19,7 @@ from babel.messages.extract import extract_from_dir
 from babel.messages.pofile import read_po, write_po
 
 from assess.messages.texts import TEXTS
-from reports.language.catalogue import FOLDER
-from reports.language.units import UNIT_WORDS
+from reports.language.locale import FOLDER, UNIT_WORDS
 from tests.languages.fixed_terms import fixed_terms
 from tests.support.places import SOURCES
 

@@ -77,7 +77,7 @@ def _run_project(project: Path, output: Path | None, jobs: int | None, *, report
         main_file = stage / RESULTS
         main_file.write_bytes(dumps(results).encode())
         if report:
-            from reports.writing import write_all
+            from reports.assessment import write_all
 
             main_file = write_all(results, stage, jobs=jobs or 0, progress=shown.step)
     return results, folder / main_file.relative_to(stage)
@@ -199,8 +199,7 @@ def envelope(
             study = build(loaded, executor=executor)
         results = run_envelopes(study, jobs=jobs or available_cores(), progress=shown.count)
         if stage is not None:
-            from reports.assessment import envelope_report
-            from reports.writing import write_document
+            from reports.assessment import envelope_report, write_document
 
             (stage / ENVELOPES).write_bytes(dumps(results).encode())
             write_document(envelope_report(results), stage, name="envelopes.pdf", jobs=jobs or 0, progress=shown.step)
@@ -272,8 +271,7 @@ def fragility(
             study = build(loaded, executor=executor)
         results = run_fragility(study, jobs=jobs or available_cores(), progress=shown.count)
         if stage is not None:
-            from reports.assessment import fragility_report
-            from reports.writing import write_document
+            from reports.assessment import fragility_report, write_document
 
             (stage / FRAGILITY).write_bytes(dumps_fragility(results).encode())
             write_document(fragility_report(results), stage, name="fragility.pdf", jobs=jobs or 0, progress=shown.step)

@@ -111,7 +111,7 @@ def geometry_table(listed: Listed) -> str:
 
 def geometry_csv(listed: Listed) -> str:
     """Write everything at full precision under its JSON names, with a column for each component of vectors."""
-    from reports.render.csv import csv_lines
+    from reports.render.table_text import csv_lines
 
     rows = [_flat(row) for row in _properties_listed(listed)]
     return csv_lines([list(rows[0]), *(list(row.values()) for row in rows)])

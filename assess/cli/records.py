@@ -386,7 +386,7 @@ def scale(
     refuse_two_formats(as_json=as_json, as_csv=as_csv)
     if at is not None and to != "spectrum":
         raise typer.BadParameter("--at and --to exclude each other")
-    from assess.cli.tables.suites import suite_csv, suite_json, suite_table
+    from assess.cli.tables.records import suite_csv, suite_json, suite_table
     from assess.outputs.manifest import RECORDS
     from assess.outputs.writing import output_folder
     from assess.project.suites import write_scaled_files
@@ -424,7 +424,7 @@ def _refuse_without_target(context: typer.Context, target: Path | None, places: 
 
 def _print_suite(found: ScaledSuite, output: Path | None, *, as_json: bool, as_csv: bool) -> None:
     """Draw the suite where a figure is requested, and print it."""
-    from assess.cli.tables.suites import draw_suite, suite_csv, suite_json, suite_table
+    from assess.cli.tables.records import draw_suite, suite_csv, suite_json, suite_table
 
     if output is not None:
         draw_suite(found, output)

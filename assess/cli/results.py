@@ -17,7 +17,7 @@ from assess.cli.stderr import Progress, on_interruption, print_message, progress
 
 if TYPE_CHECKING:
     from assess.results import Results
-    from reports.writing import Form
+    from reports.assessment import Form
 
 
 class Detail(StrEnum):
@@ -59,8 +59,7 @@ def report(
         return
     from assess.outputs.manifest import ENVELOPES, RESULTS
     from assess.results.json import open_results
-    from reports.assessment import envelope_report, locale_of
-    from reports.writing import write_all, write_document
+    from reports.assessment import envelope_report, locale_of, write_all, write_document
 
     read = open_results(results, tell=print_message)
     found, folder = read.results, output or read.path.parent
@@ -87,8 +86,7 @@ def _report_fragility(path: Path, folder: Path, *, png: bool, language: Language
     """Rewrite the report of `assess fragility` from its results at `path`."""
     from assess.outputs.manifest import FRAGILITY
     from assess.results.json import open_fragility
-    from reports.assessment import fragility_report, locale_of, results_without_mechanisms
-    from reports.writing import write_document
+    from reports.assessment import fragility_report, locale_of, results_without_mechanisms, write_document
 
     found = open_fragility(path, tell=print_message)
     plain = results_without_mechanisms(found)
@@ -123,7 +121,7 @@ def _forms(png: bool) -> tuple[Form, ...]:
 def _language_of(results: Results, *, source: Path) -> str:
     """Return the language of results, English by default; raise ResultsError for one without a catalogue."""
     from assess.errors import ResultsError
-    from reports.language.catalogue import ENGLISH, languages
+    from reports.language.locale import ENGLISH, languages
     from reports.project_values import project_text
 
     language = project_text(results, "report.language")

@@ -178,7 +178,7 @@ def periods_of(spectrum: Spectrum) -> list[float]:
 def spectrum_csv(spectrum: Spectrum) -> str:
     """Write period and acceleration at full precision, in the format of a spectrum table."""
     from assess.study.ground_motion import spectrum_result
-    from reports.render.csv import csv_lines
+    from reports.render.table_text import csv_lines
 
     result = spectrum_result(spectrum)
     rows = zip(result.period_s, result.acceleration_g, strict=True)

@@ -145,8 +145,7 @@ def _run_cases(
             from assess.outputs.manifest import digest
             from assess.results.json import dumps_verification
             from assess.verification.case_files import write_cases
-            from reports.assessment import verification_report
-            from reports.writing import write_pages
+            from reports.assessment import verification_report, write_pages
 
             shown.step("annex")
             write_cases(chosen, results.cases, stage / "cases")

@@ -19,29 +19,11 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.constants import g
 
+from assess.codes import italian_kinematic as kinematic
 from assess.codes.calculation_sheet import Given, Step, excitation_column, instability_step, integral_step, step
 from assess.codes.check import BranchName, Check, CodeProcedure, Family, branch_of, caveats_of, check_worst_branch
 from assess.codes.context import Context
 from assess.codes.italian_histories import HistoryRule, assess_histories
-from assess.codes.italian_kinematic import (
-    DisplacementAnalysis,
-    DisplacementCapacity,
-    DisplacementLimit,
-    acceleration_at,
-    acceleration_check,
-    acceleration_ratio_steps,
-    activation,
-    activation_steps,
-    break_conditions,
-    curve_steps,
-    displacement_capacity,
-    displacement_capacity_steps,
-    displacement_check,
-    displacement_ratio_step,
-    ground_step,
-    seat_conditions,
-    uplift_pga,
-)
 from assess.codes.italian_limit_states import (
     BranchCurves,
     Demands,
@@ -74,7 +56,7 @@ EDITION = ItalianEdition(
 )
 DAMPING = 0.05  # of every ordinate: the clauses know no other
 ULTIMATE = 0.4  # d_u* / d_0*, and d_s* / d_u* (C8A.4.2.2)
-DISPLACEMENT_LIMIT = DisplacementLimit(ULTIMATE, breaks=False, clause="C8A.4.2.2")
+DISPLACEMENT_LIMIT = kinematic.DisplacementLimit(ULTIMATE, breaks=False, clause="C8A.4.2.2")
 LINEAR_CLAUSE = "C8A.4.2.1"
 
 
@@ -106,8 +88,8 @@ def _linear_check(case: LimitStateCase, options: ItalianOptions) -> Check:
     FC, context, branch = case.confidence.factor, case.context, case.curves.starting
     q = options.behaviour_factor if case.state == "SLV" else 1.0
     demands = acceleration_demands(context, pga=case.pga, q=q)
-    a0 = activation(branch, mass=case.curves.mass, confidence_factor=FC)
-    return acceleration_check(
+    a0 = kinematic.activation(branch, mass=case.curves.mass, confidence_factor=FC)
+    return kinematic.acceleration_check(
         case,
         EDITION,
         procedure=DMI2008_LINEAR.name,
@@ -117,9 +99,9 @@ def _linear_check(case: LimitStateCase, options: ItalianOptions) -> Check:
         uplift_pga=uplift_on_floor(branch, context, confidence_factor=FC),
         damping=DAMPING,
         steps=(
-            *activation_steps(case, EDITION),
+            *kinematic.activation_steps(case, EDITION),
             *_acceleration_demand_steps(case, demands, q=q),
-            *acceleration_ratio_steps(LINEAR_CLAUSE, demands, capacity=a0),
+            *kinematic.acceleration_ratio_steps(LINEAR_CLAUSE, demands, capacity=a0),
         ),
     )
 
@@ -191,7 +173,7 @@ def _nonlinear_check(case: LimitStateCase) -> Check:
     FC, context = case.confidence.factor, case.context
     cap = capacity_of(case.curves, confidence_factor=FC)
     lifts = uplift_on_floor(case.curves.starting, context, confidence_factor=FC)
-    analysis = DisplacementAnalysis(
+    analysis = kinematic.DisplacementAnalysis(
         ultimate_displacement=cap.du,
         symbol="d_u*",
         collapse_displacement=cap.d0,
@@ -201,14 +183,17 @@ def _nonlinear_check(case: LimitStateCase) -> Check:
         activation_pga=lifts or 0.0,
         elastic_displacement_per_pga=0.0,
         uplift_pga=lifts,
-        conditions=(*break_conditions(case.curves), *seat_conditions(context, case.curves, case.state, cap.du)),
+        conditions=(
+            *kinematic.break_conditions(case.curves),
+            *kinematic.seat_conditions(context, case.curves, case.state, cap.du),
+        ),
     )
     steps = (
-        *activation_steps(case, EDITION),
+        *kinematic.activation_steps(case, EDITION),
         *_capacity_steps(case, cap),
         *_displacement_demand_steps(case, cap, analysis),
     )
-    return displacement_check(
+    return kinematic.displacement_check(
         case, analysis, EDITION, procedure=DMI2008_NONLINEAR.name, damping=DAMPING, rule="", steps=steps
     )
 
@@ -237,17 +222,17 @@ def _capacity_steps(case: LimitStateCase, cap: Dmi2008Capacity) -> tuple[Step, .
     of_ds: Given = {"k": ULTIMATE, "d_u*": (cap.du, "m")}
     of_Ts = {"d_s*": (cap.ds, "m"), "a_s*": (cap.as_, "m/s2")}
     return (
-        *displacement_capacity_steps(case.curves, cap.displacements, DISPLACEMENT_LIMIT, "d_u*",
+        *kinematic.displacement_capacity_steps(case.curves, cap.displacements, DISPLACEMENT_LIMIT, "d_u*",
                                      "ultimate displacement"),
         step("d_s*", "secant displacement, k = 0.4", NONLINEAR_CLAUSE, "k · d_u*", cap.ds, "m", given=of_ds),
-        *curve_steps(case, NONLINEAR_CLAUSE, "a_s*", "acceleration at d_s*, with actions that have not ended",
+        *kinematic.curve_steps(case, NONLINEAR_CLAUSE, "a_s*", "acceleration at d_s*, with actions that have not ended",
                      moved=cap.ds, argument="d_s*"),
         step("T_s", "secant period", NONLINEAR_CLAUSE, "2 · π · √(d_s* / a_s*)", cap.Ts, "s", given=of_Ts),
     )  # fmt: skip
 
 
 def _displacement_demand_steps(
-    case: LimitStateCase, cap: Dmi2008Capacity, analysis: DisplacementAnalysis
+    case: LimitStateCase, cap: Dmi2008Capacity, analysis: kinematic.DisplacementAnalysis
 ) -> tuple[Step, ...]:
     per_pga, demand, spectrum = analysis.demand_per_pga, analysis.demand(case.pga), case.context.spectrum
     if per_pga is None or demand is None:
@@ -258,7 +243,9 @@ def _displacement_demand_steps(
     words = "elastic spectrum, 5 %"
     steps = [
         step("S_e(T_s)", words, spectrum.clause, "S_e(T, 5 %)", spectral, "m/s2", at=at),
-        ground_step(case, NONLINEAR_CLAUSE, "T_s", cap.Ts, ordinate=spectral, moved=per_pga.ground * case.pga),
+        kinematic.ground_step(
+            case, NONLINEAR_CLAUSE, "T_s", cap.Ts, ordinate=spectral, moved=per_pga.ground * case.pga
+        ),
     ]
     floor = floor_of(case.context)
     if floor is not None:
@@ -270,7 +257,7 @@ def _displacement_demand_steps(
             step("r", "period over the first mode's", "C8A.4.2.3", "T_s / T1", cap.Ts / floor.T1, given=shape),
             step("Δ_d(Z)", "demand at the floor", "C8A.4.2.3", formula, per_pga.floor * case.pga, "m", given=given),
         ]
-    return (*steps, displacement_ratio_step(analysis, NONLINEAR_CLAUSE, demand=demand))
+    return (*steps, kinematic.displacement_ratio_step(analysis, NONLINEAR_CLAUSE, demand=demand))
 
 
 @dataclass(frozen=True)
@@ -282,7 +269,7 @@ class Dmi2008Capacity:
     ds: float
     as_: float
     Ts: float
-    displacements: DisplacementCapacity
+    displacements: kinematic.DisplacementCapacity
 
     @property
     def d0(self) -> float:
@@ -310,10 +297,10 @@ def capacity_of(curves: BranchCurves, *, confidence_factor: float) -> Dmi2008Cap
     -------
     Dmi2008Capacity
     """
-    mass, FC, capacity = curves.mass, confidence_factor, displacement_capacity(curves, DISPLACEMENT_LIMIT)
+    mass, FC, capacity = curves.mass, confidence_factor, kinematic.displacement_capacity(curves, DISPLACEMENT_LIMIT)
     ds = ULTIMATE * capacity.displacement
-    as_ = acceleration_at(curves.breaking, ds, mass=mass, confidence_factor=FC)
-    a0 = activation(curves.starting, mass=mass, confidence_factor=FC)
+    as_ = kinematic.acceleration_at(curves.breaking, ds, mass=mass, confidence_factor=FC)
+    a0 = kinematic.activation(curves.starting, mass=mass, confidence_factor=FC)
     e = participation_ratio(curves.lasting, mass=mass)
     return Dmi2008Capacity(e, a0, ds, as_, float(2 * np.pi * np.sqrt(ds / as_)), capacity)
 
@@ -384,7 +371,7 @@ def uplift_on_floor(branch: Branch, context: Context, *, confidence_factor: floa
     if floor is not None and context.spectrum.longest_period < floor.T1:
         return None
     amplified = 1.0 if floor is None else floor_acceleration(context, floor) / context.spectrum.pga
-    return uplift_pga(branch, confidence_factor=confidence_factor, amplified=amplified)
+    return kinematic.uplift_pga(branch, confidence_factor=confidence_factor, amplified=amplified)
 
 
 HISTORY_RULE = HistoryRule(

@@ -11,52 +11,17 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from assess.codes import italian_kinematic as kinematic
+from assess.codes import ntc2018_clauses as clauses
 from assess.codes.calculation_sheet import Given, Step, step
 from assess.codes.check import Check, CodeProcedure, Family
 from assess.codes.context import Context
 from assess.codes.italian_histories import HistoryRule, assess_histories
-from assess.codes.italian_kinematic import (
-    DisplacementAnalysis,
-    acceleration_check,
-    acceleration_ratio_steps,
-    activation,
-    activation_steps,
-    break_conditions,
-    curve_steps,
-    displacement_capacity_steps,
-    displacement_check,
-    displacement_ratio_step,
-    ground_step,
-    seat_conditions,
-)
 from assess.codes.italian_limit_states import (
     Demands,
     ItalianOptions,
     LimitStateCase,
     check_each_limit_state,
-)
-from assess.codes.ntc2018_clauses import (
-    COMPARISON_DAMPING,
-    EDITION,
-    ELASTIC_DAMPING,
-    ULTIMATE,
-    FirstModes,
-    FloorDemand,
-    Ntc2018Capacity,
-    acceleration_demands,
-    activation_pga,
-    capacity_of,
-    displacement_demands,
-    elastic_modes,
-    floor_acceleration,
-    floor_demand,
-    floor_ordinate,
-    ground_period,
-    longest_period_used,
-    peak_acceleration,
-    period_before_uplift,
-    ultimate_modes,
-    uplift_on_floor,
 )
 from assess.messages.message import Quantity, Term, message
 from assess.oscillator import Oscillator
@@ -71,7 +36,7 @@ def assess_linear(oscillator: Oscillator, context: Context, *, options: ItalianO
     return check_each_limit_state(
         oscillator,
         context,
-        EDITION,
+        clauses.EDITION,
         options,
         known=NTC2018_LINEAR.limit_states,
         one=lambda case: _linear_check(case, options),
@@ -92,34 +57,34 @@ NTC2018_LINEAR = CodeProcedure(
 
 def _linear_check(case: LimitStateCase, options: ItalianOptions) -> Check:
     FC, q = case.confidence.factor, options.behaviour_factor if case.state == "SLV" else 1.0
-    context, branch, modes = case.context, case.curves.starting, elastic_modes(case.context)
-    T0 = period_before_uplift(branch, context)
-    over_pga = acceleration_demands(context, modes, T0=T0)
+    context, branch, modes = case.context, case.curves.starting, clauses.elastic_modes(case.context)
+    T0 = clauses.period_before_uplift(branch, context)
+    over_pga = clauses.acceleration_demands(context, modes, T0=T0)
     demands = None if over_pga is None else over_pga.scale(case.pga / q)
-    a0 = activation(branch, mass=case.curves.mass, confidence_factor=FC)
-    return acceleration_check(
+    a0 = kinematic.activation(branch, mass=case.curves.mass, confidence_factor=FC)
+    return kinematic.acceleration_check(
         case,
-        EDITION,
+        clauses.EDITION,
         procedure=NTC2018_LINEAR.name,
         capacity=a0,
         demands=demands,
         period_needed=Term("T0 or T1 of the building"),
-        uplift_pga=uplift_on_floor(branch, context, confidence_factor=FC),
-        damping=ELASTIC_DAMPING,
+        uplift_pga=clauses.uplift_on_floor(branch, context, confidence_factor=FC),
+        damping=clauses.ELASTIC_DAMPING,
         steps=(
-            *activation_steps(case, EDITION),
+            *kinematic.activation_steps(case, clauses.EDITION),
             *period_steps(case, T0=T0),
             *share_steps(case, modes),
             *acceleration_demand_steps(case, modes, over_pga, T0=T0, a0=a0),
             *_linear_capacity_steps(case, over_pga, a0=a0, q=q),
-            *acceleration_ratio_steps(LINEAR_CLAUSES[case.state], demands, capacity=a0),
+            *kinematic.acceleration_ratio_steps(LINEAR_CLAUSES[case.state], demands, capacity=a0),
         ),
     )
 
 
 def acceleration_demand_steps(
     case: LimitStateCase,
-    modes: FirstModes | None,
+    modes: clauses.FirstModes | None,
     over_pga: Demands | None,
     *,
     T0: float,
@@ -137,23 +102,25 @@ def acceleration_demand_steps(
     given = {"a0*": (a0, "m/s2"), "PGA": (case.pga, "m/s2"), ground: (over_pga.ground * case.pga, "m/s2")}
     steps: list[Step] = []
     if free:
-        at: Given = {"T0": (T0, "s"), "ξ": ELASTIC_DAMPING, "PGA": (case.pga, "m/s2")}
+        at: Given = {"T0": (T0, "s"), "ξ": clauses.ELASTIC_DAMPING, "PGA": (case.pga, "m/s2")}
         words, value = "elastic spectrum of the ground", over_pga.ground * case.pga
         steps.append(step(ground, words, spectrum.clause, "S_e(T, ξ)", value, "m/s2", at=at))
     most = ground
     if modes is not None:
         steps += floor_acceleration_steps(case, modes, T0=T0, symbol=symbol)
         given[floor], most = (over_pga.floor * case.pga, "m/s2"), f"max({ground}, {floor})"
-    words, value = "PGA of activation, by the larger of ground and floor", activation_pga(a0, over_pga)
+    words, value = "PGA of activation, by the larger of ground and floor", clauses.activation_pga(a0, over_pga)
     clause, formula = "C8.7.1.9" if free else "C8.7.1.8", f"a0* · PGA / {most}"
     return *steps, step("a_g,SLD S", words, clause, formula, value, "m/s2", given=given)
 
 
-def floor_acceleration_steps(case: LimitStateCase, modes: FirstModes, *, T0: float, symbol: str) -> tuple[Step, ...]:
+def floor_acceleration_steps(
+    case: LimitStateCase, modes: clauses.FirstModes, *, T0: float, symbol: str
+) -> tuple[Step, ...]:
     """Write the floor's acceleration under the most demanding first mode."""
-    first, _ = floor_acceleration(case.context, modes, T0)
+    first, _ = clauses.floor_acceleration(case.context, modes, T0)
     why = "first mode, softened by 1.5 to 2.0: that of the largest acceleration"
-    at = ordinate_steps(case, modes, (symbol, first), ("T0", T0), damping=ELASTIC_DAMPING) if T0 > 0.0 else ()
+    at = ordinate_steps(case, modes, (symbol, first), ("T0", T0), damping=clauses.ELASTIC_DAMPING) if T0 > 0.0 else ()
     return (
         *first_mode_steps(modes, first, symbol, ("T0", T0), why),
         *peak_steps(case, modes, first, symbol),
@@ -176,7 +143,7 @@ def _linear_capacity_steps(case: LimitStateCase, over_pga: Demands | None, *, a0
     )
     if case.state == "SLD":
         return (demanded,)
-    activated = activation_pga(a0, over_pga)
+    activated = clauses.activation_pga(a0, over_pga)
     given: Given = {"q": q, "a_g,SLD S": (activated, "m/s2")}
     return step("a_g,SLV S", "PGA at capacity", clause, "q · a_g,SLD S", q * activated, "m/s2", given=given), demanded
 
@@ -191,7 +158,7 @@ def assess_nonlinear(oscillator: Oscillator, context: Context, *, options: Itali
     return check_each_limit_state(
         oscillator,
         context,
-        EDITION,
+        clauses.EDITION,
         options,
         known=NTC2018_NONLINEAR.limit_states,
         one=lambda case: _nonlinear_check(case.at_ultimate),
@@ -206,7 +173,7 @@ NTC2018_NONLINEAR = CodeProcedure(
     short_title=Term("NTC 2018 non-linear"),
     work="ntc2018",
     options="ntc2018",
-    limit_states=tuple(ULTIMATE),
+    limit_states=tuple(clauses.ULTIMATE),
 )
 
 
@@ -214,8 +181,8 @@ NTC2018_NONLINEAR = CodeProcedure(
 class CapacityAndDemands:
     """Capacity and first modes of one case, and its demands over PGA: of acceleration and of displacement."""
 
-    capacity: Ntc2018Capacity
-    modes: FirstModes | None
+    capacity: clauses.Ntc2018Capacity
+    modes: clauses.FirstModes | None
     acceleration_per_pga: Demands | None
     displacement_per_pga: Demands | None
 
@@ -224,7 +191,7 @@ def _nonlinear_check(case: LimitStateCase) -> Check:
     derived = _capacity_and_demands(case)
     cap, analysis = derived.capacity, _displacement_analysis(case, derived)
     steps = (
-        *activation_steps(case, EDITION),
+        *kinematic.activation_steps(case, clauses.EDITION),
         *period_steps(case, T0=cap.T0),
         *share_steps(case, derived.modes),
         *acceleration_demand_steps(
@@ -233,30 +200,30 @@ def _nonlinear_check(case: LimitStateCase) -> Check:
         *_nonlinear_capacity_steps(case, cap),
         *_displacement_steps(case, derived, analysis),
     )
-    damping, rule = ULTIMATE[case.state].damping, case.context.spectrum.damping_rule
-    return displacement_check(
-        case, analysis, EDITION, procedure=NTC2018_NONLINEAR.name, damping=damping, rule=rule, steps=steps
+    damping, rule = clauses.ULTIMATE[case.state].damping, case.context.spectrum.damping_rule
+    return kinematic.displacement_check(
+        case, analysis, clauses.EDITION, procedure=NTC2018_NONLINEAR.name, damping=damping, rule=rule, steps=steps
     )
 
 
 def _capacity_and_demands(case: LimitStateCase) -> CapacityAndDemands:
-    context, T0 = case.context, period_before_uplift(case.curves.starting, case.context)
-    modes, damping = ultimate_modes(context, case.state), ULTIMATE[case.state].damping
-    cap = capacity_of(case.curves, state=case.state, confidence_factor=case.confidence.factor, T0=T0)
-    per_pga = displacement_demands(context, modes, T0=T0, T=cap.T, damping=damping)
-    return CapacityAndDemands(cap, modes, acceleration_demands(context, modes, T0=T0), per_pga)
+    context, T0 = case.context, clauses.period_before_uplift(case.curves.starting, case.context)
+    modes, damping = clauses.ultimate_modes(context, case.state), clauses.ULTIMATE[case.state].damping
+    cap = clauses.capacity_of(case.curves, state=case.state, confidence_factor=case.confidence.factor, T0=T0)
+    per_pga = clauses.displacement_demands(context, modes, T0=T0, T=cap.T, damping=damping)
+    return CapacityAndDemands(cap, modes, clauses.acceleration_demands(context, modes, T0=T0), per_pga)
 
 
-def _displacement_analysis(case: LimitStateCase, derived: CapacityAndDemands) -> DisplacementAnalysis:
+def _displacement_analysis(case: LimitStateCase, derived: CapacityAndDemands) -> kinematic.DisplacementAnalysis:
     """Return capacity and demand: below a_g,SLD the element moves elastically with T0, or, if rigid, not at all."""
     cap, over_pga = derived.capacity, derived.acceleration_per_pga
     if over_pga is None:
         activated = elastic = 0.0
     else:
-        activated, elastic = activation_pga(cap.a0, over_pga), over_pga.largest * (cap.T0 / (2 * np.pi)) ** 2
-    symbol, longest = f"T_{case.state}", longest_period_used(derived.modes, cap.T)
+        activated, elastic = clauses.activation_pga(cap.a0, over_pga), over_pga.largest * (cap.T0 / (2 * np.pi)) ** 2
+    symbol, longest = f"T_{case.state}", clauses.longest_period_used(derived.modes, cap.T)
     at = Quantity(longest, "time")
-    return DisplacementAnalysis(
+    return kinematic.DisplacementAnalysis(
         ultimate_displacement=cap.d,
         symbol=f"d_{case.state}",
         collapse_displacement=cap.d0,
@@ -265,38 +232,44 @@ def _displacement_analysis(case: LimitStateCase, derived: CapacityAndDemands) ->
         demand_per_pga=derived.displacement_per_pga,
         activation_pga=activated if elastic * activated <= cap.d else 0.0,
         elastic_displacement_per_pga=elastic,
-        uplift_pga=uplift_on_floor(case.curves.starting, case.context, confidence_factor=case.confidence.factor),
+        uplift_pga=clauses.uplift_on_floor(
+            case.curves.starting, case.context, confidence_factor=case.confidence.factor
+        ),
         conditions=(
-            *break_conditions(case.curves),
-            *(seat_conditions(case.context, case.curves, case.state, cap.d) if case.state == "SLV" else ()),
+            *kinematic.break_conditions(case.curves),
+            *(kinematic.seat_conditions(case.context, case.curves, case.state, cap.d) if case.state == "SLV" else ()),
         ),
     )
 
 
-def _nonlinear_capacity_steps(case: LimitStateCase, cap: Ntc2018Capacity) -> tuple[Step, ...]:
-    state, ultimate = case.state, ULTIMATE[case.state]
+def _nonlinear_capacity_steps(case: LimitStateCase, cap: clauses.Ntc2018Capacity) -> tuple[Step, ...]:
+    state, ultimate = case.state, clauses.ULTIMATE[case.state]
     d, a = f"d_{state}", f"a(d_{state})"
-    curve = curve_steps(case, "C8.7.1.3", a, "acceleration with actions that have not ended", moved=cap.d, argument=d)
+    curve = kinematic.curve_steps(
+        case, "C8.7.1.3", a, "acceleration with actions that have not ended", moved=cap.d, argument=d
+    )
     if cap.T0 > 0.0 and cap.a < curve[-1].value:  # type: ignore[operator]
         given = {d: (cap.d, "m"), "T0": (cap.T0, "s")}
         words, formula = "acceleration on the elastic branch", f"{d} · (2 · π / T0)²"
         curve = (step(a, words, "C8.7.1.6", formula, cap.a, "m/s2", given=given),)
     formula, given = f"{ultimate.factor:g} · π · √({d} / {a})", {d: (cap.d, "m"), a: (cap.a, "m/s2")}
     return (
-        *displacement_capacity_steps(case.curves, cap.displacements, ultimate.rule, d, "displacement capacity"),
+        *kinematic.displacement_capacity_steps(
+            case.curves, cap.displacements, ultimate.rule, d, "displacement capacity"
+        ),
         *curve,
         step(f"T_{state}", "secant period", ultimate.clause, formula, cap.T, "s", given=given),
     )
 
 
 def _displacement_steps(
-    case: LimitStateCase, derived: CapacityAndDemands, analysis: DisplacementAnalysis
+    case: LimitStateCase, derived: CapacityAndDemands, analysis: kinematic.DisplacementAnalysis
 ) -> tuple[Step, ...]:
     per_pga, demand, spectrum = analysis.demand_per_pga, analysis.demand(case.pga), case.context.spectrum
     if per_pga is None or demand is None:
         return ()
-    cap, damping, symbol = derived.capacity, ULTIMATE[case.state].damping, f"T_{case.state}"
-    T = ground_period(case.context, T0=cap.T0, T=cap.T, damping=damping)
+    cap, damping, symbol = derived.capacity, clauses.ULTIMATE[case.state].damping, f"T_{case.state}"
+    T = clauses.ground_period(case.context, T0=cap.T0, T=cap.T, damping=damping)
     spectral = float(spectrum.acceleration(T, damping=damping)) * case.pga / spectrum.pga
     ordinate_words = "elastic spectrum, damped as the mechanism"
     at: Given = {"T": (T, "s"), "ξ": damping, "PGA": (case.pga, "m/s2")}
@@ -305,10 +278,10 @@ def _displacement_steps(
     steps = [
         step("T", period_words, NONLINEAR_CLAUSE, "T0 ≤ T ≤ T_LS", T, "s", at=between),
         step("S_e(T)", ordinate_words, spectrum.clause, "S_e(T, ξ)", spectral, "m/s2", at=at),
-        ground_step(case, NONLINEAR_CLAUSE, "T", T, ordinate=spectral, moved=per_pga.ground * case.pga),
+        kinematic.ground_step(case, NONLINEAR_CLAUSE, "T", T, ordinate=spectral, moved=per_pga.ground * case.pga),
         *_floor_displacement_steps(case, derived, symbol, damping=damping),
     ]
-    return (*steps, displacement_ratio_step(analysis, NONLINEAR_CLAUSE, demand=demand))
+    return (*steps, kinematic.displacement_ratio_step(analysis, NONLINEAR_CLAUSE, demand=demand))
 
 
 def _floor_displacement_steps(
@@ -318,7 +291,7 @@ def _floor_displacement_steps(
     modes, cap = derived.modes, derived.capacity
     if modes is None:
         return ()
-    demand = floor_demand(case.context, modes, T0=cap.T0, T=cap.T, damping=damping)
+    demand = clauses.floor_demand(case.context, modes, T0=cap.T0, T=cap.T, damping=damping)
     T = (symbol, demand.period) if demand.period == cap.T else ("T_d", demand.period)
     first = (FIRST, demand.first)
     return (
@@ -331,16 +304,24 @@ def _floor_displacement_steps(
 
 
 def _floor_demand_steps(
-    case: LimitStateCase, modes: FirstModes, demand: FloorDemand, T: tuple[str, float], *, damping: float
+    case: LimitStateCase,
+    modes: clauses.FirstModes,
+    demand: clauses.FloorDemand,
+    T: tuple[str, float],
+    *,
+    damping: float,
 ) -> tuple[Step, ...]:
     scale, (symbol, period), clause = case.pga / case.context.spectrum.pga, T, "C8.7.1.12"
-    spectral = floor_ordinate(case.context, modes, demand.first, period, damping=damping) * scale
+    spectral = clauses.floor_ordinate(case.context, modes, demand.first, period, damping=damping) * scale
     given = {f"S_eZ({symbol})": (spectral, "m/s2"), symbol: (period, "s")}
     formula, name = f"S_eZ({symbol}) · ({symbol} / (2 · π))²", f"d({symbol}, Z)"
     line = step(name, "demand of the floor", clause, formula, demand.displacement * scale, "m", given=given)
     if demand.least == 0.0:
         return (line,)
-    resonant, b = floor_ordinate(case.context, modes, demand.first, demand.first, damping=damping) * scale, PLATEAU[1]
+    resonant, b = (
+        clauses.floor_ordinate(case.context, modes, demand.first, demand.first, damping=damping) * scale,
+        PLATEAU[1],
+    )
     beside: Given = {f"S_eZ({FIRST})": (resonant, "m/s2"), "b": b, FIRST: (demand.first, "s")}
     words, formula = "no less than this, as the period exceeds b T1'", f"S_eZ({FIRST}) · (b · {FIRST} / (2 · π))²"
     return line, step(f"d(b {FIRST}, Z)", words, clause, formula, demand.least * scale, "m", given=beside)
@@ -348,21 +329,21 @@ def _floor_demand_steps(
 
 def _comparison_damping_steps(case: LimitStateCase, derived: CapacityAndDemands, *, damping: float) -> tuple[Step, ...]:
     """Write the floor's demand with 20 % of damping of the building, for comparison."""
-    modes, cap = ultimate_modes(case.context, case.state, damping=COMPARISON_DAMPING), derived.capacity
+    modes, cap = clauses.ultimate_modes(case.context, case.state, damping=clauses.COMPARISON_DAMPING), derived.capacity
     if modes is None or modes.reason:
         return ()
-    demand = floor_demand(case.context, modes, T0=cap.T0, T=cap.T, damping=damping)
+    demand = clauses.floor_demand(case.context, modes, T0=cap.T0, T=cap.T, damping=damping)
     moved = demand.largest * case.pga / case.context.spectrum.pga
-    at: Given = {FIRST: (demand.first, "s"), "ξ1": COMPARISON_DAMPING, "PGA": (case.pga, "m/s2")}
+    at: Given = {FIRST: (demand.first, "s"), "ξ1": clauses.COMPARISON_DAMPING, "PGA": (case.pga, "m/s2")}
     words = "demand of the floor with ξ1 = 20 %, for comparison"
     return (step("d(20 %)", words, "C8.7.1.2.1.4", "as above, with ξ1 = 0.2", moved, "m", at=at),)
 
 
 HISTORY_RULE = HistoryRule(
     procedure="ntc2018-history",
-    edition=EDITION,
+    edition=clauses.EDITION,
     clause="C8.7.1.2.1.9",
-    limits={state: ultimate.rule for state, ultimate in ULTIMATE.items()},
+    limits={state: ultimate.rule for state, ultimate in clauses.ULTIMATE.items()},
 )
 
 
@@ -395,7 +376,7 @@ def period_steps(case: LimitStateCase, *, T0: float) -> tuple[Step, ...]:
     return (step("T0", words, "C8.7.1.6", "1 / f", T0, "s", given={"f": (1.0 / T0, "Hz")}),)
 
 
-def share_steps(case: LimitStateCase, modes: FirstModes | None) -> tuple[Step, ...]:
+def share_steps(case: LimitStateCase, modes: clauses.FirstModes | None) -> tuple[Step, ...]:
     """Write gamma psi of the floor and the elastic first mode; nothing at the ground."""
     building = case.context.building
     if modes is None or building is None:
@@ -410,7 +391,9 @@ def share_steps(case: LimitStateCase, modes: FirstModes | None) -> tuple[Step, .
     )
 
 
-def first_mode_steps(modes: FirstModes, first: float, symbol: str, T: tuple[str, float], why: str) -> tuple[Step, ...]:
+def first_mode_steps(
+    modes: clauses.FirstModes, first: float, symbol: str, T: tuple[str, float], why: str
+) -> tuple[Step, ...]:
     """Write the most demanding T_1' [s], named `symbol`, for a mechanism of period T, (symbol, value) [s]."""
     if modes.reason:
         stated = "first mode at this limit state"
@@ -426,12 +409,12 @@ def first_mode_steps(modes: FirstModes, first: float, symbol: str, T: tuple[str,
     return (step(symbol, why, "C8.7.1.2.1.4", "k · T1", first, "s", given=k),)
 
 
-def peak_steps(case: LimitStateCase, modes: FirstModes, first: float, symbol: str) -> tuple[Step, ...]:
+def peak_steps(case: LimitStateCase, modes: clauses.FirstModes, first: float, symbol: str) -> tuple[Step, ...]:
     """Write S_e(T1, xi1) and a_Z of the floor under the first mode of period `first` [s], named `symbol`."""
     spectrum = case.context.spectrum
     scale, xi = case.pga / spectrum.pga, modes.damping
     spectral = float(spectrum.acceleration(first, damping=xi)) * scale
-    peak, name = peak_acceleration(case.context, modes, first) * scale, f"S_e({symbol})"
+    peak, name = clauses.peak_acceleration(case.context, modes, first) * scale, f"S_e({symbol})"
     at: Given = {symbol: (first, "s"), "ξ1": xi, "PGA": (case.pga, "m/s2")}
     given: Given = {name: (spectral, "m/s2"), "γψ": modes.share, "ξ1": xi}
     words = "peak acceleration of the floor, first mode; ξ1 as ratio"
@@ -449,14 +432,14 @@ def peak_symbol(first: str) -> str:
 
 
 def ordinate_steps(
-    case: LimitStateCase, modes: FirstModes, first: tuple[str, float], T: tuple[str, float], *, damping: float
+    case: LimitStateCase, modes: clauses.FirstModes, first: tuple[str, float], T: tuple[str, float], *, damping: float
 ) -> tuple[Step, ...]:
     """Write A and the ordinate of the floor spectrum at T under T_1', both (symbol, value) [s]."""
     spectrum, (symbol, period), (name, building) = case.context.spectrum, T, first
     scale, eta = case.pga / spectrum.pga, ec8_eta(damping)
-    peak = peak_acceleration(case.context, modes, building) * scale
+    peak = clauses.peak_acceleration(case.context, modes, building) * scale
     A = max(1.1 / np.sqrt(modes.damping) * eta, 1.0)
-    value = floor_ordinate(case.context, modes, building, period, damping=damping) * scale
+    value = clauses.floor_ordinate(case.context, modes, building, period, damping=damping) * scale
     formula, given = _ordinate_formula(symbol, period, name, building)
     given = {"A": A, peak_symbol(name): (peak, "m/s2"), **given}
     if period > building:

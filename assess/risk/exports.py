@@ -22,8 +22,7 @@ from xml.etree import ElementTree as ET
 
 import numpy as np
 
-from assess.risk.empirical import EmpiricalCurve
-from assess.risk.lognormal import Lognormal
+from assess.risk.estimates import EmpiricalCurve, Lognormal
 from assess.short_repr import ShortRepr
 from spectra.arrays import FloatArray, IntArray
 from spectra.formulas import harmless_cell

@@ -30,6 +30,7 @@ from assess.results.fragility import (
     StateResult,
 )
 from assess.results.provenance import describe_program, stamp
+from assess.risk.estimates import Lognormal
 from assess.risk.exports import (
     Export,
     ExportedCurve,
@@ -41,7 +42,6 @@ from assess.risk.exports import (
     nrml_text,
     pelicun_text,
 )
-from assess.risk.lognormal import Lognormal
 from assess.short_repr import ShortRepr
 from assess.study.fragility_curves import (
     Origins,

@@ -40,17 +40,22 @@ from assess.results.fragility import (
     StateResult,
     Trend,
 )
-from assess.risk.empirical import (
+from assess.risk.estimates import (
     LEAST_EVENTS,
     EmpiricalCurve,
+    Lognormal,
+    UnboundedReason,
+    equivalent_lognormals,
     event_counts,
+    fit_first_exceedances,
+    fit_lognormals,
     mirrored_draws,
+    trend,
+    unbounded_reason,
     widened_quantiles,
     wilson_interval,
 )
 from assess.risk.hazard import HazardCurve, Probability, probability_of, rate
-from assess.risk.lognormal import Lognormal, UnboundedReason, fit_first_exceedances, fit_lognormals, unbounded_reason
-from assess.risk.regression import equivalent_lognormals, trend
 from assess.short_repr import ShortRepr
 from assess.study.fragility_runs import FragilityRuns, Intensities, StateOutcomes, first_bounds, reaches, state_outcomes
 from assess.study.study import FragilityQuestion
@@ -126,7 +131,7 @@ def cloud_curve(
 ) -> FragilityCurve:
     """Return the curve of records that are run once; arguments are those of `fragility_curve`.
 
-    The lognormal is the one equivalent to the regression of the cloud (see `assess.risk.regression`); there is none
+    The lognormal is the one equivalent to the regression of the cloud (see `assess.risk.estimates`); there is none
     where a single intensity parts the records that reach the state from the others.
     """
     at, ratio, reached = runs.scale[:, 0] * intensities.unit, runs.ratio[:, 0], reaches(runs, state)

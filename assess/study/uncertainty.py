@@ -26,7 +26,7 @@ from assess.errors import AssessError
 from assess.messages.message import Message, Quantity, note, whole_number
 from assess.results import MechanismResult
 from assess.results.run import QUANTILES, Distribution, Influence, UncertainAnswer, UncertaintyResult
-from assess.risk.empirical import wilson_interval
+from assess.risk.estimates import wilson_interval
 from assess.study.checks import checks_without_scan
 from assess.study.study import Progress, SampledNumber, Sampling, ScaledRecord, Study
 from assess.study.variations import CheckKey, checks_by_key, ratio_of

@@ -373,8 +373,7 @@ def solve_risk(folder: Path, given: Mapping[str, Any]) -> Mapping[str, Any]:
 
 
 def _fit_counts(given: Mapping[str, Any]) -> Mapping[str, float]:
-    from assess.risk.empirical import wilson_interval
-    from assess.risk.lognormal import fit_lognormal
+    from assess.risk.estimates import fit_lognormal, wilson_interval
 
     low, high = wilson_interval(given["reached"], given["records"])
     found = fit_lognormal(given["intensity"], given["reached"], given["records"])
@@ -384,9 +383,8 @@ def _fit_counts(given: Mapping[str, Any]) -> Mapping[str, float]:
 
 def _rates(curve: Mapping[str, Any], hazard: Mapping[str, Any], epistemic: float) -> Mapping[str, float]:
 
-    from assess.risk.empirical import EmpiricalCurve
+    from assess.risk.estimates import EmpiricalCurve, Lognormal
     from assess.risk.hazard import HazardCurve, probability_of, rate
-    from assess.risk.lognormal import Lognormal
 
     kinks = np.array(curve.get("intensity", ()), dtype=float)
     drawn = (

@@ -10,7 +10,7 @@ from reports.chapters.cells import MECHANISM
 from reports.document import Block, Cell, Column, Figure, Prose, Section, Table, nonempty
 from reports.figures import rocking as figure
 from reports.language.texts import Listing, Paragraph, Text, Verbatim, quantity, say, say_count
-from reports.titles import file_stem, mechanism_number, mechanism_title, numbered_title
+from reports.mechanisms import file_stem, mechanism_number, mechanism_title, numbered_title
 
 MARK = "C"
 PULSES = {

@@ -14,7 +14,7 @@ from reports.chapters.cells import LEVEL, OUTCOMES, OVERTURNED, rocking_cell, st
 from reports.document import Block, Cell, Column, Field, Figure, OutcomeCell, Prose, Section, Table, nonempty, tabulate
 from reports.figures import rocking, sensitivity
 from reports.language.texts import Paragraph, Term, Text, Verbatim, count, quantity, say, say_count
-from reports.titles import file_stem, mechanism_number, mechanism_title
+from reports.mechanisms import file_stem, mechanism_number, mechanism_title
 
 MARK = "B"
 

@@ -10,13 +10,23 @@ from typing import Any
 from assess.codes.check import Check
 from assess.messages.message import Quantity
 from assess.results import ContactSheet, HingeForceResult, LoadResult, MechanismResult, OscillatorResult, Results
-from reports import governing, joints
+from reports import governing
 from reports.chapters.cells import BRANCHES, NONE, OUTCOMES
 from reports.document import Block, Cell, Column, Field, Figure, Prose, Section, Sheet, Table, nonempty, tabulate
 from reports.figures import capacity, sketch
 from reports.figures.sketch import model_of_view
 from reports.language.texts import Listing, Phrase, Term, Text, Verbatim, quantity, say, say_count
-from reports.titles import check_title, file_stem, mechanism_number, mechanism_title
+from reports.mechanisms import (
+    JOINT_MODELS,
+    check_title,
+    deformable_joints,
+    file_stem,
+    joints_of_branch,
+    mechanism_number,
+    mechanism_title,
+    peak_rotation,
+    values_at,
+)
 
 MARK = "A"
 
@@ -226,7 +236,7 @@ LEAST_SHARE = 0.005  # of a joint below which a part is called less than 1 %
 
 def joint_blocks(mechanism: MechanismResult, stem: str) -> list[Block]:
     """Return table, figures and sentence on the joints of a mechanism; none where all are rigid."""
-    if not joints.deformable_joints(mechanism):
+    if not deformable_joints(mechanism):
         return []
     moment = say(
         "Restoring moment of the positive branch over rotation, divided by the largest with rigid joints: with rigid "
@@ -275,7 +285,7 @@ def _contact_sheet(alike: Sequence[ContactSheet], stem: str) -> Sheet:
 Joint = dict[str, Any]
 JOINT_FIELDS: tuple[Field[Joint], ...] = (
     (Column(say("Hinge")), lambda joint: Verbatim(joint["hinge"])),
-    (Column(say("Model"), share=0.16), lambda joint: joints.JOINT_MODELS[joint["model"]]),
+    (Column(say("Model"), share=0.16), lambda joint: JOINT_MODELS[joint["model"]]),
     (Column(say("Stiffness"), "stiffness"), lambda joint: _if_deformable(joint, "stiffness_pa_m", RIGID)),
     (Column(say("Strength"), "stress"), lambda joint: _if_deformable(joint, "strength_pa", UNLIMITED)),
     (Column(say("Force at rest"), "force"), lambda joint: joint["normal_force_n"]),
@@ -322,8 +332,8 @@ def joints_at_peak(mechanism: MechanismResult) -> Text:
         )
     if one.max_rotation_rad == 0.0:
         return say("The governing record ({record}, PGA {pga}) does not move the mechanism.", record=record, pga=pga)
-    turned = joints.peak_rotation(mechanism, one)
-    pressed = tuple(_joint_at_peak(interface, turned) for interface in joints.joints_of_branch(mechanism, one.branch))
+    turned = peak_rotation(mechanism, one)
+    pressed = tuple(_joint_at_peak(interface, turned) for interface in joints_of_branch(mechanism, one.branch))
     return say(
         "At the largest rotation under the governing record ({record}, PGA {pga}), φ = {rotation} of the {branch} "
         "branch: {joints}.",
@@ -337,7 +347,7 @@ def joints_at_peak(mechanism: MechanismResult) -> Text:
 
 def _joint_at_peak(interface: Joint, rotation: float) -> Phrase:
     """Return stress, resultant, open and crushed parts of one joint at a rotation of the mechanism [rad]."""
-    stress, resultant, opened, crushed = joints.values_at(interface, rotation)
+    stress, resultant, opened, crushed = values_at(interface, rotation)
     values: dict[str, Text] = {
         "hinge": Verbatim(interface["hinge"]),
         "stress": quantity(stress, "stress", 3),

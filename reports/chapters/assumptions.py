@@ -11,8 +11,8 @@ from reports import governing
 from reports.document import Block, Cell, Column, Prose, Section, Table, nonempty
 from reports.language.texts import Phrase, Reference, Text, Verbatim, listing, say, say_count
 from reports.language.value_names import PARAMETER_NAMES, value_title, value_word
+from reports.mechanisms import mechanism_list
 from reports.project_values import ProjectValue, project_text, project_values, starred_key
-from reports.titles import mechanism_list
 
 SOURCES = "report.sources."
 SPECTRUM = "site.spectrum."

@@ -2,15 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
+from assess.codes.bases import BASES, IndexKind
 from assess.codes.check import Check, Reason
-from assess.codes.histories import interval_figures, ratio_figures
-from assess.codes.verdict import Answer
+from assess.codes.histories import interval_figures, margin_figures, ratio_figures, side_figures
+from assess.codes.question import Action, Missing, toml_lines
+from assess.codes.verdict import Answer, Decision, Index, MechanismVerdict, Verdict
 from assess.messages.message import DIMENSIONS, Quantity
-from reports import document
-from reports.document import Cell, Column, OutcomeCell
-from reports.language.texts import Phrase, Text, Verbatim, quantity, say
+from assess.results import MechanismResult, Results
+from reports import document, governing
+from reports.document import Block, Cell, Column, FileLines, OutcomeCell, Prose
+from reports.language.texts import Listing, Phrase, Term, Text, Verbatim, listing, names, quantity, say
+from reports.mechanisms import mechanism_list
+from reports.project_values import project_text, split_key
 
 OVERTURNED, BEYOND = say("overturns"), say("beyond the spectrum")
 NO_ROCKING, NO_LASTING, NONE = say("does not rock"), say("no lasting rotation"), say("none")
@@ -121,3 +126,276 @@ def swept_value(value: float, unit: str) -> Text:
     """Return a value of a study in the unit in which the user wrote it."""
     shown = quantity(value, figures=10)
     return shown if unit == "-" else say("{value} {unit}", value=shown, unit=Verbatim(unit))
+
+
+INDEX_SYMBOLS: Mapping[str, str] = {"zeta_E": "ζ_E"}
+OWN_BASIS = "own"  # basis that the engineer states, and its limit state
+PERCENT_NBS = "%NBS"
+DEMAND_CAPACITY = "D/C"
+
+OUTCOME_WORDS: Mapping[Decision, tuple[Phrase, Phrase]] = {
+    Decision.PASS: (say("pass"), say("pass at the limit")),
+    Decision.FAIL: (say("fail"), say("fail at the limit")),
+    Decision.INCOMPLETE: (say("incomplete"), say("incomplete")),
+}
+"""Each outcome in words, and where it is at the limit."""
+
+
+def outcome_text(outcome: Decision, *, near: bool = False) -> Text:
+    """Return an outcome in words. near: whether it is at the limit."""
+    return OUTCOME_WORDS[outcome][near]
+
+
+def index_text(index: Index) -> Text:
+    """Return an index with its name and its grade: "ζ_E = 0.83", "45 %NBS, grade C"."""
+    value = quantity(index.value, figures=index.figures)
+    if index.name != PERCENT_NBS:
+        return say("{index} = {value}", index=index_symbol(index.name), value=value)
+    if not index.grade:
+        return say("{value} %NBS", value=value)
+    return say("{value} %NBS, grade {grade}", value=value, grade=Verbatim(index.grade))
+
+
+def state_text(limit_state: str) -> Text:
+    """Return a limit state; a basis that the engineer states has one without a name."""
+    return say("the stated limit state") if limit_state == OWN_BASIS else Verbatim(limit_state)
+
+
+def index_symbol(name: str) -> Verbatim:
+    """Return the symbol of an index."""
+    return Verbatim(INDEX_SYMBOLS.get(name, name))
+
+
+def building_index_text(verdict: Verdict) -> Text | None:
+    """Return the index of the building, which local mechanisms can only bound; None where it is not known."""
+    if verdict.index is None:
+        return None
+    if verdict.index.name == DEMAND_CAPACITY:
+        return say("at least {index}", index=index_text(verdict.index))
+    return say("at most {index}", index=index_text(verdict.index))
+
+
+def target_text(verdict: Verdict) -> Text | None:
+    """Return what the index is compared with; None where that is not known."""
+    if verdict.target is None:
+        return None
+    value, name = quantity(verdict.target, figures=3), index_name(verdict)
+    if name == PERCENT_NBS:
+        return say("at least {value} %NBS", value=value)
+    if name == DEMAND_CAPACITY:
+        return say("{index} of at most {value}", index=index_symbol(name), value=value)
+    return say("{index} of at least {value}", index=index_symbol(name), value=value) if name else value
+
+
+def has_reduced_target(verdict: Verdict) -> bool:
+    """Return whether the target is less than what is asked of a new building."""
+    return verdict.target is not None and verdict.target < (100.0 if index_name(verdict) == PERCENT_NBS else 1.0)
+
+
+def index_name(verdict: Verdict) -> str:
+    """Return the name of the index of a verdict, known from its code where no mechanism has a value; else empty."""
+    if verdict.index is not None:
+        return verdict.index.name
+    return BASES[verdict.basis].index.value if verdict.basis in BASES else ""
+
+
+def least_margin(verdict: Verdict) -> MechanismVerdict | None:
+    """Return the mechanism that holds up to the lowest action; None where no margin is known."""
+    known = [one for one in verdict.mechanisms if one.margin is not None]
+    return min(known, key=lambda one: one.margin or 0.0, default=None)
+
+
+def margin_text(mechanism_verdict: MechanismVerdict, action: Action) -> Text | None:
+    """Return up to which PGA a mechanism passes: "0.18 g, 2.7 × the site’s"; None where it is not known."""
+    if mechanism_verdict.margin is None:
+        return None
+    margin = quantity(
+        mechanism_verdict.margin, figures=margin_figures(mechanism_verdict.margin, mechanism_verdict.margin_most)
+    )
+    return say(
+        "{pga}, {margin} × the site’s",
+        pga=capacity_pga_text(mechanism_verdict, mechanism_verdict.margin, action),
+        margin=margin,
+    )
+
+
+def capacity_pga_text(mechanism_verdict: MechanismVerdict, margin: float, action: Action) -> Text:
+    """Return the PGA up to which a mechanism holds; both ends of what the numerical spread of histories leaves.
+
+    Parameters
+    ----------
+    mechanism_verdict : verdict of the mechanism
+    margin : its own, which is known
+    action : of the site
+    """
+    if mechanism_verdict.margin_most is not None:
+        return pga_interval(margin * action.pga_g, mechanism_verdict.margin_most * action.pga_g, limit=action.pga_g)
+    return quantity(margin * action.pga_g, "ground acceleration", margin_figures(margin, None))
+
+
+def required_increase(mechanism_verdict: MechanismVerdict, verdict: Verdict) -> float | None:
+    """Return by how much the resistance of a failing mechanism must grow; None where the numbers do not tell.
+
+    It is the target over the index of the basis, where it has one as a share of the action; else the inverse of the
+    margin; else the ratio of demand to capacity.
+    """
+    failing = [answer for answer in mechanism_verdict.answers if answer.outcome == Decision.FAIL]
+    shares = [a.index.value for a in failing if a.index is not None and a.index.name != IndexKind.DEMAND_CAPACITY]
+    if shares and verdict.target is not None and min(shares) > 0.0:
+        return verdict.target / min(shares)
+    if mechanism_verdict.margin is not None and 0.0 < mechanism_verdict.margin < 1.0:
+        return 1.0 / mechanism_verdict.margin
+    return max((answer.ratio for answer in failing if answer.ratio is not None), default=None)
+
+
+def required_increase_figures(mechanism_verdict: MechanismVerdict, factor: float) -> int:
+    """Return to how many figures that factor stands, as the indices and the margin that it comes from."""
+    stand = [
+        each.index.figures
+        for each in mechanism_verdict.answers
+        if each.outcome == Decision.FAIL and each.index is not None
+    ]
+    stand += (
+        [margin_figures(mechanism_verdict.margin, mechanism_verdict.margin_most)] if mechanism_verdict.margin else []
+    )
+    return side_figures(factor, min(FIGURES, *stand))
+
+
+def margin_cell(mechanism_verdict: MechanismVerdict) -> Cell:
+    """Return the factor on the site's own action up to which a mechanism holds, to the figures that stand."""
+    return (
+        None
+        if mechanism_verdict.margin is None
+        else quantity(
+            mechanism_verdict.margin, figures=margin_figures(mechanism_verdict.margin, mechanism_verdict.margin_most)
+        )
+    )
+
+
+CONFIDENCE_FACTOR = "FC"  # symbol of the step that states the confidence factor
+DISINTEGRATION = ".disintegration"
+
+
+def knowledge_text(results: Results) -> Text | None:
+    """Return knowledge levels and confidence factors of the deciding checks; None where no code asks for them."""
+    found: dict[tuple[str, float], list[str]] = {}
+    for mechanism in results.mechanisms:
+        stated = mechanism_knowledge(results, mechanism)
+        if stated is not None:
+            found.setdefault(stated, []).append(mechanism.name)
+    texts = [
+        say(
+            "{factor} for {mechanisms}",
+            factor=factor_text(level, factor),
+            mechanisms=mechanism_list(results, owners),
+        )
+        for (level, factor), owners in found.items()
+    ]
+    return Listing(tuple(texts), "") if texts else None
+
+
+def mechanism_knowledge(results: Results, mechanism: MechanismResult) -> tuple[str, float] | None:
+    """Return knowledge level, "" if none is given, and confidence factor of the deciding check of a mechanism."""
+    deciding = (check for check in governing.checks_at_site(results, mechanism) if check.role == "deciding")
+    for check in deciding:
+        factors = [step.value for step in check.steps if step.symbol == CONFIDENCE_FACTOR]
+        if factors and isinstance(factors[0], float):
+            return _knowledge_level(results, check, mechanism.name), factors[0]
+    return None
+
+
+def factor_text(level: str, factor: float) -> Text:
+    """Return a confidence factor with its knowledge level."""
+    if not level:
+        return say("confidence factor FC = {factor}", factor=quantity(factor, figures=3))
+    return say(
+        "{level}, confidence factor FC = {factor}",
+        level=Verbatim(level),
+        factor=quantity(factor, figures=3),
+    )
+
+
+def _knowledge_level(results: Results, check: Check, mechanism: str) -> str:
+    table = f"procedures.{check.procedure.partition('-')[0]}"
+    own = results.project.get(f"{table}.knowledge_levels")
+    levels = own.value if own is not None and isinstance(own.value, dict) else {}
+    given = levels.get(mechanism) or project_text(results, f"{table}.knowledge_levels.{mechanism}")
+    return str(given or project_text(results, f"{table}.knowledge_level"))
+
+
+def stated_premises(results: Results) -> Iterator[Text]:
+    """Yield what the user vouches for and the deciding answers count on."""
+    sound = [
+        key for key in results.project if key.endswith(DISINTEGRATION) and project_text(results, key) == "excluded"
+    ]
+    if sound and any(mechanism_knowledge(results, mechanism) for mechanism in results.mechanisms):
+        yield say(
+            "the masonry does not disintegrate, as the project states for {masonry}",
+            masonry=names(key.removesuffix(DISINTEGRATION).partition(".")[2] for key in sound),
+        )
+    tied = _with_lasting_load(results, "to collapse")
+    if tied:
+        yield say(
+            "ties and forces of {mechanisms} last up to collapse, as the project states",
+            mechanisms=mechanism_list(results, tied),
+        )
+    seated = [each.name for each in results.mechanisms if any(load.seat_m is not None for load in each.loads)]
+    if seated:
+        yield say(
+            "the loads that rest on {mechanisms} have the seats that the project gives",
+            mechanisms=mechanism_list(results, seated),
+        )
+
+
+def _with_lasting_load(results: Results, lasting: str) -> list[str]:
+    """Return the mechanisms with a load that is stated to last so long."""
+    return [each.name for each in results.mechanisms if any(load.lasting == lasting for load in each.loads)]
+
+
+MAX_LINES = 12  # lines to paste that page 1 holds
+
+
+def missing_texts(results: Results, verdict: Verdict) -> list[Text]:
+    """Return the keys that are missing and why; one that several mechanisms lack for one reason is said once."""
+    groups: dict[tuple[str, str], list[Missing]] = {}
+    for each in verdict.missing:
+        _, key = split_key(results, each.key)
+        groups.setdefault((key, each.text), []).append(each)
+    return [_missing_text(results, key, group) for (key, _), group in groups.items()]
+
+
+def _missing_text(results: Results, key: str, group: Sequence[Missing]) -> Text:
+    first = group[0]
+    why = listing(first.why or first.reasons, "") if first.why or first.reasons else Term(first.text)
+    owners = [owner for owner in (split_key(results, each.key)[0] for each in group) if owner]
+    if len(group) == 1 or not owners:
+        return say("{key}: {why}", key=Verbatim(first.key), why=why)
+    return say("{key} of {mechanisms}: {why}", key=Verbatim(key), mechanisms=mechanism_list(results, owners), why=why)
+
+
+def lines_to_paste(results: Results, verdict: Verdict) -> tuple[str, ...]:
+    """Return the missing keys as lines of a project file."""
+    return toml_lines(verdict.missing, [key for key, each in results.project.items() if each.given])
+
+
+def blocks_to_paste(results: Results, verdict: Verdict) -> list[Block]:
+    """Return the lines to paste under their title; nothing where no line is known."""
+    lines = lines_to_paste(results, verdict)
+    if not lines:
+        return []
+    title = say("To complete the verdict, add these lines to the project file with your own values:")
+    return [Prose((title,)), FileLines(lines)]
+
+
+def fits_page_1(results: Results, verdict: Verdict) -> bool:
+    """Return whether the lines to paste are few enough for page 1; else they stand with the recommendations."""
+    return len(lines_to_paste(results, verdict)) <= MAX_LINES
+
+
+def provisional_outcome(verdict: Verdict) -> list[Block]:
+    """Return what the verdict would be with the safe values."""
+    if verdict.provisional == Decision.PASS:
+        return [Prose((say("With the safe value of all that is missing, the verdict would be: pass."),))]
+    if verdict.provisional == Decision.FAIL:
+        return [Prose((say("With the safe value of all that is missing, the verdict would be: fail."),))]
+    return []

@@ -24,14 +24,14 @@ from reports.chapters.cells import (
     NO_ROCKING,
     OUTCOMES,
     capacity_pga_cell,
+    margin_cell,
     rotation_cell,
     unbounded_text,
 )
-from reports.chapters.verdict_texts import margin_cell
 from reports.document import Block, Cell, Column, Figure, OutcomeCell, Prose, Section, Table
 from reports.figures import comparison as figure
 from reports.language.texts import Listing, Paragraph, Phrase, Text, count, listing, names, quantity, say
-from reports.titles import mechanism_number, numbered_title, procedure_title
+from reports.mechanisms import mechanism_number, numbered_title, procedure_title
 
 MAX_LEVELS = 5
 """Levels besides the site's own in the table; the tables of the spreadsheet have all."""

@@ -12,31 +12,15 @@ from reports.chapters import (
     annex_histories,
     annex_inputs,
     annex_sheets,
+    cells,
     declaration,
     sensitivity,
     suite,
     uncertainty,
 )
-from reports.chapters.cells import (
-    BRANCHES,
-    INPUTS,
-    LEVEL,
-    LIMIT_STATE,
-    MECHANISM,
-    METHOD,
-    OUTCOME,
-    PROCEDURE,
-    READINGS,
-    ROLES,
-    outcome_cell,
-    rocking_cell,
-    rotation_cell,
-    unbounded_text,
-    uplift_cell,
-)
 from reports.document import Cell, Column, Field, Table, tabulate
 from reports.language.texts import Listing, Term, Verbatim, quantity, say
-from reports.titles import file_stem, numbered_title, procedure_title
+from reports.mechanisms import file_stem, numbered_title, procedure_title
 
 ROTATION = Column(say("Rotation φ/φₒᵥ"), "ratio")
 RATIO = Column(say("Demand / capacity"), "ratio")
@@ -85,24 +69,24 @@ def _of_suite(results: Results) -> Iterator[Table]:
 
 
 CHECK_FIELDS: tuple[Field[Check], ...] = (
-    (LEVEL, lambda check: check.level_pga_g),
-    (PROCEDURE, lambda check: Verbatim(check.procedure)),
-    (METHOD, lambda check: procedure_title(check.procedure)),
-    (LIMIT_STATE, lambda check: Verbatim(check.limit_state)),
+    (cells.LEVEL, lambda check: check.level_pga_g),
+    (cells.PROCEDURE, lambda check: Verbatim(check.procedure)),
+    (cells.METHOD, lambda check: procedure_title(check.procedure)),
+    (cells.LIMIT_STATE, lambda check: Verbatim(check.limit_state)),
     (Column(say("Quantity")), lambda check: Term(check.quantity)),
     (Column(say("Unit")), lambda check: Verbatim(check.unit)),
-    (Column(say("Demand")), lambda check: unbounded_text(check) or check.demand),
+    (Column(say("Demand")), lambda check: cells.unbounded_text(check) or check.demand),
     (Column(say("Allowable")), lambda check: check.capacity),
     (RATIO, lambda check: check.ratio),
-    (ROTATION, rotation_cell),
-    (Column(say("PGA at uplift"), "ground acceleration"), lambda check: uplift_cell(check.uplift_pga_g)),
+    (ROTATION, cells.rotation_cell),
+    (Column(say("PGA at uplift"), "ground acceleration"), lambda check: cells.uplift_cell(check.uplift_pga_g)),
     (Column(say("PGA at capacity"), "ground acceleration"), lambda check: check.capacity_pga_g),
     (Column(say("Safety index"), "ratio"), lambda check: check.safety_index),
     (Column(say("Return period"), "return period"), lambda check: check.return_period_years),
-    (OUTCOME, outcome_cell),
-    (Column(say("Role")), lambda check: ROLES[check.role]),
-    (Column(say("Reading")), lambda check: READINGS[check.reading]),
-    (INPUT_AT, lambda check: INPUTS[check.input_at]),
+    (cells.OUTCOME, cells.outcome_cell),
+    (Column(say("Role")), lambda check: cells.ROLES[check.role]),
+    (Column(say("Reading")), lambda check: cells.READINGS[check.reading]),
+    (INPUT_AT, lambda check: cells.INPUTS[check.input_at]),
     (Column(say("Why")), lambda check: check.reason),
     (Column(say("Conditions and remarks")), lambda check: _conditions_and_remarks(check)),
 )
@@ -111,7 +95,7 @@ CHECK_FIELDS: tuple[Field[Check], ...] = (
 def checks_table(results: Results) -> Table:
     """Tabulate every check of every mechanism: demand, allowable, ratio, outcome, role and reason."""
     pairs = [(mechanism, check) for mechanism in results.mechanisms for check in mechanism.checks]
-    columns = (MECHANISM, *(column for column, _ in CHECK_FIELDS))
+    columns = (cells.MECHANISM, *(column for column, _ in CHECK_FIELDS))
     rows = tuple(
         (numbered_title(results, mechanism.name), *(cell(check) for _, cell in CHECK_FIELDS))
         for mechanism, check in pairs
@@ -130,7 +114,7 @@ def pga_at_capacity_table(results: Results) -> Table:
     """Tabulate the PGA at capacity of every mechanism by every procedure (as thesis Table 8.6)."""
     by_mechanism = {m.name: governing.capacities(m.checks) for m in results.mechanisms}
     known = dict.fromkeys(name for found in by_mechanism.values() for name in found)
-    columns = (MECHANISM, *(Column(procedure_title(name), "ground acceleration") for name in known))
+    columns = (cells.MECHANISM, *(Column(procedure_title(name), "ground acceleration") for name in known))
     rows = tuple(
         (numbered_title(results, m.name), *map(by_mechanism[m.name].get, known))
         for m in results.mechanisms
@@ -147,9 +131,9 @@ def rotations_table(results: Results) -> Table:
     """Tabulate the largest rotation at each level and the allowable one, by procedure (as thesis Table 8.10)."""
     levels = governing.pga_levels(tuple(check for mechanism in results.mechanisms for check in mechanism.checks))
     columns = (
-        MECHANISM,
-        PROCEDURE,
-        METHOD,
+        cells.MECHANISM,
+        cells.PROCEDURE,
+        cells.METHOD,
         *(Column(say("At {pga}", pga=quantity(level, "ground acceleration", 3)), "ratio") for level in levels),
         Column(say("Allowable"), "ratio"),
     )
@@ -173,7 +157,7 @@ def rotations_table(results: Results) -> Table:
 def _rotation_cells(checks: tuple[Check, ...], levels: tuple[float, ...]) -> tuple[Cell, ...]:
     worst = [governing.worst_check(governing.checks_at_level(checks, level)) for level in levels]
     allowed = [check.capacity_rotation_ratio for check in checks if check.capacity_rotation_ratio is not None]
-    return (*(None if check is None else rotation_cell(check) for check in worst), min(allowed, default=None))
+    return (*(None if check is None else cells.rotation_cell(check) for check in worst), min(allowed, default=None))
 
 
 Compared = tuple[ComparisonRow, Check | None]
@@ -182,14 +166,14 @@ Compared = tuple[ComparisonRow, Check | None]
 def comparison_table(results: Results) -> Table:
     """Tabulate all mechanisms by all procedures."""
     fields: tuple[Field[Compared], ...] = (
-        (MECHANISM, lambda pair: numbered_title(results, pair[0].mechanism)),
-        (LEVEL, lambda pair: pair[0].level_pga_g),
-        (PROCEDURE, lambda pair: Verbatim(pair[0].procedure)),
-        (METHOD, lambda pair: procedure_title(pair[0].procedure)),
+        (cells.MECHANISM, lambda pair: numbered_title(results, pair[0].mechanism)),
+        (cells.LEVEL, lambda pair: pair[0].level_pga_g),
+        (cells.PROCEDURE, lambda pair: Verbatim(pair[0].procedure)),
+        (cells.METHOD, lambda pair: procedure_title(pair[0].procedure)),
         (ROTATION, _compared_rotation),
         (Column(say("Allowable φ/φₒᵥ"), "ratio"), lambda pair: pair[0].allowable_ratio),
         (RATIO, _compared_ratio),
-        (INPUT_AT, lambda pair: None if pair[1] is None else INPUTS[pair[1].input_at]),
+        (INPUT_AT, lambda pair: None if pair[1] is None else cells.INPUTS[pair[1].input_at]),
     )
     caption = say(
         "Demand and capacity of all mechanisms. Compare only lines with the same input; thesis readings are grey."
@@ -200,12 +184,12 @@ def comparison_table(results: Results) -> Table:
 
 def _compared_rotation(pair: Compared) -> Cell:
     row, check = pair
-    return rocking_cell(row.rotation_ratio) if check is None else rotation_cell(check)
+    return cells.rocking_cell(row.rotation_ratio) if check is None else cells.rotation_cell(check)
 
 
 def _compared_ratio(pair: Compared) -> Cell:
     row, check = pair
-    return row.demand_capacity if check is None else unbounded_text(check) or row.demand_capacity
+    return row.demand_capacity if check is None else cells.unbounded_text(check) or row.demand_capacity
 
 
 def _is_thesis_reading(pair: Compared) -> bool:
@@ -230,7 +214,7 @@ def spectra_table(results: Results) -> Table:
 def capacity_curves_table(results: Results) -> Table:
     """Tabulate the capacity curves of every mechanism, point by point."""
     columns = (
-        MECHANISM,
+        cells.MECHANISM,
         Column(say("Branch")),
         Column(say("Rotation"), "rotation"),
         Column(say("Inertia"), "inertia"),
@@ -242,7 +226,7 @@ def capacity_curves_table(results: Results) -> Table:
     rows: list[tuple[Cell, ...]] = []
     for mechanism in results.mechanisms:
         for branch, curve in (("positive", mechanism.curve.positive), ("negative", mechanism.curve.negative)):
-            start = (numbered_title(results, mechanism.name), BRANCHES[branch])
+            start = (numbered_title(results, mechanism.name), cells.BRANCHES[branch])
             rows += [] if curve is None else [(*start, *point) for point in _points(curve)]
     return Table("capacity-curves", say("Capacity curves of both branches."), columns, tuple(rows))
 
@@ -261,7 +245,12 @@ def pga_curves_table(results: Results) -> Table:
         for ratio, pga in zip(check.pga_curve.rotation_ratio, check.pga_curve.pga_g, strict=True)
     )
     caption = say("Peak ground acceleration over rotation, by each procedure.")
-    return Table("pga-rotation-curves", caption, (MECHANISM, PROCEDURE, LIMIT_STATE, ROTATION, LEVEL), rows)
+    return Table(
+        "pga-rotation-curves",
+        caption,
+        (cells.MECHANISM, cells.PROCEDURE, cells.LIMIT_STATE, ROTATION, cells.LEVEL),
+        rows,
+    )
 
 
 def _one_for_each_curve(checks: tuple[Check, ...]) -> tuple[Check, ...]:

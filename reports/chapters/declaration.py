@@ -10,25 +10,10 @@ from assess.codes.procedures import family_of
 from assess.messages.message import Message
 from assess.results import Control, ControlKind, MechanismResult, Results
 from assess.results.verification import USES
+from reports import document as doc
 from reports.chapters.front_matter import author, checker, client, engineer, reference
-from reports.document import (
-    Block,
-    BulletList,
-    Cell,
-    Column,
-    Facts,
-    Field,
-    OutcomeCell,
-    Prose,
-    Section,
-    Signatures,
-    Table,
-    WritingBox,
-    nonempty,
-    tabulate,
-)
 from reports.language.texts import Paragraph, Phrase, Term, Text, Verbatim, listing, quantity, say, say_count
-from reports.titles import mechanism_list, numbered_title, procedure_title
+from reports.mechanisms import mechanism_list, numbered_title, procedure_title
 
 ITALIAN_BASES = ("ntc2018", "dmi2008")
 
@@ -59,17 +44,17 @@ ANALYSIS_KINDS: Mapping[Family, Phrase] = {
 FOLLOW_ROTATION = (Family.DISPLACEMENT, Family.ENERGY, Family.HISTORY, Family.PART)
 
 
-def sections(results: Results) -> list[Section]:
+def sections(results: Results) -> list[doc.Section]:
     """Return the chapter: analysis, program and controls, each with its own heading, and the box for the judgement."""
     return [
-        Section(chapter_title(results), 0, (Prose(tuple(analysis_sentences(results))),)),
-        Section(
+        doc.Section(chapter_title(results), 0, (doc.Prose(tuple(analysis_sentences(results))),)),
+        doc.Section(
             say("Program"),
             1,
-            (Facts(tuple(program_facts(results))), Prose((documentation(), *verification_annex(results)))),
+            (doc.Facts(tuple(program_facts(results))), doc.Prose((documentation(), *verification_annex(results)))),
         ),
-        Section(say("Automatic controls"), 1, tuple(control_blocks(results))),
-        Section(say("Judgement"), 1, tuple(_judgement())),
+        doc.Section(say("Automatic controls"), 1, tuple(control_blocks(results))),
+        doc.Section(say("Judgement"), 1, tuple(_judgement())),
     ]
 
 
@@ -213,13 +198,13 @@ def verification_annex(results: Results) -> Iterator[Text]:
         )
 
 
-def _judgement() -> Iterator[Block]:
+def _judgement() -> Iterator[doc.Block]:
     words = say(
         "The designer judges whether the program is reliable and fit for this building, from its documentation and "
         "test cases, and whether the results are acceptable, also by comparison with simple calculations of their own."
     )
-    yield Prose((words,))
-    yield WritingBox(say("Engineer’s judgement of the program and of the acceptability of the results"), 32.0)
+    yield doc.Prose((words,))
+    yield doc.WritingBox(say("Engineer’s judgement of the program and of the acceptability of the results"), 32.0)
 
 
 CONTROL_TITLES: Mapping[ControlKind, Phrase] = {
@@ -231,13 +216,13 @@ CONTROL_TITLES: Mapping[ControlKind, Phrase] = {
 WITHIN_ROUNDING = 1e-12  # relative difference below which a control is within rounding
 
 
-def control_blocks(results: Results) -> list[Block]:
+def control_blocks(results: Results) -> list[doc.Block]:
     """Return what was controlled, the table, and the notes on what was not made or not met."""
     if not results.controls:
-        return [Prose((say("These results hold no automatic controls."),))]
+        return [doc.Prose((say("These results hold no automatic controls."),))]
     return [
-        Prose((controls_summary(results.controls), controls_explanation())),
-        *nonempty(controls_table(results)),
+        doc.Prose((controls_summary(results.controls), controls_explanation())),
+        *doc.nonempty(controls_table(results)),
         *_control_notes(results),
     ]
 
@@ -272,35 +257,35 @@ def controls_explanation() -> Text:
     )
 
 
-def controls_table(results: Results) -> Table:
+def controls_table(results: Results) -> doc.Table:
     """Tabulate mechanism by control: relative differences, and both multipliers."""
 
     def made(mechanism: MechanismResult, kind: ControlKind) -> list[Control]:
         return [each for each in results.controls if each.mechanism == mechanism.name and each.kind == kind]
 
-    def difference(kind: ControlKind) -> Field[MechanismResult]:
-        return Column(_control_heading(results, kind)), lambda mechanism: _worst_difference(made(mechanism, kind))
+    def difference(kind: ControlKind) -> doc.Field[MechanismResult]:
+        return doc.Column(_control_heading(results, kind)), lambda mechanism: _worst_difference(made(mechanism, kind))
 
     def by_hand(mechanism: MechanismResult) -> Control | None:
         return next(iter(made(mechanism, "hand-multiplier")), None)
 
-    fields: tuple[Field[MechanismResult], ...] = (
-        (Column(say("Mechanism"), share=0.26), lambda mechanism: numbered_title(results, mechanism.name)),
+    fields: tuple[doc.Field[MechanismResult], ...] = (
+        (doc.Column(say("Mechanism"), share=0.26), lambda mechanism: numbered_title(results, mechanism.name)),
         difference("equilibrium"),
         difference("energy"),
         (
-            Column(say("Multiplier of the program"), "ratio", 5),
+            doc.Column(say("Multiplier of the program"), "ratio", 5),
             lambda mechanism: None if (control := by_hand(mechanism)) is None else control.value,
         ),
         (
-            Column(say("Multiplier by hand"), "ratio", 5),
+            doc.Column(say("Multiplier by hand"), "ratio", 5),
             lambda mechanism: None if (control := by_hand(mechanism)) is None else control.reference,
         ),
         difference("hand-multiplier"),
         difference("convergence"),
     )
     caption = say("Relative differences of the automatic controls. A dash stands for a control that was not made.")
-    return tabulate("controls", caption, fields, results.mechanisms if results.controls else (), small=True)
+    return doc.tabulate("controls", caption, fields, results.mechanisms if results.controls else (), small=True)
 
 
 def _control_heading(results: Results, kind: ControlKind) -> Text:
@@ -313,7 +298,7 @@ def _control_heading(results: Results, kind: ControlKind) -> Text:
     )
 
 
-def _worst_difference(controls: list[Control]) -> Cell:
+def _worst_difference(controls: list[Control]) -> doc.Cell:
     """Return the largest difference of some controls in the colour of their outcome; None where none was made."""
     made = [each for each in controls if each.difference is not None]
     if not made:
@@ -321,8 +306,8 @@ def _worst_difference(controls: list[Control]) -> Cell:
     worst = max(made, key=lambda each: (each.met is False, each.difference or 0.0))
     text = _difference(worst.difference or 0.0)
     if worst.met is None:
-        return OutcomeCell("comparison", text)
-    return OutcomeCell("pass" if worst.met else "fail", text)
+        return doc.OutcomeCell("comparison", text)
+    return doc.OutcomeCell("pass" if worst.met else "fail", text)
 
 
 def _difference(value: float) -> Text:
@@ -333,14 +318,14 @@ def _difference(value: float) -> Text:
     )
 
 
-def _control_notes(results: Results) -> Iterator[Block]:
+def _control_notes(results: Results) -> Iterator[doc.Block]:
     """Yield what the program says of controls that were not made, not met, or need not agree, each sentence once."""
     found: dict[str, tuple[Control, Message, list[str]]] = {}
     for each in results.controls:
         if each.met is not True:
             found.setdefault(f"{each.kind} {each.note.text}", (each, each.note, []))[2].append(each.mechanism)
     if found:
-        yield BulletList(
+        yield doc.BulletList(
             tuple(
                 say(
                     "{control}, {mechanisms}: {note}",
@@ -353,28 +338,28 @@ def _control_notes(results: Results) -> Iterator[Block]:
         )
 
 
-def controls_in_full(results: Results) -> Table:
+def controls_in_full(results: Results) -> doc.Table:
     """Tabulate every control with its numbers, for the spreadsheet and the CSV files."""
-    fields: tuple[Field[Control], ...] = (
-        (Column(say("Mechanism")), lambda each: numbered_title(results, each.mechanism)),
-        (Column(say("Control")), lambda each: CONTROL_TITLES[each.kind]),
-        (Column(say("Quantity")), lambda each: Term(each.quantity)),
-        (Column(say("Value")), lambda each: _value_text(each.value, each.dimension)),
-        (Column(say("Reference")), lambda each: _value_text(each.reference, each.dimension)),
-        (Column(say("Relative difference"), "ratio", 3), lambda each: each.difference),
-        (Column(say("Tolerance"), "ratio", 3), lambda each: each.tolerance),
-        (Column(say("Met")), lambda each: each.met),
-        (Column(say("Note")), lambda each: each.note),
+    fields: tuple[doc.Field[Control], ...] = (
+        (doc.Column(say("Mechanism")), lambda each: numbered_title(results, each.mechanism)),
+        (doc.Column(say("Control")), lambda each: CONTROL_TITLES[each.kind]),
+        (doc.Column(say("Quantity")), lambda each: Term(each.quantity)),
+        (doc.Column(say("Value")), lambda each: _value_text(each.value, each.dimension)),
+        (doc.Column(say("Reference")), lambda each: _value_text(each.reference, each.dimension)),
+        (doc.Column(say("Relative difference"), "ratio", 3), lambda each: each.difference),
+        (doc.Column(say("Tolerance"), "ratio", 3), lambda each: each.tolerance),
+        (doc.Column(say("Met")), lambda each: each.met),
+        (doc.Column(say("Note")), lambda each: each.note),
     )
     caption = say("Every automatic control with its numbers.")
-    return tabulate("controls-in-full", caption, fields, results.controls)
+    return doc.tabulate("controls-in-full", caption, fields, results.controls)
 
 
 def _value_text(value: float | None, dimension: str) -> Text | None:
     return None if value is None else quantity(value, dimension, 6)
 
 
-def signature_sections(results: Results) -> list[Section]:
+def signature_sections(results: Results) -> list[doc.Section]:
     """Return the statement with the places to sign."""
     leader = engineer(results) or author(results)
     places: list[tuple[Text, Text]] = [(say("Engineer"), Verbatim(leader))]
@@ -383,12 +368,12 @@ def signature_sections(results: Results) -> list[Section]:
     places.append((say("Checked by"), Verbatim(checker(results))))
     if client(results):
         places.append((say("Received for the client"), Verbatim(client(results))))
-    blocks: tuple[Block, ...] = (
-        Prose((signed_statement(results),)),
+    blocks: tuple[doc.Block, ...] = (
+        doc.Prose((signed_statement(results),)),
         *_identity_facts(results),
-        Signatures(tuple(places)),
+        doc.Signatures(tuple(places)),
     )
-    return [Section(say("Signatures"), 0, blocks)]
+    return [doc.Section(say("Signatures"), 0, blocks)]
 
 
 def signed_statement(results: Results) -> Text:
@@ -399,7 +384,7 @@ def signed_statement(results: Results) -> Text:
     )
 
 
-def _identity_facts(results: Results) -> tuple[Facts, ...]:
+def _identity_facts(results: Results) -> tuple[doc.Facts, ...]:
     """Return what identifies the issue that is signed."""
     matter = results.report
     facts = (
@@ -410,4 +395,4 @@ def _identity_facts(results: Results) -> tuple[Facts, ...]:
         (say("Stamp of the results"), results.stamp),
     )
     pairs = tuple((label, Verbatim(text)) for label, text in facts if text)
-    return (Facts(pairs),) if pairs else ()
+    return (doc.Facts(pairs),) if pairs else ()

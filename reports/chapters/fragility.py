@@ -41,7 +41,7 @@ from reports.intensity_measures import (
     value_with_interval,
 )
 from reports.language.texts import Paragraph, Phrase, Text, Verbatim, count, listing, quantity, say, say_count
-from reports.titles import file_stem
+from reports.mechanisms import file_stem
 
 COUNTS = (
     say(

@@ -6,13 +6,13 @@ from functools import partial
 
 from assess.codes.checklists import CHECKLISTS, item_name
 from assess.results import ChecklistItem, Results
+from reports.chapters.cells import DEMAND_CAPACITY
 from reports.chapters.front_matter import photograph
-from reports.chapters.verdict_texts import DEMAND_CAPACITY
 from reports.document import Block, Cell, Column, Figure, Prose, Section, Table
 from reports.figures import key_plan
 from reports.figures.key_plan import BuildingScene
 from reports.language.texts import Term, Text, Verbatim, count, listing, say, say_count
-from reports.titles import mechanism_list
+from reports.mechanisms import mechanism_list
 
 
 def sections(results: Results, building: BuildingScene | None) -> list[Section]:

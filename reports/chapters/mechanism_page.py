@@ -10,40 +10,10 @@ from assess.codes.check import Check, Outcome
 from assess.codes.histories import ratio_figures
 from assess.messages.message import Message, Severity
 from assess.results import MechanismResult, OscillatorResult, Results
-from reports import governing, joints
-from reports.chapters.cells import (
-    BRANCHES,
-    CAPACITY_PGA,
-    METHOD,
-    NO_LASTING,
-    NO_ROCKING,
-    OUTCOME,
-    RATIO,
-    ROLES,
-    capacity_pga_cell,
-    outcome_cell,
-    ratio_cell,
-    rotation_cell,
-    swept_value,
-    unbounded_text,
-    uplift_cell,
-    value_cell,
-)
+from reports import document as doc
+from reports import governing
+from reports.chapters import cells
 from reports.chapters.mechanism_verdict import unanswered_methods, verdict_sentences, verdict_summary
-from reports.document import (
-    Block,
-    BulletList,
-    Cell,
-    Column,
-    Field,
-    Figure,
-    FigureRow,
-    Prose,
-    Section,
-    Table,
-    nonempty,
-    tabulate,
-)
 from reports.figures import capacity, comparison, key_plan, sketch
 from reports.figures.key_plan import BuildingScene
 from reports.language.texts import (
@@ -59,15 +29,22 @@ from reports.language.texts import (
     say,
     say_count,
 )
+from reports.mechanisms import (
+    JOINT_MODELS,
+    check_title,
+    mechanism_number,
+    mechanism_title,
+    model_names,
+    procedure_title,
+)
 from reports.project_values import split_key
-from reports.titles import check_title, mechanism_number, mechanism_title, procedure_title
 
 ALONG_X = 1.0 - 1e-9  # cosine of a direction that is the x axis of the model
 
 
 def sections(
     results: Results, mechanism: MechanismResult, stem: str, building: BuildingScene | None = None
-) -> list[Section]:
+) -> list[doc.Section]:
     """Return the page of a mechanism.
 
     stem : beginning of the names of its figures and tables
@@ -77,32 +54,34 @@ def sections(
     answers = answers_table(results, mechanism, name=f"{stem}-answers")
     warnings = mechanism_warnings(results, mechanism)
     pairs = _in_pairs([*_shape_figures(mechanism, stem, building), *_curve_figures(mechanism, stem)])
-    blocks: list[Block] = [
-        Prose((description(mechanism), *case)),
+    blocks: list[doc.Block] = [
+        doc.Prose((description(mechanism), *case)),
         *verdict_summary(results, mechanism),
         *pairs[:1],
         branch_parameters_table(results, mechanism, name=f"{stem}-page-parameters"),
         *pairs[1:],
-        *nonempty(answers),
-        Prose(tuple(_findings(results, mechanism))),
+        *doc.nonempty(answers),
+        doc.Prose(tuple(_findings(results, mechanism))),
     ]
     if warnings:
-        blocks += [Prose((say("Remarks on this mechanism:"),)), BulletList(warnings)]
+        blocks += [doc.Prose((say("Remarks on this mechanism:"),)), doc.BulletList(warnings)]
     title, mark = Verbatim(mechanism_title(mechanism)), mechanism_number(results, mechanism.name)
-    return [Section(title, 0, tuple(block for block in blocks if block != Prose(())), starts_page=True, mark=mark)]
+    return [
+        doc.Section(title, 0, tuple(block for block in blocks if block != doc.Prose(())), starts_page=True, mark=mark)
+    ]
 
 
-def _in_pairs(figures: list[Figure]) -> list[Block]:
+def _in_pairs(figures: list[doc.Figure]) -> list[doc.Block]:
     """Return figures two by two; a last one has the width of the page."""
     pairs = (figures[start : start + 2] for start in range(0, len(figures), 2))
-    return [FigureRow(tuple(pair)) if len(pair) > 1 else pair[0] for pair in pairs]
+    return [doc.FigureRow(tuple(pair)) if len(pair) > 1 else pair[0] for pair in pairs]
 
 
-def _shape_figures(mechanism: MechanismResult, stem: str, building: BuildingScene | None) -> Iterator[Figure]:
-    yield Figure(f"{stem}-sketch", sketch_caption(mechanism), partial(sketch.draw_sketch, mechanism))
+def _shape_figures(mechanism: MechanismResult, stem: str, building: BuildingScene | None) -> Iterator[doc.Figure]:
+    yield doc.Figure(f"{stem}-sketch", sketch_caption(mechanism), partial(sketch.draw_sketch, mechanism))
     if building is not None and mechanism.name in building.mechanisms:
         caption = say("Its place in the building; the arrow is the direction of motion.")
-        yield Figure(f"{stem}-place", caption, partial(key_plan.draw_place, building, mechanism.name))
+        yield doc.Figure(f"{stem}-place", caption, partial(key_plan.draw_place, building, mechanism.name))
 
 
 def sketch_caption(mechanism: MechanismResult) -> Text:
@@ -127,12 +106,12 @@ def _shape_caption(mechanism: MechanismResult) -> Text:
     )
 
 
-def _curve_figures(mechanism: MechanismResult, stem: str) -> Iterator[Figure]:
+def _curve_figures(mechanism: MechanismResult, stem: str) -> Iterator[doc.Figure]:
     caption = say("Capacity curve: restoring moment over rotation, with the rotation φₒᵥ that overturns.")
-    yield Figure(f"{stem}-capacity", caption, partial(capacity.draw_capacity, mechanism))
+    yield doc.Figure(f"{stem}-capacity", caption, partial(capacity.draw_capacity, mechanism))
     if mechanism.checks:
         caption = say("Largest rotation over peak ground acceleration by each method; large markers: allowable.")
-        yield Figure(f"{stem}-pga-rotation", caption, partial(comparison.draw_pga_rotation, mechanism))
+        yield doc.Figure(f"{stem}-pga-rotation", caption, partial(comparison.draw_pga_rotation, mechanism))
 
 
 def _findings(results: Results, mechanism: MechanismResult) -> Iterator[Text]:
@@ -228,7 +207,7 @@ def _base(mechanism: MechanismResult) -> Iterator[Text]:
 def _joints(mechanism: MechanismResult) -> Text:
     return say(
         "Joints: {model}; coefficient of restitution: {source}.",
-        model=listing(joints.JOINT_MODELS.get(model, Verbatim(model)) for model in joints.model_names(mechanism)),
+        model=listing(JOINT_MODELS.get(model, Verbatim(model)) for model in model_names(mechanism)),
         source=Listing(mechanism.restitution_said or (Term(mechanism.restitution_source),), ""),
     )
 
@@ -250,7 +229,7 @@ def represented_case(results: Results, mechanism: MechanismResult) -> Iterator[T
                 "{number} values of {key} were studied; this page shows the most critical one: {value}.",
                 len(sweep.value),
                 key=Verbatim(sweep.key),
-                value=swept_value(sweep.value[sweep.controlling], sweep.unit),
+                value=cells.swept_value(sweep.value[sweep.controlling], sweep.unit),
             )
 
 
@@ -261,24 +240,24 @@ def mechanism_warnings(results: Results, mechanism: MechanismResult) -> tuple[Me
     return tuple(own.values())
 
 
-def _page_parameters(results: Results, mechanism: MechanismResult) -> list[Field[OscillatorResult]]:
+def _page_parameters(results: Results, mechanism: MechanismResult) -> list[doc.Field[OscillatorResult]]:
     """Return the eight parameters that an engineer checks by hand."""
-    uplift: Field[OscillatorResult] = (
-        Column(say("Multiplier at uplift λ"), "ratio"),
-        lambda branch: uplift_cell(branch.uplift_multiplier),
+    uplift: doc.Field[OscillatorResult] = (
+        doc.Column(say("Multiplier at uplift λ"), "ratio"),
+        lambda branch: cells.uplift_cell(branch.uplift_multiplier),
     )
-    on_joints: Field[OscillatorResult] = (
-        Column(say("Overturning on its joints"), "rotation"),
+    on_joints: doc.Field[OscillatorResult] = (
+        doc.Column(say("Overturning on its joints"), "rotation"),
         lambda branch: branch.overturning_flexible_rad,
     )
     return [
-        (Column(say("Mass M"), "mass"), lambda branch: branch.mass_kg if _has_mass(results, mechanism) else None),
-        (Column(say("Radius R"), "length"), lambda branch: branch.radius_m),
-        (Column(say("Slenderness α"), "rotation"), lambda branch: branch.slenderness_rad),
-        (Column(say("Frequency parameter p"), "angular frequency"), lambda branch: branch.p_eq_per_s),
+        (doc.Column(say("Mass M"), "mass"), lambda branch: branch.mass_kg if _has_mass(results, mechanism) else None),
+        (doc.Column(say("Radius R"), "length"), lambda branch: branch.radius_m),
+        (doc.Column(say("Slenderness α"), "rotation"), lambda branch: branch.slenderness_rad),
+        (doc.Column(say("Frequency parameter p"), "angular frequency"), lambda branch: branch.p_eq_per_s),
         uplift if mechanism.oscillator.overturning_flexible_rad is None else on_joints,
-        (Column(say("Overturning φₒᵥ"), "rotation"), lambda branch: branch.overturning_rad),
-        (Column(say("Restitution η"), "ratio"), lambda branch: branch.restitution),
+        (doc.Column(say("Overturning φₒᵥ"), "rotation"), lambda branch: branch.overturning_rad),
+        (doc.Column(say("Restitution η"), "ratio"), lambda branch: branch.restitution),
         *_mass_share_or_period(results, mechanism),
     ]
 
@@ -289,28 +268,30 @@ def _has_mass(results: Results, mechanism: MechanismResult) -> bool:
     return mechanism.kind != "equivalent-block" or (given is not None and given.given)
 
 
-def _mass_share_or_period(results: Results, mechanism: MechanismResult) -> list[Field[OscillatorResult]]:
+def _mass_share_or_period(results: Results, mechanism: MechanismResult) -> list[doc.Field[OscillatorResult]]:
     """Return the fraction of participating mass, or the longest equivalent period where no analysis has that."""
     steps = (step for check in mechanism.checks for step in check.steps)
     share = next((step.value for step in steps if step.symbol == "e*"), None)
     if share is not None:
-        return [(Column(say("Participating share e*"), "ratio"), lambda _: share)]
+        return [(doc.Column(say("Participating share e*"), "ratio"), lambda _: share)]
     periods = () if results.ground_motion is None else results.ground_motion.equivalent_periods
     longest = next((one.longest_s for one in periods if one.mechanism == mechanism.name), None)
-    return [] if longest is None else [(Column(say("Equivalent period"), "time"), lambda _: longest)]
+    return [] if longest is None else [(doc.Column(say("Equivalent period"), "time"), lambda _: longest)]
 
 
-def branch_parameters_table(results: Results, mechanism: MechanismResult, *, name: str) -> Table:
+def branch_parameters_table(results: Results, mechanism: MechanismResult, *, name: str) -> doc.Table:
     """Tabulate the parameters, a row for each branch; one row where both are alike."""
     shown = _page_parameters(results, mechanism)
-    rows: list[tuple[Cell, ...]] = []
+    rows: list[tuple[doc.Cell, ...]] = []
     for title, branch in (("positive", mechanism.oscillator), ("negative", mechanism.oscillator_negative)):
         if branch is not None:
-            rows.append((BRANCHES[title], *(value(branch) for _, value in shown)))
+            rows.append((cells.BRANCHES[title], *(value(branch) for _, value in shown)))
     if len(rows) == 2 and rows[0][1:] == rows[1][1:]:
         rows = [(say("both"), *rows[0][1:])]
     caption = say("Rocking parameters of each branch, that is, direction of rotation.")
-    return Table(name, caption, (Column(say("Branch")), *(column for column, _ in shown)), tuple(rows), small=True)
+    return doc.Table(
+        name, caption, (doc.Column(say("Branch")), *(column for column, _ in shown)), tuple(rows), small=True
+    )
 
 
 def shown_checks(results: Results, mechanism: MechanismResult) -> tuple[Check, ...]:
@@ -320,29 +301,32 @@ def shown_checks(results: Results, mechanism: MechanismResult) -> tuple[Check, .
     return tuple(sorted(applicable, key=lambda check: (check.reading == "thesis", check.role != "deciding")))
 
 
-def answers_table(results: Results, mechanism: MechanismResult, *, name: str) -> Table:
+def answers_table(results: Results, mechanism: MechanismResult, *, name: str) -> doc.Table:
     """Tabulate the answers at the site's own action, a row for each method and limit state."""
     shown, mechanism_verdict = shown_checks(results, mechanism), governing.verdict_of(results, mechanism)
-    fields: tuple[Field[Check], ...] = (
-        (METHOD, lambda check: check_title(check, shown)),
-        (Column(say("Role")), lambda check: ROLES[check.role]),
-        (Column(say("Demand")), _demand_cell),
-        (Column(say("Allowable")), lambda check: value_cell(check.capacity, check.unit)),
-        (RATIO, ratio_cell),
-        (CAPACITY_PGA, capacity_pga_cell),
-        (OUTCOME, lambda check: outcome_cell(check, () if mechanism_verdict is None else mechanism_verdict.answers)),
+    fields: tuple[doc.Field[Check], ...] = (
+        (cells.METHOD, lambda check: check_title(check, shown)),
+        (doc.Column(say("Role")), lambda check: cells.ROLES[check.role]),
+        (doc.Column(say("Demand")), _demand_cell),
+        (doc.Column(say("Allowable")), lambda check: cells.value_cell(check.capacity, check.unit)),
+        (cells.RATIO, cells.ratio_cell),
+        (cells.CAPACITY_PGA, cells.capacity_pga_cell),
+        (
+            cells.OUTCOME,
+            lambda check: cells.outcome_cell(check, () if mechanism_verdict is None else mechanism_verdict.answers),
+        ),
     )
-    return tabulate(
+    return doc.tabulate(
         name, _answers_caption(results), fields, shown, muted=lambda check: check.reading == "thesis", small=True
     )
 
 
-def _demand_cell(check: Check) -> Cell:
+def _demand_cell(check: Check) -> doc.Cell:
     """Return the demand of a check with its unit, or words: it overturns, does not rock, or comes to rest again."""
-    words = rotation_cell(check)
-    if check.rotation_ratio is not None and words in (NO_LASTING, NO_ROCKING):
+    words = cells.rotation_cell(check)
+    if check.rotation_ratio is not None and words in (cells.NO_LASTING, cells.NO_ROCKING):
         return words
-    return unbounded_text(check) or value_cell(check.demand, check.unit, figures=ratio_figures(check))
+    return cells.unbounded_text(check) or cells.value_cell(check.demand, check.unit, figures=ratio_figures(check))
 
 
 def _answers_caption(results: Results) -> Text:

@@ -11,22 +11,10 @@ from assess.codes.verdict import Answer, Decision, MechanismVerdict, Verdict
 from assess.messages.message import DIMENSIONS
 from assess.results import MechanismResult, Results
 from reports import governing
-from reports.chapters.cells import FIGURES
-from reports.chapters.verdict_texts import (
-    capacity_pga_text,
-    factor_text,
-    has_reduced_target,
-    index_text,
-    mechanism_knowledge,
-    outcome_text,
-    required_increase,
-    required_increase_figures,
-    state_text,
-    target_text,
-)
+from reports.chapters import cells
 from reports.document import Facts
 from reports.language.texts import Term, Text, count, listing, names, quantity, say
-from reports.titles import procedure_title
+from reports.mechanisms import procedure_title
 
 
 def verdict_summary(results: Results, mechanism: MechanismResult) -> list[Facts]:
@@ -34,20 +22,20 @@ def verdict_summary(results: Results, mechanism: MechanismResult) -> list[Facts]
     mechanism_verdict = governing.verdict_of(results, mechanism)
     if mechanism_verdict is None:
         return []
-    outcome = outcome_text(mechanism_verdict.outcome, near=mechanism_verdict.at_the_limit)
+    outcome = cells.outcome_text(mechanism_verdict.outcome, near=mechanism_verdict.at_the_limit)
     found = [
-        (answer.limit_state, index_text(answer.index))
+        (answer.limit_state, cells.index_text(answer.index))
         for answer in mechanism_verdict.answers
         if answer.index is not None
     ]
     indices = [
-        say("{index} at {state}", index=index, state=state_text(state)) if len(found) > 1 else index
+        say("{index} at {state}", index=index, state=cells.state_text(state)) if len(found) > 1 else index
         for state, index in found
     ]
     text = say("{outcome}, {index}", outcome=outcome, index=listing(indices)) if indices else outcome
-    known = mechanism_knowledge(results, mechanism)
+    known = cells.mechanism_knowledge(results, mechanism)
     if known is not None:
-        text = say("{verdict}; knowledge level: {knowledge}", verdict=text, knowledge=factor_text(*known))
+        text = say("{verdict}; knowledge level: {knowledge}", verdict=text, knowledge=cells.factor_text(*known))
     return [Facts(((say("Verdict"), text),))]
 
 
@@ -89,7 +77,7 @@ def _governing_sentence(check: Check | None, answer: Answer) -> Text:
         return _unanswered(answer)
     method, state, by = (
         procedure_title(check.procedure),
-        state_text(answer.limit_state),
+        cells.state_text(answer.limit_state),
         Term(comparison_clause(check) or check.edition),
     )
     if not check.demand or check.capacity is None or check.ratio is None:
@@ -100,7 +88,7 @@ def _governing_sentence(check: Check | None, answer: Answer) -> Text:
             reason=check.reason,
             clause=by,
         )
-    figures = ratio_figures(check, most=FIGURES)
+    figures = ratio_figures(check, most=cells.FIGURES)
     return say(
         "{method} governs at {state}: {quantity} {demand} against an allowable {allowable}, a ratio of {ratio} "
         "({clause}).",
@@ -108,7 +96,7 @@ def _governing_sentence(check: Check | None, answer: Answer) -> Text:
         state=state,
         quantity=Term(check.quantity),
         demand=quantity(check.demand, DIMENSIONS.get(check.unit, "ratio"), figures),
-        allowable=quantity(check.capacity, DIMENSIONS.get(check.unit, "ratio"), FIGURES),
+        allowable=quantity(check.capacity, DIMENSIONS.get(check.unit, "ratio"), cells.FIGURES),
         ratio=quantity(check.ratio, "ratio", figures),
         clause=by,
     )
@@ -118,17 +106,19 @@ def _unanswered(answer: Answer) -> Text:
     """Return why a limit state has no answer, with what it would be."""
     if answer.provisional is None:
         return say(
-            "There is no answer for {state}: {reason}.", state=state_text(answer.limit_state), reason=answer.reason
+            "There is no answer for {state}: {reason}.",
+            state=cells.state_text(answer.limit_state),
+            reason=answer.reason,
         )
     if answer.provisional == Decision.PASS:
         return say(
             "There is no answer for {state}: {reason}. With the safe value of what is missing it would pass.",
-            state=state_text(answer.limit_state),
+            state=cells.state_text(answer.limit_state),
             reason=answer.reason,
         )
     return say(
         "There is no answer for {state}: {reason}. With the safe value of what is missing it would fail.",
-        state=state_text(answer.limit_state),
+        state=cells.state_text(answer.limit_state),
         reason=answer.reason,
     )
 
@@ -151,10 +141,10 @@ def _floor_motion(check: Check | None) -> Iterator[Text]:
     yield say(
         "Its demand takes the motion of the building at {height} above the ground: first-mode factor γψ = {share} "
         "({clause}), elastic first period {period}.",
-        height=quantity(height, "length", FIGURES),
-        share=quantity(share.value, figures=FIGURES),
+        height=quantity(height, "length", cells.FIGURES),
+        share=quantity(share.value, figures=cells.FIGURES),
         clause=Term(share.clause),
-        period=quantity(period.value, "time", FIGURES),
+        period=quantity(period.value, "time", cells.FIGURES),
     )
 
 
@@ -165,7 +155,7 @@ def _numerical_spread(check: Check | None) -> Iterator[Text]:
     yield say(
         "Numerical spread: the rule holds in {share} of {draws} draws among the {runs} runs of each record; a pass "
         "needs {least}. The scatter from record to record is something else, and belongs to the suite.",
-        share=quantity(100.0 * check.numerical.holds, "percent", FIGURES),
+        share=quantity(100.0 * check.numerical.holds, "percent", cells.FIGURES),
         draws=count(check.numerical.draws),
         runs=count(check.numerical.runs),
         least=quantity(100.0 * NEEDED, "percent", 2),
@@ -182,15 +172,20 @@ def _failing_within_ratio(mechanism_verdict: MechanismVerdict) -> Iterator[Text]
 def _passing_by_target(mechanism_verdict: MechanismVerdict, verdict: Verdict) -> Iterator[Text]:
     """Yield why a ratio above 1 passes, where the target is less than full safety."""
     above = any(answer.ratio is not None and answer.ratio > 1.0 for answer in mechanism_verdict.answers)
-    target = target_text(verdict)
-    if mechanism_verdict.outcome == Decision.PASS and has_reduced_target(verdict) and above and target is not None:
+    target = cells.target_text(verdict)
+    if (
+        mechanism_verdict.outcome == Decision.PASS
+        and cells.has_reduced_target(verdict)
+        and above
+        and target is not None
+    ):
         yield say("It passes, as the target is less than full safety: {target}.", target=target)
 
 
 def _margin_or_lack(mechanism_verdict: MechanismVerdict, verdict: Verdict) -> Iterator[Text]:
     """Yield the margin of a pass, the factor that a failure lacks, or what is missing."""
     outcome, margin, most = mechanism_verdict.outcome, mechanism_verdict.margin, mechanism_verdict.margin_most
-    pga = None if margin is None else capacity_pga_text(mechanism_verdict, margin, verdict.action)
+    pga = None if margin is None else cells.capacity_pga_text(mechanism_verdict, margin, verdict.action)
     if outcome == Decision.INCOMPLETE:
         if mechanism_verdict.missing:
             yield say("An answer needs {keys}.", keys=names(each.key for each in mechanism_verdict.missing))
@@ -213,10 +208,10 @@ def _margin_or_lack(mechanism_verdict: MechanismVerdict, verdict: Verdict) -> It
 
 def _lacking(mechanism_verdict: MechanismVerdict, verdict: Verdict, pga: Text | None) -> Iterator[Text]:
     """Yield by how much a mechanism that fails would have to resist more. pga : up to which it holds, if known."""
-    factor = required_increase(mechanism_verdict, verdict)
+    factor = cells.required_increase(mechanism_verdict, verdict)
     if factor is None:
         return
-    shown = quantity(factor, "ratio", required_increase_figures(mechanism_verdict, factor))
+    shown = quantity(factor, "ratio", cells.required_increase_figures(mechanism_verdict, factor))
     if pga is None:
         yield say("To pass, its resistance must be {factor} times as large.", factor=shown)
     else:

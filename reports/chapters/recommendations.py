@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 
 from assess.codes.verdict import Decision, MechanismVerdict, Verdict
 from assess.results import Results, SensitivityResult
-from reports.chapters import key_plan
+from reports.chapters import cells, key_plan
 from reports.chapters.sensitivity import (
     BOUNDS,
     answer_text,
@@ -16,19 +16,9 @@ from reports.chapters.sensitivity import (
     span,
     value_text,
 )
-from reports.chapters.verdict_texts import (
-    blocks_to_paste,
-    capacity_pga_text,
-    fits_page_1,
-    has_reduced_target,
-    index_symbol,
-    missing_texts,
-    required_increase,
-    required_increase_figures,
-)
 from reports.document import Block, BulletList, Cell, Column, Prose, Section, Table, nonempty
 from reports.language.texts import Text, listing, quantity, say
-from reports.titles import mechanism_list, numbered_title
+from reports.mechanisms import mechanism_list, numbered_title
 
 
 def sections(results: Results) -> list[Section]:
@@ -46,7 +36,7 @@ def sections(results: Results) -> list[Section]:
     if verdict.outcome == Decision.PASS:
         nothing = say("At the site’s own action no mechanism examined requires strengthening.")
         to_target = say("No mechanism examined requires strengthening to reach the target.")
-        blocks.insert(0, Prose((to_target if has_reduced_target(verdict) else nothing,)))
+        blocks.insert(0, Prose((to_target if cells.has_reduced_target(verdict) else nothing,)))
     return [Section(say("Recommendations"), 0, tuple(blocks))]
 
 
@@ -57,9 +47,9 @@ def _titled(title: Text, points: Sequence[Text]) -> list[Block]:
 def _missing(results: Results, verdict: Verdict) -> list[Block]:
     """Return what is missing where page 1 does not show all of it, or nothing of it in a verdict that is not open."""
     if verdict.outcome != Decision.INCOMPLETE:
-        texts = missing_texts(results, verdict)
+        texts = cells.missing_texts(results, verdict)
         return [*_titled(say("To be given for the mechanisms without an answer:"), texts)]
-    return [] if fits_page_1(results, verdict) else blocks_to_paste(results, verdict)
+    return [] if cells.fits_page_1(results, verdict) else cells.blocks_to_paste(results, verdict)
 
 
 def _failing(results: Results, verdict: Verdict) -> list[Block]:
@@ -73,7 +63,7 @@ def _failing(results: Results, verdict: Verdict) -> list[Block]:
         "designed, and the mechanism is to be assessed again with them: they change the mechanism, not only its "
         "resistance."
     )
-    ordered = sorted(failing, key=lambda one: -(required_increase(one, verdict) or 0.0))
+    ordered = sorted(failing, key=lambda one: -(cells.required_increase(one, verdict) or 0.0))
     columns = (
         Column(say("Mechanism")),
         Column(say("Holds up to PGA"), "ground acceleration", 3),
@@ -87,12 +77,16 @@ def _failing(results: Results, verdict: Verdict) -> list[Block]:
 
 def _failing_row(results: Results, mechanism_verdict: MechanismVerdict, verdict: Verdict) -> tuple[Cell, ...]:
     title, margin = numbered_title(results, mechanism_verdict.mechanism), mechanism_verdict.margin
-    factor = required_increase(mechanism_verdict, verdict)
-    shown = None if factor is None else quantity(factor, "ratio", required_increase_figures(mechanism_verdict, factor))
+    factor = cells.required_increase(mechanism_verdict, verdict)
+    shown = (
+        None
+        if factor is None
+        else quantity(factor, "ratio", cells.required_increase_figures(mechanism_verdict, factor))
+    )
     if margin is None:
         return title, None, None, shown
     reached = None if factor is None else margin * verdict.action.pga_g * factor
-    return title, capacity_pga_text(mechanism_verdict, margin, verdict.action), reached, shown
+    return title, cells.capacity_pga_text(mechanism_verdict, margin, verdict.action), reached, shown
 
 
 def survey(results: Results, verdict: Verdict) -> Iterator[Text]:
@@ -137,7 +131,7 @@ def _change(results: Results, row: SensitivityResult) -> Text:
         "{parameter} of {mechanism}, which changes the answer: {index} is {at_low} at {low} and {at_high} at {high}",
         parameter=input_name(row),
         mechanism=numbered_title(results, row.mechanism),
-        index=index_symbol(row.index),
+        index=cells.index_symbol(row.index),
         low=value_text(row, row.low),
         high=value_text(row, row.high),
         at_low=answer_text(row, "low"),

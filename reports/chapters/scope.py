@@ -9,12 +9,12 @@ from assess.codes.check import Check, Family, Outcome, Reason
 from assess.codes.procedures import PROCEDURES, family_of
 from assess.messages.message import Message
 from assess.results import MechanismResult, Results
-from reports import joints
-from reports.chapters import verdict, verdict_texts
+from reports.chapters import verdict
+from reports.chapters.cells import missing_texts
 from reports.document import Block, BulletList, Column, Field, Prose, Section, Table, nonempty, tabulate
 from reports.language.texts import Paragraph, Phrase, Term, Text, Verbatim, listing, quantity, say, say_count
+from reports.mechanisms import deformable_joints, mechanism_list, mechanism_number, procedure_title
 from reports.project_values import project_text
-from reports.titles import mechanism_list, mechanism_number, procedure_title
 
 SLIDING = "sliding"
 GROUND_AT_HEIGHT = "ground-motion"  # key of a remark
@@ -98,7 +98,7 @@ def _limits_of_histories(results: Results) -> Iterator[Text]:
 
 
 def _limits_of_joints(results: Results) -> Iterator[Text]:
-    soft = [each.name for each in results.mechanisms if joints.deformable_joints(each)]
+    soft = [each.name for each in results.mechanisms if deformable_joints(each)]
     rigid = [each.name for each in results.mechanisms if each.name not in soft]
     if rigid:
         yield say(
@@ -189,7 +189,7 @@ def _left_over(results: Results) -> Iterator[Block]:
         return
     lists: tuple[tuple[Text, list[Text]], ...] = (
         (say("All conditions of the verdict:"), verdict.conditions(results, found)),
-        (say("All that is missing:"), verdict_texts.missing_texts(results, found)),
+        (say("All that is missing:"), missing_texts(results, found)),
         (say("All warnings that bear on the verdict:"), verdict.warnings(results)),
     )
     for title, points in lists:

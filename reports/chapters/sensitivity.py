@@ -12,13 +12,12 @@ from typing import Literal
 from assess.codes.check import Outcome
 from assess.codes.procedures import uses_histories
 from assess.results import Results, SensitivityResult
-from reports.chapters.cells import LEVEL, LIMIT_STATE, MECHANISM, OUTCOMES, OVERTURNED, PROCEDURE, ROLES
-from reports.chapters.verdict_texts import DEMAND_CAPACITY, index_symbol
+from reports.chapters import cells
 from reports.document import Block, Column, Field, Figure, Prose, Section, Table, tabulate
 from reports.figures import sensitivity
 from reports.governing import DAMAGE
 from reports.language.texts import Listing, Phrase, Term, Text, Verbatim, listing, quantity, say
-from reports.titles import file_stem, mechanism_number, numbered_title, procedure_title
+from reports.mechanisms import file_stem, mechanism_number, numbered_title, procedure_title
 
 MAX_ROWS = 8
 """Rows of the table."""
@@ -160,7 +159,7 @@ def effects_table(results: Results, found: list[InputEffect]) -> Table:
     fields: tuple[Field[InputEffect], ...] = (
         (Column(say("Input")), lambda each: input_name(each.varied.number)),
         (Column(say("Range")), lambda each: range_text(each.varied.number)),
-        (MECHANISM, lambda each: numbered_title(results, each.answer.mechanism)),
+        (cells.MECHANISM, lambda each: numbered_title(results, each.answer.mechanism)),
         (Column(say("Answer")), lambda each: answer_name(each.answer)),
         (Column(say("At low")), lambda each: answer_text(each.answer, "low")),
         (Column(say("As assessed")), lambda each: answer_text(each.answer, "base")),
@@ -223,7 +222,7 @@ def _limit(
     ranked: tuple[VariedInput, ...], first: SensitivityResult, target: float | None
 ) -> tuple[float, Text] | None:
     """Return the limit between pass and fail with its name; None where it is not known."""
-    if first.quantity == "demand_capacity" or (first.quantity == "index" and first.index == DEMAND_CAPACITY):
+    if first.quantity == "demand_capacity" or (first.quantity == "index" and first.index == cells.DEMAND_CAPACITY):
         return 1.0, say("limit")
     if first.quantity == "index":
         return None if target is None else (target, say("target"))
@@ -235,7 +234,7 @@ def _limit(
 def _changed_outcome(row: SensitivityResult, side: Bound) -> Text | None:
     """Return the verdict that a check changes to; None where it does not change."""
     verdict = outcome_at(row, side)
-    return OUTCOMES[verdict.value] if verdict is not None and changes_outcome(row, side) else None
+    return cells.OUTCOMES[verdict.value] if verdict is not None and changes_outcome(row, side) else None
 
 
 def _inputs_not_varied(results: Results) -> list[Block]:
@@ -263,17 +262,17 @@ QUANTITIES = {
 def sensitivity_table(results: Results) -> Table:
     """Tabulate every answer of every mechanism with each value at its low and its high end."""
     fields: tuple[Field[SensitivityResult], ...] = (
-        (MECHANISM, lambda row: numbered_title(results, row.mechanism)),
+        (cells.MECHANISM, lambda row: numbered_title(results, row.mechanism)),
         (Column(say("Parameter")), input_name),
         (Column(say("Key")), lambda row: Verbatim(row.key)),
         (Column(say("Unit")), lambda row: Verbatim(row.unit)),
         (Column(say("Base")), lambda row: row.base),
         (Column(say("Low")), lambda row: row.low),
         (Column(say("High")), lambda row: row.high),
-        (PROCEDURE, lambda row: Verbatim(row.procedure)),
-        (LIMIT_STATE, lambda row: Verbatim(row.limit_state)),
-        (Column(say("Role")), lambda row: ROLES[row.role]),
-        (LEVEL, lambda row: row.level_pga_g),
+        (cells.PROCEDURE, lambda row: Verbatim(row.procedure)),
+        (cells.LIMIT_STATE, lambda row: Verbatim(row.limit_state)),
+        (Column(say("Role")), lambda row: cells.ROLES[row.role]),
+        (cells.LEVEL, lambda row: row.level_pga_g),
         (Column(say("Quantity")), lambda row: QUANTITIES.get(row.quantity)),
         (Column(say("At base")), lambda row: row.at_base),
         (Column(say("At low")), lambda row: row.at_low),
@@ -290,7 +289,7 @@ def sensitivity_table(results: Results) -> Table:
 
 
 def _outcome_text(outcome: Outcome | None) -> Text | None:
-    return None if outcome is None else OUTCOMES[outcome.value]
+    return None if outcome is None else cells.OUTCOMES[outcome.value]
 
 
 PARAMETER_WORDS: Mapping[str, Phrase] = {
@@ -346,7 +345,7 @@ def range_text(row: SensitivityResult) -> Text:
 def answer_name(row: SensitivityResult) -> Text:
     """Return the name of an answer."""
     if row.quantity == "index":
-        return say("index {name}", name=index_symbol(row.index))
+        return say("index {name}", name=cells.index_symbol(row.index))
     if row.quantity == "capacity_pga_g":
         return say("PGA at capacity")
     return say("D/C at {pga}", pga=quantity(row.level_pga_g or 0.0, "ground acceleration", FIGURES))
@@ -358,7 +357,7 @@ def answer_text(row: SensitivityResult, at: InputValue) -> Text:
     if found is None:
         return say("not known")
     if found == inf:
-        return OVERTURNED
+        return cells.OVERTURNED
     dimension = "ground acceleration" if row.quantity == "capacity_pga_g" else "ratio"
     return quantity(found, dimension, FIGURES)
 

@@ -9,29 +9,16 @@ from itertools import chain
 from scipy.constants import g
 
 from assess.results import LoadResult, Results, SpectrumResult
+from reports import document as doc
 from reports.chapters import suite
 from reports.chapters.assumptions import stated_source
-from reports.chapters.verdict_texts import OWN_BASIS
-from reports.document import (
-    NOTHING,
-    Block,
-    Cell,
-    Column,
-    Field,
-    Figure,
-    FigureRow,
-    Prose,
-    Section,
-    Table,
-    nonempty,
-    tabulate,
-)
+from reports.chapters.cells import OWN_BASIS
 from reports.figures import spectrum as spectrum_figure
 from reports.figures import spectrum as suite_figure
 from reports.language.texts import Paragraph, Phrase, Term, Text, Verbatim, listing, names, quantity, say, with_figures
 from reports.language.value_names import PARAMETER_NAMES, parameter_rows
+from reports.mechanisms import mechanism_number
 from reports.project_values import project_text
-from reports.titles import mechanism_number
 
 SPECTRUM = "site.spectrum"
 CALCULATED = say("calculated")
@@ -39,31 +26,31 @@ PAIRS_IN_ROW = 3  # parameters in a row
 ON_PAGE_1 = (PARAMETER_NAMES["limit_state"][0], PARAMETER_NAMES["use_coefficient"][0])
 
 
-def sections(results: Results) -> list[Section]:
+def sections(results: Results) -> list[doc.Section]:
     """Return the chapter."""
     parts = [
-        Section(say("Site and action"), 0, tuple(_action_blocks(results)), starts_page=True),
+        doc.Section(say("Site and action"), 0, tuple(_action_blocks(results)), starts_page=True),
         combination_section(results),
     ]
     if results.records:
-        parts.append(Section(say("Records"), 1, tuple(_record_blocks(results))))
+        parts.append(doc.Section(say("Records"), 1, tuple(_record_blocks(results))))
     return parts
 
 
-def _action_blocks(results: Results) -> Iterator[Block]:
+def _action_blocks(results: Results) -> Iterator[doc.Block]:
     if results.spectrum is None:
-        yield Prose((say("The project gives no spectrum of the site."),))
+        yield doc.Prose((say("The project gives no spectrum of the site."),))
         return
     yield (
-        Prose((_action(results),))
+        doc.Prose((_action(results),))
         if results.verdict is not None
-        else Prose((say("No action decides: the project has no verdict."),))
+        else doc.Prose((say("No action decides: the project has no verdict."),))
     )
     yield parameters_table(results, results.spectrum)
-    yield from nonempty(hazard_table(results))
-    yield from nonempty(calculated_parameters_table(results, results.spectrum))
+    yield from doc.nonempty(hazard_table(results))
+    yield from doc.nonempty(calculated_parameters_table(results, results.spectrum))
     figures = tuple(_figures(results, results.spectrum))
-    yield FigureRow(figures) if len(figures) > 1 else figures[0]
+    yield doc.FigureRow(figures) if len(figures) > 1 else figures[0]
 
 
 def _action(results: Results) -> Text:
@@ -90,21 +77,21 @@ def _state(results: Results) -> Text:
     return listing(map(Verbatim, known)) if known else say("no limit state stated")
 
 
-def _figures(results: Results, target: SpectrumResult) -> Iterator[Figure]:
+def _figures(results: Results, target: SpectrumResult) -> Iterator[doc.Figure]:
     caption = say("Elastic response spectrum of the site and of the records as scaled to it.")
     if not results.records:
         caption = say("Elastic response spectrum of the site.")
-    yield Figure("spectrum", caption, partial(spectrum_figure.draw_scaled_spectra, target, results.records))
+    yield doc.Figure("spectrum", caption, partial(spectrum_figure.draw_scaled_spectra, target, results.records))
     if results.ground_motion is not None:
         caption = say("Records, their mean and the target, with the limits that the deciding code sets to the mean.")
-        yield Figure("suite", caption, partial(suite_figure.draw_suite, results))
+        yield doc.Figure("suite", caption, partial(suite_figure.draw_suite, results))
 
 
-def parameters_table(results: Results, spectrum: SpectrumResult) -> Table:
+def parameters_table(results: Results, spectrum: SpectrumResult) -> doc.Table:
     """Tabulate the parameters of the spectrum that are given or defaults, with their sources."""
     stated = [row for row in _parameters(results, spectrum) if row[2] != CALCULATED]
-    columns = (Column(say("Parameter")), Column(say("Value")), Column(say("Source")))
-    return Table(
+    columns = (doc.Column(say("Parameter")), doc.Column(say("Value")), doc.Column(say("Source")))
+    return doc.Table(
         "site",
         say("The elastic response spectrum of the site."),
         columns,
@@ -113,33 +100,33 @@ def parameters_table(results: Results, spectrum: SpectrumResult) -> Table:
     )
 
 
-def hazard_table(results: Results) -> Table:
+def hazard_table(results: Results) -> doc.Table:
     """Tabulate the hazard over return periods; no rows where the project gives one spectrum."""
     found = results.project.get(f"{SPECTRUM}.hazard")
     given = found.value if found is not None and isinstance(found.value, list | tuple) else ()
     columns = (
-        Column(say("Return period"), "return period"),
-        Column(say("a_g on rock"), "ground acceleration"),
-        Column(say("F_0"), "ratio"),
-        Column(say("T_C*"), "time"),
+        doc.Column(say("Return period"), "return period"),
+        doc.Column(say("a_g on rock"), "ground acceleration"),
+        doc.Column(say("F_0"), "ratio"),
+        doc.Column(say("T_C*"), "time"),
     )
     rows = tuple((row["return_period"], row["a_g"] / g, row["f_0"], row["t_c_star"]) for row in given)
-    return Table("hazard", say("Hazard of the site over return periods, as given."), columns, rows, small=True)
+    return doc.Table("hazard", say("Hazard of the site over return periods, as given."), columns, rows, small=True)
 
 
-def calculated_parameters_table(results: Results, spectrum: SpectrumResult) -> Table:
+def calculated_parameters_table(results: Results, spectrum: SpectrumResult) -> doc.Table:
     """Tabulate the parameters that follow from the others, several abreast; no rows where all are given."""
-    found: list[tuple[Cell, ...]] = [
+    found: list[tuple[doc.Cell, ...]] = [
         (name, with_figures(value, 4))
         for name, value, source in _parameters(results, spectrum)
         if source == CALCULATED and name not in ON_PAGE_1
     ]
-    blank: tuple[Cell, ...] = (NOTHING, NOTHING)
+    blank: tuple[doc.Cell, ...] = (doc.NOTHING, doc.NOTHING)
     found += [blank] * (-len(found) % PAIRS_IN_ROW)
     high = len(found) // PAIRS_IN_ROW
     rows = tuple(tuple(chain.from_iterable(found[row::high])) for row in range(high))
-    columns = (Column(say("Parameter")), Column(say("Value"), share=0.1)) * PAIRS_IN_ROW
-    return Table("calculated", say("Parameters calculated from these."), columns, rows, small=True)
+    columns = (doc.Column(say("Parameter")), doc.Column(say("Value"), share=0.1)) * PAIRS_IN_ROW
+    return doc.Table("calculated", say("Parameters calculated from these."), columns, rows, small=True)
 
 
 def _parameters(results: Results, spectrum: SpectrumResult) -> Iterator[tuple[Text, Text, Text]]:
@@ -153,9 +140,9 @@ def _parameters(results: Results, spectrum: SpectrumResult) -> Iterator[tuple[Te
     yield say("Peak ground acceleration, Sₐ(0)"), pga, _origin(results, "pga")
 
 
-def _without_repeated_sources(rows: list[tuple[Text, Text, Text]]) -> Iterator[tuple[Cell, ...]]:
+def _without_repeated_sources(rows: list[tuple[Text, Text, Text]]) -> Iterator[tuple[doc.Cell, ...]]:
     """Yield the rows, with a source that is repeated said once."""
-    before: Cell = None
+    before: doc.Cell = None
     for name, value, source in rows:
         repeated = source == before and source not in (CALCULATED, say("given"), say("default"))
         yield name, value, say("as above") if repeated else source
@@ -176,13 +163,13 @@ def _origin(results: Results, name: str) -> Text:
     return say("given")
 
 
-def _record_blocks(results: Results) -> Iterator[Block]:
-    yield from nonempty(suite.records_table(results))
+def _record_blocks(results: Results) -> Iterator[doc.Block]:
+    yield from doc.nonempty(suite.records_table(results))
     sentences = tuple(suite.suite_sentences(results))
     if sentences:
-        yield Prose((Paragraph(sentences),))
+        yield doc.Prose((Paragraph(sentences),))
     if not suite.meets_requirements(results):
-        yield from nonempty(suite.basis_requirements_table(results))
+        yield from doc.nonempty(suite.basis_requirements_table(results))
 
 
 _LOADS_AS_GIVEN = say(
@@ -202,19 +189,19 @@ COMBINATIONS: Mapping[str, Phrase] = {
 NO_LOAD_FACTORS = say("The seismic action is combined with the loads of the project; no load factors are applied.")
 
 
-def combination_section(results: Results) -> Section:
+def combination_section(results: Results) -> doc.Section:
     """Return what acts on the mechanisms, in which combination and directions."""
     basis = "" if results.verdict is None else results.verdict.basis
-    blocks: tuple[Block, ...] = (
-        Prose(
+    blocks: tuple[doc.Block, ...] = (
+        doc.Prose(
             (
                 Paragraph((COMBINATIONS.get(basis, NO_LOAD_FACTORS), *_weights(results))),
                 Paragraph(tuple(_directions(results))),
             )
         ),
-        *nonempty(loads_table(results)),
+        *doc.nonempty(loads_table(results)),
     )
-    return Section(say("Combination of actions"), 1, blocks)
+    return doc.Section(say("Combination of actions"), 1, blocks)
 
 
 def _weights(results: Results) -> Iterator[Text]:
@@ -245,23 +232,23 @@ def _directions(results: Results) -> Iterator[Text]:
         yield say("No vertical ground motion is applied.")
 
 
-def loads_table(results: Results) -> Table:
+def loads_table(results: Results) -> doc.Table:
     """Tabulate the loads that act, a row for loads that are alike in several mechanisms."""
     groups: dict[tuple[object, ...], tuple[LoadResult, list[str]]] = {}
     for mechanism in results.mechanisms:
         for load in mechanism.loads:
             alike = (load.name, load.kind, load.bearing, load.mass_kg, load.force_n)
             groups.setdefault(alike, (load, []))[1].append(mechanism_number(results, mechanism.name))
-    fields: tuple[Field[tuple[LoadResult, list[str]]], ...] = (
-        (Column(say("Load")), lambda group: Verbatim(group[0].name)),
-        (Column(say("Mechanisms")), lambda group: names(group[1])),
-        (Column(say("Acts as")), lambda group: acts_as(group[0])),
-        (Column(say("Mass"), "mass"), lambda group: group[0].mass_kg),
-        (Column(say("Force along"), "force"), lambda group: group[0].force_n and group[0].force_n[0]),
-        (Column(say("Force up"), "force"), lambda group: group[0].force_n and group[0].force_n[1]),
+    fields: tuple[doc.Field[tuple[LoadResult, list[str]]], ...] = (
+        (doc.Column(say("Load")), lambda group: Verbatim(group[0].name)),
+        (doc.Column(say("Mechanisms")), lambda group: names(group[1])),
+        (doc.Column(say("Acts as")), lambda group: acts_as(group[0])),
+        (doc.Column(say("Mass"), "mass"), lambda group: group[0].mass_kg),
+        (doc.Column(say("Force along"), "force"), lambda group: group[0].force_n and group[0].force_n[0]),
+        (doc.Column(say("Force up"), "force"), lambda group: group[0].force_n and group[0].force_n[1]),
     )
     caption = say("Loads besides the weight of the masonry, as given; forces along the direction of motion and up.")
-    return tabulate("actions", caption, fields, groups.values(), small=True)
+    return doc.tabulate("actions", caption, fields, groups.values(), small=True)
 
 
 def acts_as(load: LoadResult) -> Text:

@@ -6,26 +6,13 @@ from collections.abc import Iterable, Iterator, Mapping
 
 from assess.messages.message import DIMENSIONS
 from assess.results import GroundMotionResult, RecordResult, RequirementResult, Results
+from reports import document as doc
 from reports.chapters.cells import MECHANISM
-from reports.document import (
-    NOTHING,
-    Block,
-    Cell,
-    Column,
-    Field,
-    Outcome,
-    OutcomeCell,
-    Prose,
-    Section,
-    Table,
-    nonempty,
-    tabulate,
-)
 from reports.figures.spectrum import SUITE_CODES_OF_BASES
 from reports.language.texts import Listing, Phrase, Term, Text, Verbatim, listing, quantity, say, say_count
-from reports.titles import numbered_title
+from reports.mechanisms import numbered_title
 
-REQUIREMENT_OUTCOMES: Mapping[str, tuple[Outcome, Phrase]] = {
+REQUIREMENT_OUTCOMES: Mapping[str, tuple[doc.Outcome, Phrase]] = {
     "met": ("pass", say("met")),
     "not met": ("fail", say("not met")),
     "not answered": ("incomplete", say("not answered")),
@@ -34,31 +21,31 @@ SIGNS: Mapping[str, str] = {">=": "≥", "<=": "≤"}
 FIGURES = 3
 
 
-def records_table(results: Results) -> Table:
+def records_table(results: Results) -> doc.Table:
     """Tabulate the records as scaled, all artificial ones in one row; no rows where there are no others."""
     columns = (
-        Column(say("Record")),
-        Column(say("Event")),
-        Column(say("Station")),
-        Column(say("Component")),
-        Column(say("Scale factor")),
-        Column(say("PGA, scaled")),
+        doc.Column(say("Record")),
+        doc.Column(say("Event")),
+        doc.Column(say("Station")),
+        doc.Column(say("Component")),
+        doc.Column(say("Scale factor")),
+        doc.Column(say("PGA, scaled")),
     )
     if all(not record.path for record in results.records):
-        return Table("suite-records", NOTHING, (), ())
+        return doc.Table("suite-records", doc.NOTHING, (), ())
     recorded = tuple(record for record in results.records if record.path)
     artificial = tuple(record for record in results.records if not record.path)
     rows = tuple(map(_record_row, recorded)) + ((_artificial_row(artificial),) if artificial else ())
-    return Table("suite-records", say("Records, as scaled to the spectrum of the site."), columns, rows, small=True)
+    return doc.Table("suite-records", say("Records, as scaled to the spectrum of the site."), columns, rows, small=True)
 
 
-def _record_row(record: RecordResult) -> tuple[Cell, ...]:
+def _record_row(record: RecordResult) -> tuple[doc.Cell, ...]:
     texts = (record.id, event_name(record), record.station, record.component)
     scaled = (quantity(record.scale_factor), quantity(record.pga_g, "ground acceleration", FIGURES))
     return (*(Verbatim(text) if text else None for text in texts), *scaled)
 
 
-def _artificial_row(records: tuple[RecordResult, ...]) -> tuple[Cell, ...]:
+def _artificial_row(records: tuple[RecordResult, ...]) -> tuple[doc.Cell, ...]:
     label = say_count("{number} artificial record", "{number} artificial records", len(records))
     factors = _range_text([record.scale_factor for record in records], "ratio")
     return (label, None, None, None, factors, _range_text([record.pga_g for record in records], "ground acceleration"))
@@ -150,21 +137,21 @@ def _compliance(rules: tuple[RequirementResult, ...]) -> Iterator[Text]:
         )
 
 
-def basis_requirements_table(results: Results) -> Table:
+def basis_requirements_table(results: Results) -> doc.Table:
     """Tabulate the requirements of the code that belongs to the basis."""
-    fields: tuple[Field[RequirementResult], ...] = (
-        (Column(say("Requirement")), lambda rule: Term(rule.what)),
-        (Column(say("Clause")), lambda rule: Term(rule.clause)),
-        (Column(say("Found")), _found_cell),
-        (Column(say("Limit")), _limit_text),
-        (Column(say("Outcome")), lambda rule: OutcomeCell(*REQUIREMENT_OUTCOMES[rule.verdict])),
+    fields: tuple[doc.Field[RequirementResult], ...] = (
+        (doc.Column(say("Requirement")), lambda rule: Term(rule.what)),
+        (doc.Column(say("Clause")), lambda rule: Term(rule.clause)),
+        (doc.Column(say("Found")), _found_cell),
+        (doc.Column(say("Limit")), _limit_text),
+        (doc.Column(say("Outcome")), lambda rule: doc.OutcomeCell(*REQUIREMENT_OUTCOMES[rule.verdict])),
     )
     rules = requirements_of_basis(results)
     caption = say("The suite against the rules of {code}.", code=Verbatim(rules[0].code if rules else ""))
-    return tabulate("suite-rules", caption, fields, rules, small=True)
+    return doc.tabulate("suite-rules", caption, fields, rules, small=True)
 
 
-def _found_cell(rule: RequirementResult) -> Cell:
+def _found_cell(rule: RequirementResult) -> doc.Cell:
     return None if rule.value is None else quantity(rule.value, DIMENSIONS.get(rule.unit, "ratio"))
 
 
@@ -177,21 +164,21 @@ MARK = "D"
 FIT_WORDS = {"suite": say("the mean of the suite"), "each": say("each record by itself")}
 
 
-def sections(results: Results) -> list[Section]:
+def sections(results: Results) -> list[doc.Section]:
     """Return the annex; none without records."""
     motion = results.ground_motion
     if motion is None and not results.records:
         return []
-    blocks: list[Block] = []
+    blocks: list[doc.Block] = []
     if motion is not None:
         blocks += [
-            Prose(selection_sentences(motion)),
-            *nonempty(equivalent_periods_table(results, motion)),
-            *nonempty(selection_steps_table(motion)),
+            doc.Prose(selection_sentences(motion)),
+            *doc.nonempty(equivalent_periods_table(results, motion)),
+            *doc.nonempty(selection_steps_table(motion)),
         ]
-        blocks += nonempty(requirements_table(motion))
-    blocks += [*nonempty(amplification_table(results)), *nonempty(processing_table(results))]
-    return [Section(say("Suite of records"), 0, tuple(blocks), starts_page=True, mark=MARK)]
+        blocks += doc.nonempty(requirements_table(motion))
+    blocks += [*doc.nonempty(amplification_table(results)), *doc.nonempty(processing_table(results))]
+    return [doc.Section(say("Suite of records"), 0, tuple(blocks), starts_page=True, mark=MARK)]
 
 
 def selection_sentences(motion: GroundMotionResult) -> tuple[Text, ...]:
@@ -224,9 +211,9 @@ def selection_sentences(motion: GroundMotionResult) -> tuple[Text, ...]:
     return (over, rule, *lock)
 
 
-def equivalent_periods_table(results: Results, motion: GroundMotionResult) -> Table:
+def equivalent_periods_table(results: Results, motion: GroundMotionResult) -> doc.Table:
     """Tabulate the equivalent periods of the mechanisms."""
-    columns = (MECHANISM, Column(say("Shortest"), "time"), Column(say("Longest"), "time"))
+    columns = (MECHANISM, doc.Column(say("Shortest"), "time"), doc.Column(say("Longest"), "time"))
     known = {each.name for each in results.mechanisms}
     rows = tuple(
         (
@@ -240,50 +227,53 @@ def equivalent_periods_table(results: Results, motion: GroundMotionResult) -> Ta
         "Equivalent periods, used as T₁ in the clauses on records because a rocking body has no natural period: the "
         "period of equal work at half the overturning rotation (1/fₑ of ASCE 43-05 A.2), over both branches."
     )
-    return Table("equivalent-periods", caption, columns, rows, small=True)
+    return doc.Table("equivalent-periods", caption, columns, rows, small=True)
 
 
-def selection_steps_table(motion: GroundMotionResult) -> Table:
+def selection_steps_table(motion: GroundMotionResult) -> doc.Table:
     """Tabulate the number of records left after each step of the selection."""
     steps = () if motion.selection is None else motion.selection.remaining
     rows = tuple((Term(one.step), one.number) for one in steps)
-    columns = (Column(say("Records")), Column(say("Number")))
-    return Table("selection", say("Records left after each step of the selection."), columns, rows, small=True)
+    columns = (doc.Column(say("Records")), doc.Column(say("Number")))
+    return doc.Table("selection", say("Records left after each step of the selection."), columns, rows, small=True)
 
 
-def amplification_table(results: Results) -> Table:
+def amplification_table(results: Results) -> doc.Table:
     """Tabulate the amplification factor of each record at each mechanism (as thesis Table 8.9)."""
     raised = [m for m in results.mechanisms if m.amplification.height_m is not None and m.amplification.factors]
     factors = [{one.record: one.factor for one in m.amplification.factors} for m in raised]
-    columns = (Column(say("Record"), share=0.25), *(Column(numbered_title(results, m.name), "ratio") for m in raised))
-    rows: tuple[tuple[Cell, ...], ...] = tuple(
+    columns = (
+        doc.Column(say("Record"), share=0.25),
+        *(doc.Column(numbered_title(results, m.name), "ratio") for m in raised),
+    )
+    rows: tuple[tuple[doc.Cell, ...], ...] = tuple(
         (Verbatim(r.id), *(of.get(r.id) for of in factors)) for r in (results.records if raised else ())
     )
     caption = say(
         "Scale factors for the amplification up to the base of each mechanism above the ground (as thesis Table 8.9): "
         "peak acceleration there over that of the ground."
     )
-    return Table("amplification", caption, columns, rows, small=True)
+    return doc.Table("amplification", caption, columns, rows, small=True)
 
 
-def requirements_table(motion: GroundMotionResult) -> Table:
+def requirements_table(motion: GroundMotionResult) -> doc.Table:
     """Tabulate the requirements of each code on the suite."""
-    fields: tuple[Field[RequirementResult], ...] = (
-        (Column(say("Code")), lambda rule: Verbatim(rule.code)),
-        (Column(say("Clause")), lambda rule: Term(rule.clause)),
-        (Column(say("Requirement"), share=0.26), lambda rule: Term(rule.what)),
-        (Column(say("Found")), _found_cell),
-        (Column(say("Limit")), _limit_text),
-        (Column(say("Periods")), _periods_text),
-        (Column(say("Outcome")), lambda rule: REQUIREMENT_OUTCOMES[rule.verdict][1]),
-        (Column(say("Remark"), share=0.2), _remarks_text),
+    fields: tuple[doc.Field[RequirementResult], ...] = (
+        (doc.Column(say("Code")), lambda rule: Verbatim(rule.code)),
+        (doc.Column(say("Clause")), lambda rule: Term(rule.clause)),
+        (doc.Column(say("Requirement"), share=0.26), lambda rule: Term(rule.what)),
+        (doc.Column(say("Found")), _found_cell),
+        (doc.Column(say("Limit")), _limit_text),
+        (doc.Column(say("Periods")), _periods_text),
+        (doc.Column(say("Outcome")), lambda rule: REQUIREMENT_OUTCOMES[rule.verdict][1]),
+        (doc.Column(say("Remark"), share=0.2), _remarks_text),
     )
     caption = say(
         "Requirements of codes on the suite. Histories by ASCE 43-05 and NTC 2018 are evaluated only where their "
         "requirements are met; the others are for information. T₁ is replaced by the smallest and the largest "
         "equivalent period."
     )
-    return tabulate("requirements", caption, fields, motion.requirements, small=True)
+    return doc.tabulate("requirements", caption, fields, motion.requirements, small=True)
 
 
 def _periods_text(rule: RequirementResult) -> Text | None:
@@ -307,12 +297,12 @@ def _processing_steps(record: RecordResult) -> tuple[Text, ...]:
     return texts or tuple(map(Term, record.trail))
 
 
-def processing_table(results: Results) -> Table:
+def processing_table(results: Results) -> doc.Table:
     """Tabulate the origin and the processing of each record."""
-    fields: tuple[Field[RecordResult], ...] = (
-        (Column(say("Record"), share=0.18), lambda record: Verbatim(record.id)),
-        (Column(say("Station"), share=0.15), lambda record: Verbatim(record.station)),
-        (Column(say("File"), share=0.22), lambda record: Verbatim(record.path)),
-        (Column(say("Processing, in order")), lambda record: Listing(_processing_steps(record), "")),
+    fields: tuple[doc.Field[RecordResult], ...] = (
+        (doc.Column(say("Record"), share=0.18), lambda record: Verbatim(record.id)),
+        (doc.Column(say("Station"), share=0.15), lambda record: Verbatim(record.station)),
+        (doc.Column(say("File"), share=0.22), lambda record: Verbatim(record.path)),
+        (doc.Column(say("Processing, in order")), lambda record: Listing(_processing_steps(record), "")),
     )
-    return tabulate("processing", say("Origin and processing of the records."), fields, results.records, small=True)
+    return doc.tabulate("processing", say("Origin and processing of the records."), fields, results.records, small=True)

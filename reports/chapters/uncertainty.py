@@ -8,12 +8,11 @@ from functools import partial
 from assess.messages.message import distinct
 from assess.results import Results
 from assess.results.run import UncertainAnswer, UncertainInput, UncertaintyResult
-from reports.chapters.cells import FIGURES, LEVEL, LIMIT_STATE, MECHANISM, METHOD, ROLES, value_cell
-from reports.chapters.verdict_texts import state_text
+from reports.chapters.cells import FIGURES, LEVEL, LIMIT_STATE, MECHANISM, METHOD, ROLES, state_text, value_cell
 from reports.document import Block, BulletList, Cell, Column, Figure, FigureRow, Prose, Section, Table, nonempty
 from reports.figures import sensitivity as figure
 from reports.language.texts import Paragraph, Phrase, Text, Verbatim, count, listing, quantity, say, say_count
-from reports.titles import file_stem, numbered_title, procedure_title
+from reports.mechanisms import file_stem, numbered_title, procedure_title
 
 MOST = 4
 """Rows of the table of the main part."""

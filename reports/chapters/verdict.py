@@ -11,27 +11,9 @@ from assess.codes.verdict import Decision, MechanismVerdict, Verdict, relevant_w
 from assess.messages.message import Message, Quantity
 from assess.results import MechanismResult, Results, SpectrumResult
 from reports import governing
-from reports.chapters.cells import outcome_cell
+from reports.chapters import cells
 from reports.chapters.front_matter import use_class_of
 from reports.chapters.key_plan import not_examined_text
-from reports.chapters.verdict_texts import (
-    DEMAND_CAPACITY,
-    OWN_BASIS,
-    blocks_to_paste,
-    building_index_text,
-    fits_page_1,
-    has_reduced_target,
-    index_name,
-    index_symbol,
-    knowledge_text,
-    least_margin,
-    margin_text,
-    missing_texts,
-    outcome_text,
-    provisional_outcome,
-    stated_premises,
-    target_text,
-)
 from reports.document import NOTHING, Banner, Block, BulletList, Cell, Column, Facts, OutcomeCell, Prose, Section, Table
 from reports.language.texts import (
     Paragraph,
@@ -48,8 +30,8 @@ from reports.language.texts import (
     with_figures,
 )
 from reports.language.value_names import parameter_rows
+from reports.mechanisms import mechanism_list, numbered_title, procedure_title
 from reports.project_values import project_text, split_key
-from reports.titles import mechanism_list, numbered_title, procedure_title
 
 MAX_POINTS = 6  # points of a list; page 1 holds no more
 
@@ -118,8 +100,8 @@ def headline(verdict: Verdict) -> Text:
 
 def _all_hold(verdict: Verdict, pga: Quantity) -> Text:
     """Return that the action is borne, or that share of it which is the target."""
-    target = target_text(verdict)
-    if has_reduced_target(verdict) and target is not None:
+    target = cells.target_text(verdict)
+    if cells.has_reduced_target(verdict) and target is not None:
         return say_count(
             "The one mechanism examined reaches the target at the site’s own action, PGA {pga}: {target}.",
             "All {number} mechanisms examined reach the target at the site’s own action, PGA {pga}: {target}.",
@@ -163,13 +145,13 @@ def _some_are_open(verdict: Verdict, pga: Quantity) -> Text:
 
 def conditions(results: Results, verdict: Verdict) -> list[Text]:
     """Return on what the verdict depends: what is still to be shown, and what the project vouches for."""
-    return [*verdict.conditions, *(stated_premises(results) if verdict.basis else ())]
+    return [*verdict.conditions, *(cells.stated_premises(results) if verdict.basis else ())]
 
 
 def basis_facts(results: Results, verdict: Verdict) -> Iterator[tuple[Text, Text]]:
     """Yield what the verdict is based on: code, limit state, action, methods, target and index."""
     yield say("Code"), _code(results, verdict)
-    if verdict.limit_states and verdict.basis != OWN_BASIS:
+    if verdict.limit_states and verdict.basis != cells.OWN_BASIS:
         states = listing(LIMIT_STATES.get(state, Verbatim(state)) for state in verdict.limit_states)
         yield say("Limit state"), states
     yield say("Site’s own action"), action_text(results, verdict)
@@ -177,7 +159,7 @@ def basis_facts(results: Results, verdict: Verdict) -> Iterator[tuple[Text, Text
         yield say("Spectrum"), spectrum_text(results.spectrum)
     if verdict.methods:
         yield say("Methods that may decide"), listing(map(procedure_title, verdict.methods))
-    known = knowledge_text(results)
+    known = cells.knowledge_text(results)
     if known is not None:
         yield say("Knowledge level"), known
     yield from _measures(results, verdict)
@@ -188,13 +170,13 @@ def basis_facts(results: Results, verdict: Verdict) -> Iterator[tuple[Text, Text
 
 def _measures(results: Results, verdict: Verdict) -> Iterator[tuple[Text, Text]]:
     """Yield target, index and least margin, as far as they are known."""
-    target, index, least = target_text(verdict), building_index_text(verdict), least_margin(verdict)
+    target, index, least = cells.target_text(verdict), cells.building_index_text(verdict), cells.least_margin(verdict)
     if target is not None:
         yield say("Target"), _with_works(results, target)
     if index is not None:
         yield say("Index of the building"), say("{index}; local mechanisms only", index=index)
     if least is not None:
-        margin = margin_text(least, verdict.action) or NOTHING
+        margin = cells.margin_text(least, verdict.action) or NOTHING
         title = numbered_title(results, least.mechanism)
         yield say("Least margin"), say("{mechanism} holds up to a PGA of {margin}", mechanism=title, margin=margin)
 
@@ -203,7 +185,7 @@ def _code(results: Results, verdict: Verdict) -> Text:
     """Return the edition of the code with its national annex; of a basis of its own the user's statement."""
     if not verdict.basis:
         return say("none named")
-    if verdict.basis == OWN_BASIS:
+    if verdict.basis == cells.OWN_BASIS:
         return Verbatim(verdict.clauses[0][0])
     annex, edition = results.report.national_annex, Term(verdict.edition)
     if not annex:
@@ -247,12 +229,12 @@ def _missing(verdict: Verdict, results: Results) -> list[Block]:
     """Return what would complete the verdict, as lines to paste, and what it would be with the safe values."""
     if verdict.outcome != Decision.INCOMPLETE or not verdict.missing:
         return []
-    blocks = short_list(say("What is missing:"), missing_texts(results, verdict))
-    if fits_page_1(results, verdict):
-        blocks += blocks_to_paste(results, verdict)
+    blocks = short_list(say("What is missing:"), cells.missing_texts(results, verdict))
+    if cells.fits_page_1(results, verdict):
+        blocks += cells.blocks_to_paste(results, verdict)
     else:
         blocks += [Prose((say("The lines that complete the project file are listed under Recommendations."),))]
-    return [*blocks, *provisional_outcome(verdict)]
+    return [*blocks, *cells.provisional_outcome(verdict)]
 
 
 def warnings(results: Results) -> list[Text]:
@@ -329,10 +311,10 @@ class MethodColumn:
 
 def matrix(results: Results, verdict: Verdict) -> Table:
     """Tabulate mechanism by answer: the deciding one in the colour of its outcome, the others in grey."""
-    has_index = verdict.index is not None and verdict.index.name != DEMAND_CAPACITY
+    has_index = verdict.index is not None and verdict.index.name != cells.DEMAND_CAPACITY
     shown, folded = split_methods(answering_methods(results), verdict, MAX_COLUMNS - 3 - has_index)
     columns = [Column(say("Mechanism"), share=0.2), Column(say("Verdict")), Column(say("Holds up to PGA"))]
-    columns += [Column(index_symbol(verdict.index.name))] if has_index and verdict.index is not None else []
+    columns += [Column(cells.index_symbol(verdict.index.name))] if has_index and verdict.index is not None else []
     columns += [Column(say("D/C, {method}", method=method.title)) for method in shown]
     columns += [Column(say("Largest D/C of the other methods"))] if folded else []
     rows = []
@@ -341,8 +323,8 @@ def matrix(results: Results, verdict: Verdict) -> Table:
         rows.append(
             (
                 numbered_title(results, one.mechanism),
-                OutcomeCell(one.outcome.value, outcome_text(one.outcome, near=one.at_the_limit)),
-                margin_text(one, verdict.action),
+                OutcomeCell(one.outcome.value, cells.outcome_text(one.outcome, near=one.at_the_limit)),
+                cells.margin_text(one, verdict.action),
                 *((_index_cell(one),) if has_index else ()),
                 *(method_cell(results, mechanism, one, method) for method in shown),
                 *((least_favourable_cell(results, mechanism, folded),) if folded else ()),
@@ -361,7 +343,7 @@ def matrix_caption(verdict: Verdict) -> Text:
         "Each mechanism at the site’s own action: verdict, the PGA up to which it holds by the deciding method, and "
         "demand over capacity (D/C). The deciding answer is coloured; the others, in grey, are for comparison."
     )
-    return words if index_name(verdict) != ZETA else Paragraph((words, ZETA_DEFINITION))
+    return words if cells.index_name(verdict) != ZETA else Paragraph((words, ZETA_DEFINITION))
 
 
 def answering_methods(results: Results) -> list[MethodColumn]:
@@ -401,7 +383,7 @@ def method_cell(
     if found is None or found.verdict == Outcome.NOT_APPLICABLE:
         return None
     if found.role == "deciding":
-        return OutcomeCell(outcome_cell(found, mechanism_verdict.answers).outcome, ratio_text(found))
+        return OutcomeCell(cells.outcome_cell(found, mechanism_verdict.answers).outcome, ratio_text(found))
     return OutcomeCell("comparison", ratio_text(found))
 
 

@@ -8,50 +8,34 @@ from functools import partial
 
 from assess.codes.procedures import THESIS_READINGS
 from assess.results.verification import USES, CaseResult, QuantityResult, Tolerance, ValueResult, VerificationResults
+from reports import document as doc
 from reports.chapters.cells import OUTCOMES
-from reports.document import (
-    Banner,
-    Block,
-    BulletList,
-    Column,
-    Facts,
-    Field,
-    Figure,
-    FileLines,
-    OutcomeCell,
-    Prose,
-    Section,
-    Table,
-    WritingBox,
-    nonempty,
-    tabulate,
-)
 from reports.figures import verification as drawing
 from reports.figures.verification import STANDINGS
 from reports.language.texts import Phrase, Text, Verbatim, count, listing, quantity, say, say_count
-from reports.titles import file_stem
+from reports.mechanisms import file_stem
 
 
-def sections(results: VerificationResults) -> list[Section]:
+def sections(results: VerificationResults) -> list[doc.Section]:
     """Return the chapters: outcome, program, theory and field of use, differences, cases, what is not covered."""
     return [
-        Section(say("Outcome"), 0, tuple(_outcome_blocks(results))),
-        Section(say("Program and how to run the cases again"), 0, tuple(_program_blocks(results))),
-        Section(say("Theory and field of use"), 0, tuple(theory_blocks(results))),
-        Section(say("Differences"), 0, tuple(difference_figures(results))),
-        Section(say("Solved cases"), 0, (Prose(READING),)),
+        doc.Section(say("Outcome"), 0, tuple(_outcome_blocks(results))),
+        doc.Section(say("Program and how to run the cases again"), 0, tuple(_program_blocks(results))),
+        doc.Section(say("Theory and field of use"), 0, tuple(theory_blocks(results))),
+        doc.Section(say("Differences"), 0, tuple(difference_figures(results))),
+        doc.Section(say("Solved cases"), 0, (doc.Prose(READING),)),
         *(case_section(each, place) for place, each in enumerate(results.cases, start=1)),
-        Section(say("What is not covered"), 0, tuple(_uncovered_blocks(results))),
-        Section(say("Judgement"), 0, tuple(_judgement_blocks())),
+        doc.Section(say("What is not covered"), 0, tuple(_uncovered_blocks(results))),
+        doc.Section(say("Judgement"), 0, tuple(_judgement_blocks())),
     ]
 
 
-def _outcome_blocks(results: VerificationResults) -> Iterator[Block]:
+def _outcome_blocks(results: VerificationResults) -> Iterator[doc.Block]:
     deciding = {each.use for each in results.coverage} - set(THESIS_READINGS)
     bare = not deciding <= results.passed_uses
     partial = results.quick or results.left_out or results.foreign or bare or not results.evidence
-    yield Banner("fail" if results.failures else "incomplete" if partial else "pass", _headline(results))
-    yield Prose(tuple(_totals(results)))
+    yield doc.Banner("fail" if results.failures else "incomplete" if partial else "pass", _headline(results))
+    yield doc.Prose(tuple(_totals(results)))
     yield cases_table(results)
 
 
@@ -144,29 +128,29 @@ def _totals(results: VerificationResults) -> Iterator[Text]:
         )
 
 
-def cases_table(results: VerificationResults) -> Table:
+def cases_table(results: VerificationResults) -> doc.Table:
     """Tabulate the cases: source, standing, number of values, largest difference, outcome."""
-    fields: tuple[Field[CaseResult], ...] = (
-        (Column(say("Case"), share=0.36), lambda case: Verbatim(case.title)),
-        (Column(say("Source")), lambda case: Verbatim(author_and_year(case.source.citation))),
-        (Column(say("Standing"), share=0.12), lambda case: STANDINGS[case.source.standing]),
-        (Column(say("Values"), "ratio"), lambda case: len(case.values)),
+    fields: tuple[doc.Field[CaseResult], ...] = (
+        (doc.Column(say("Case"), share=0.36), lambda case: Verbatim(case.title)),
+        (doc.Column(say("Source")), lambda case: Verbatim(author_and_year(case.source.citation))),
+        (doc.Column(say("Standing"), share=0.12), lambda case: STANDINGS[case.source.standing]),
+        (doc.Column(say("Values"), "ratio"), lambda case: len(case.values)),
         (
-            Column(say("Largest difference over tolerance"), "ratio", 2, share=0.13),
+            doc.Column(say("Largest difference over tolerance"), "ratio", 2, share=0.13),
             lambda case: max(case.shares, default=None),
         ),
-        (Column(say("Outcome")), _outcome_cell),
+        (doc.Column(say("Outcome")), _outcome_cell),
     )
-    return tabulate("cases", say("Solved cases, in the order of their pages."), fields, results.cases, small=True)
+    return doc.tabulate("cases", say("Solved cases, in the order of their pages."), fields, results.cases, small=True)
 
 
-def _outcome_cell(case: CaseResult) -> OutcomeCell:
+def _outcome_cell(case: CaseResult) -> doc.OutcomeCell:
     """Return the outcome of a case; one that agrees and is no evidence is not coloured as one that is."""
     quiet = case.is_indicative and case.outcome == "pass"
-    return OutcomeCell("comparison" if quiet else case.outcome, OUTCOMES[case.outcome])
+    return doc.OutcomeCell("comparison" if quiet else case.outcome, OUTCOMES[case.outcome])
 
 
-def _program_blocks(results: VerificationResults) -> Iterator[Block]:
+def _program_blocks(results: VerificationResults) -> Iterator[doc.Block]:
     made = results.program
     said = (
         (say("Program"), made.name),
@@ -176,10 +160,10 @@ def _program_blocks(results: VerificationResults) -> Iterator[Block]:
         (say("SHA-256 of the program"), made.sha256),
         *((say("Project file"), f"{each.path}, SHA-256 {each.sha256}") for each in results.inputs),
     )
-    yield Facts(tuple((label, Verbatim(text)) for label, text in said if text))
-    yield Prose(RELIABILITY)
-    yield Prose(RERUN)
-    yield FileLines(("assess verify", "assess verify --cases cases", *_examples(results)))
+    yield doc.Facts(tuple((label, Verbatim(text)) for label, text in said if text))
+    yield doc.Prose(RELIABILITY)
+    yield doc.Prose(RERUN)
+    yield doc.FileLines(("assess verify", "assess verify --cases cases", *_examples(results)))
 
 
 def _examples(results: VerificationResults) -> Iterator[str]:
@@ -189,7 +173,7 @@ def _examples(results: VerificationResults) -> Iterator[str]:
     yield from (f"assess run cases/{path}" for path in projects[:1])
 
 
-def _uncovered_blocks(results: VerificationResults) -> Iterator[Block]:
+def _uncovered_blocks(results: VerificationResults) -> Iterator[doc.Block]:
     covered = results.passed_uses
     if results.coverage:
         yield _coverage_table(results)
@@ -199,11 +183,13 @@ def _uncovered_blocks(results: VerificationResults) -> Iterator[Block]:
             "{uses}.",
             uses=listing([_use_text(use) for use in bare]),
         )
-        yield Prose((words if bare else say("A solved case that passes exercises each thing that the project uses."),))
+        yield doc.Prose(
+            (words if bare else say("A solved case that passes exercises each thing that the project uses."),)
+        )
     else:
         bare = [use for use in USES if use not in covered]
         if bare:
-            yield Prose(
+            yield doc.Prose(
                 (
                     say(
                         "The program can do these, and no solved case of this annex that passes and is more than "
@@ -211,12 +197,12 @@ def _uncovered_blocks(results: VerificationResults) -> Iterator[Block]:
                     ),
                 )
             )
-            yield BulletList(tuple(_use_text(use) for use in bare))
-    yield Prose(LIMITS)
+            yield doc.BulletList(tuple(_use_text(use) for use in bare))
+    yield doc.Prose(LIMITS)
 
 
-def _coverage_table(results: VerificationResults) -> Table:
-    columns = (Column(say("Used by the project"), share=0.45), Column(say("Cases that exercise it")))
+def _coverage_table(results: VerificationResults) -> doc.Table:
+    columns = (doc.Column(say("Used by the project"), share=0.45), doc.Column(say("Cases that exercise it")))
     known = {each.key: each for each in results.cases}
     rows = tuple(
         (
@@ -225,7 +211,7 @@ def _coverage_table(results: VerificationResults) -> Table:
         )
         for each in results.coverage
     )
-    return Table("coverage", say("What the project uses, and the solved cases."), columns, rows, small=True)
+    return doc.Table("coverage", say("What the project uses, and the solved cases."), columns, rows, small=True)
 
 
 def _case_with_mark(case: CaseResult) -> Text:
@@ -239,14 +225,14 @@ def _use_text(use: str) -> Text:
     return say("{word}: {meaning}", word=Verbatim(use), meaning=USES[use]) if use in USES else Verbatim(use)
 
 
-def _judgement_blocks() -> Iterator[Block]:
-    yield Prose((JUDGEMENT,))
-    yield WritingBox(say("Engineer’s judgement of the program and of these cases"), 32.0)
+def _judgement_blocks() -> Iterator[doc.Block]:
+    yield doc.Prose((JUDGEMENT,))
+    yield doc.WritingBox(say("Engineer’s judgement of the program and of these cases"), 32.0)
 
 
-def difference_figures(results: VerificationResults) -> Iterator[Prose | Figure]:
+def difference_figures(results: VerificationResults) -> Iterator[doc.Prose | doc.Figure]:
     """Yield how to read them, differences over tolerance by source, and values of the program over those expected."""
-    yield Prose(
+    yield doc.Prose(
         (
             say(
                 "Each point is one value. Left of the line at 1 the difference is within the tolerance, whose reason "
@@ -259,7 +245,7 @@ def difference_figures(results: VerificationResults) -> Iterator[Prose | Figure]
     )
     if shares:
         caption = say("Difference of every value over its tolerance, by source.")
-        yield Figure("differences", caption, partial(drawing.draw_differences, shares))
+        yield doc.Figure("differences", caption, partial(drawing.draw_differences, shares))
     pairs = tuple(
         (value.reference, value.found)
         for each in results.quantities
@@ -267,7 +253,7 @@ def difference_figures(results: VerificationResults) -> Iterator[Prose | Figure]
         if value.found is not None
     )
     caption = say("Value of the program against the expected one, without signs; zeros are left out.")
-    yield Figure("agreement", caption, partial(drawing.draw_agreement, pairs))
+    yield doc.Figure("agreement", caption, partial(drawing.draw_agreement, pairs))
 
 
 FIGURES = 6  # of a value
@@ -275,13 +261,13 @@ DIFFERENCE_FIGURES = 2  # figures of a difference
 PERCENT = 100.0
 
 
-def case_section(case: CaseResult, place: int) -> Section:
+def case_section(case: CaseResult, place: int) -> doc.Section:
     """Return the part of one case. place: among the cases, from 1 on."""
-    return Section(Verbatim(case.title), 1, tuple(_case_blocks(case, place)))
+    return doc.Section(Verbatim(case.title), 1, tuple(_case_blocks(case, place)))
 
 
-def _case_blocks(case: CaseResult, place: int) -> Iterator[Block]:
-    yield Facts(
+def _case_blocks(case: CaseResult, place: int) -> Iterator[doc.Block]:
+    yield doc.Facts(
         (
             (say("Case"), Verbatim(case.key)),
             (say("Source"), Verbatim(case.source.citation)),
@@ -297,42 +283,42 @@ def _case_blocks(case: CaseResult, place: int) -> Iterator[Block]:
         )
     )
     if case.fault:
-        yield Prose((say("The case could not be run: {fault}", fault=Verbatim(case.fault)),))
+        yield doc.Prose((say("The case could not be run: {fault}", fault=Verbatim(case.fault)),))
     yield values_table(case, place)
-    yield BulletList((*_departures(case), *_tolerances_and_misprints(case)))
+    yield doc.BulletList((*_departures(case), *_tolerances_and_misprints(case)))
 
 
 Compared = tuple[QuantityResult, ValueResult]
 
 
-def values_table(case: CaseResult, place: int) -> Table:
+def values_table(case: CaseResult, place: int) -> doc.Table:
     """Tabulate every value of a case beside that of the program. place: among the cases, from 1 on."""
-    fields: tuple[Field[Compared], ...] = (
-        (Column(say("Quantity"), share=0.26), lambda pair: Verbatim(pair[0].name)),
-        (Column(say("Row"), share=0.15), lambda pair: Verbatim(pair[1].row)),
-        (Column(say("Unit")), lambda pair: Verbatim(pair[0].unit or "–")),
-        (Column(say("Expected")), lambda pair: _number(pair[1].expected, FIGURES)),
-        (Column(say("Program")), lambda pair: _number(pair[1].found, FIGURES)),
-        (Column(say("Difference")), lambda pair: _number(pair[1].difference, DIFFERENCE_FIGURES)),
+    fields: tuple[doc.Field[Compared], ...] = (
+        (doc.Column(say("Quantity"), share=0.26), lambda pair: Verbatim(pair[0].name)),
+        (doc.Column(say("Row"), share=0.15), lambda pair: Verbatim(pair[1].row)),
+        (doc.Column(say("Unit")), lambda pair: Verbatim(pair[0].unit or "–")),
+        (doc.Column(say("Expected")), lambda pair: _number(pair[1].expected, FIGURES)),
+        (doc.Column(say("Program")), lambda pair: _number(pair[1].found, FIGURES)),
+        (doc.Column(say("Difference")), lambda pair: _number(pair[1].difference, DIFFERENCE_FIGURES)),
         (
-            Column(say("Tolerance")),
+            doc.Column(say("Tolerance")),
             lambda pair: _number(pair[0].tolerance.around(pair[1].reference), DIFFERENCE_FIGURES),
         ),
-        (Column(say("Outcome")), lambda pair: _value_outcome(pair[1])),
+        (doc.Column(say("Outcome")), lambda pair: _value_outcome(pair[1])),
     )
     caption = say("{title}: values of the source and of the program.", title=Verbatim(case.title))
     pairs = [(each, value) for each in case.quantities for value in each.values]
-    return tabulate(f"case-{file_stem(case.key, place)}", caption, fields, pairs, small=True)
+    return doc.tabulate(f"case-{file_stem(case.key, place)}", caption, fields, pairs, small=True)
 
 
 def _number(value: float | None, figures: int) -> Text | None:
     return None if value is None else quantity(value, figures=figures)
 
 
-def _value_outcome(value: ValueResult) -> OutcomeCell:
+def _value_outcome(value: ValueResult) -> doc.OutcomeCell:
     if value.outcome == "misprint":
-        return OutcomeCell("comparison", say("misprint"))
-    return OutcomeCell("pass", say("pass")) if value.outcome == "pass" else OutcomeCell("fail", say("fail"))
+        return doc.OutcomeCell("comparison", say("misprint"))
+    return doc.OutcomeCell("pass", say("pass")) if value.outcome == "pass" else doc.OutcomeCell("fail", say("fail"))
 
 
 def _departures(case: CaseResult) -> Iterator[Text]:
@@ -473,9 +459,9 @@ THEORY: Mapping[str, tuple[Phrase, Phrase]] = {
 """Equations and field of use of each word that has them."""
 
 
-def theory_blocks(results: VerificationResults) -> Iterator[Block]:
+def theory_blocks(results: VerificationResults) -> Iterator[doc.Block]:
     """Yield the theory that all mechanisms share, then a table by mechanism with the cases that show it."""
-    yield Prose(
+    yield doc.Prose(
         (
             say(
                 "Every mechanism has one degree of freedom, the rotation φ of its leading block, and obeys I(φ) φ'' + "
@@ -490,15 +476,15 @@ def theory_blocks(results: VerificationResults) -> Iterator[Block]:
             ),
         )
     )
-    yield from nonempty(_theory_table(results))
+    yield from doc.nonempty(_theory_table(results))
 
 
-def _theory_table(results: VerificationResults) -> Table:
+def _theory_table(results: VerificationResults) -> doc.Table:
     columns = (
-        Column(say("Mechanism"), share=0.13),
-        Column(say("Theory")),
-        Column(say("Field of use")),
-        Column(say("Number of cases"), "ratio"),
+        doc.Column(say("Mechanism"), share=0.13),
+        doc.Column(say("Theory")),
+        doc.Column(say("Field of use")),
+        doc.Column(say("Number of cases"), "ratio"),
     )
     rows = tuple(
         (Verbatim(word), equations, suits, number)
@@ -506,7 +492,7 @@ def _theory_table(results: VerificationResults) -> Table:
         if (number := sum(word in each.uses for each in results.cases))
     )
     caption = say("Theory and field of use by mechanism; the page of each case says which it exercises.")
-    return Table("theory", caption, columns, rows, small=True)
+    return doc.Table("theory", caption, columns, rows, small=True)
 
 
 def author_and_year(citation: str) -> str:

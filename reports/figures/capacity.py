@@ -12,22 +12,10 @@ from scipy.constants import g
 
 from assess.codes.check import BranchName
 from assess.results import BranchCurve, MechanismResult
-from reports import joints
-from reports.figures.style import (
-    FAIL,
-    HALF,
-    MUTED,
-    NEGATIVE,
-    POSITIVE,
-    fitting_scale,
-    label,
-    legend_below,
-    report_style,
-    sheet,
-    table_scale,
-)
+from reports.figures import style
 from reports.language.locale import Locale
 from reports.language.texts import Phrase, say
+from reports.mechanisms import deformable_joints, event_rotation, joints_of_branch
 from spectra.arrays import FloatArray
 
 CAPACITY_HEIGHT = 2.4  # in
@@ -36,17 +24,17 @@ CAPACITY_HEIGHT = 2.4  # in
 def draw_capacity(mechanism: MechanismResult, locale: Locale) -> Figure:
     """Draw restoring moment (above) and lambda = restoring / (g B) (below) over rotation, both branches as mirrored."""
     positive = mechanism.curve.positive
-    rotation = table_scale("rotation", locale)
-    moment = fitting_scale("moment", positive.restoring_n_m, locale)
-    with report_style():
-        figure = sheet(CAPACITY_HEIGHT, locale, width=HALF)
+    rotation = style.table_scale("rotation", locale)
+    moment = style.fitting_scale("moment", positive.restoring_n_m, locale)
+    with style.report_style():
+        figure = style.sheet(CAPACITY_HEIGHT, locale, width=style.HALF)
         above, below = figure.subplots(2, 1, sharex=True)
         for branch, colour, dash, name in _branches(mechanism):
             across, named = rotation.in_unit(branch.rotation_rad), locale.text(name)
             above.plot(across, moment.in_unit(branch.restoring_n_m), dash, color=colour, label=named)
             below.plot(across, _multiplier(branch), dash, color=colour)
         for axes in (above, below):
-            axes.axhline(0.0, color=MUTED, linewidth=0.7)
+            axes.axhline(0.0, color=style.MUTED, linewidth=0.7)
             _mark_overturning(axes, mechanism, locale)
             axes.set_xlim(left=0.0)
             axes.yaxis.set_major_locator(MaxNLocator(4))
@@ -55,14 +43,14 @@ def draw_capacity(mechanism: MechanismResult, locale: Locale) -> Figure:
         below.set_xlabel(rotation.heading(say("rotation φ")))
         below.xaxis.set_major_locator(MaxNLocator(6, steps=[1, 2, 2.5, 5, 10]))
         figure.align_ylabels()
-        legend_below(figure, columns=2)
+        style.legend_below(figure, columns=2)
         return figure
 
 
 def _branches(mechanism: MechanismResult) -> list[tuple[BranchCurve, str, str, Phrase]]:
     positive, negative = mechanism.curve.positive, mechanism.curve.negative
-    mirrored = [] if negative is None else [(negative, NEGATIVE, "--", say("negative side, mirrored"))]
-    return [(positive, POSITIVE, "-", say("positive side")), *mirrored]
+    mirrored = [] if negative is None else [(negative, style.NEGATIVE, "--", say("negative side, mirrored"))]
+    return [(positive, style.POSITIVE, "-", say("positive side")), *mirrored]
 
 
 def _mark_overturning(axes: Axes, mechanism: MechanismResult, locale: Locale) -> None:
@@ -72,8 +60,8 @@ def _mark_overturning(axes: Axes, mechanism: MechanismResult, locale: Locale) ->
         marks.append((mechanism.oscillator.overturning_flexible_rad, "s", say("its joints: φₒᵥ")))
     for at, marker, name in marks:
         axes.plot(
-            table_scale("rotation", locale).in_unit(at), 0.0, marker=marker, color=FAIL, markersize=4, linestyle="none",
-            clip_on=False, label=locale.text(name),
+            style.table_scale("rotation", locale).in_unit(at), 0.0, marker=marker, color=style.FAIL, markersize=4,
+            linestyle="none", clip_on=False, label=locale.text(name),
         )  # fmt: skip
 
 
@@ -92,24 +80,24 @@ def draw_moment_rotation(mechanism: MechanismResult, locale: Locale) -> Figure:
     rest, own, simpler = mechanism.oscillator.equilibrium_rad, mechanism.curve.positive, mechanism.interface_curves
     largest = max(own.restoring_n_m if simpler is None else simpler.rigid.restoring_n_m)
     rotation, moment = np.asarray(own.rotation_rad) + rest, np.asarray(own.restoring_n_m) / largest
-    with report_style():
-        figure = sheet(2.6, locale, width=HALF)
+    with style.report_style():
+        figure = style.sheet(2.6, locale, width=style.HALF)
         axes = figure.subplots()
         if simpler is not None:
             for one, colour, dash, name in (
-                (simpler.rigid, MUTED, "-", say("rigid joints")),
+                (simpler.rigid, style.MUTED, "-", say("rigid joints")),
                 (simpler.fixed_hinges, FIXED_HINGES, "--", say("hinges fixed at a_SF")),
             ):
                 simple = np.asarray(one.restoring_n_m) / largest
                 axes.plot(one.rotation_rad, simple, dash, color=colour, label=locale.text(name))
         axes.plot(rotation, moment, color=OWN_JOINTS, label=locale.text(say("its joints")))
-        axes.axhline(0.0, color=MUTED, linewidth=0.7)
+        axes.axhline(0.0, color=style.MUTED, linewidth=0.7)
         _mark_joint_events(axes, mechanism, rotation, moment, locale)
         axes.set_xlabel(locale.heading(say("rotation φ"), "rotation"))
         axes.set_ylabel(locale.heading(say("moment / largest rigid moment"), "ratio"))
         axes.set_xlim(min(0.0, rest), 1.08 * max(mechanism.oscillator.overturning_rad, rest))
         axes.set_ylim(-0.08, 1.08)
-        legend_below(figure, columns=2)
+        style.legend_below(figure, columns=2)
         return figure
 
 
@@ -121,7 +109,11 @@ def _mark_joint_events(
         for at, height, hinges in joint_events(mechanism, key, rotation, moment):
             axes.plot([at], [height], "o", color=OWN_JOINTS, markerfacecolor=face, markersize=4.5, zorder=3)
             axes.annotate(
-                label(", ".join(hinges)), (at, height), xytext=offset, textcoords="offset points", color=OWN_JOINTS
+                style.label(", ".join(hinges)),
+                (at, height),
+                xytext=offset,
+                textcoords="offset points",
+                color=OWN_JOINTS,
             )
     for face, name in (("white", say("a joint begins to open")), (OWN_JOINTS, say("its edge begins to crush"))):
         axes.plot([], [], "o", color=OWN_JOINTS, markerfacecolor=face, markersize=4.5, label=locale.text(name))
@@ -132,8 +124,8 @@ def joint_events(
 ) -> list[tuple[float, float, list[str]]]:
     """Return rotation [rad] and moment [-] at which joints of the positive branch open or crush, with their hinges."""
     found: list[tuple[float, float, list[str]]] = []
-    for interface in joints.joints_of_branch(mechanism, "positive"):
-        at = joints.event_rotation(interface, key)
+    for interface in joints_of_branch(mechanism, "positive"):
+        at = event_rotation(interface, key)
         if at is None:
             continue
         height = float(np.interp(at, rotation, moment))
@@ -164,14 +156,14 @@ def draw_contact(mechanism: MechanismResult, locale: Locale) -> Figure:
     """Draw the distance of the resultant and the peak stress of each joint over the rotation."""
     sides = (mechanism.oscillator, mechanism.oscillator_negative)
     end = max(side.overturning_rad for side in sides if side is not None)
-    with report_style():
-        figure = sheet(2.2, locale)
+    with style.report_style():
+        figure = style.sheet(2.2, locale)
         for axes, (key, dimension, name) in zip(figure.subplots(1, 2), _CONTACT_PANELS, strict=True):
-            scale = table_scale(dimension, locale)
+            scale = style.table_scale(dimension, locale)
             for interface, colour, dash, hinges in distinct_curves(mechanism):
                 curve = interface["curve"]
                 rotation, values = np.asarray(curve["mechanism_rotation_rad"]), scale.in_unit(curve[key])
-                axes.plot(rotation, values, dash, color=colour, label=label(hinges))
+                axes.plot(rotation, values, dash, color=colour, label=style.label(hinges))
             axes.set(xlabel=locale.heading(say("rotation φ"), "rotation"), ylabel=scale.heading(name), xscale="log")
             axes.set_xlim(axis_start(mechanism, end), end)
             axes.xaxis.set_minor_formatter(NullFormatter())
@@ -183,7 +175,7 @@ def draw_contact(mechanism: MechanismResult, locale: Locale) -> Figure:
 
 def axis_start(mechanism: MechanismResult, end: float) -> float:
     """Return the start of the axis of rotations [rad]: before any joint opens, at most a thousandth of its end."""
-    opening = [float(found["opening_rad"]) for found in joints.deformable_joints(mechanism) if found["opening_rad"]]
+    opening = [float(found["opening_rad"]) for found in deformable_joints(mechanism) if found["opening_rad"]]
     return min([*(BEFORE_OPENING * at for at in opening), LEAST_ROTATION * end])
 
 
@@ -192,7 +184,7 @@ def distinct_curves(mechanism: MechanismResult) -> list[tuple[dict[str, Any], st
     found: list[tuple[dict[str, Any], str, str, list[str]]] = []
     branches: tuple[tuple[BranchName, str], ...] = (("positive", "-"), ("negative", "--"))
     for branch, dash in branches:
-        for place, interface in enumerate(joints.joints_of_branch(mechanism, branch)):
+        for place, interface in enumerate(joints_of_branch(mechanism, branch)):
             like = next((hinges for other, _, _, hinges in found if have_same_curves(interface, other)), None)
             if like is None:
                 found.append((interface, HINGE_COLOURS[place % len(HINGE_COLOURS)], dash, [interface["hinge"]]))
@@ -213,9 +205,9 @@ def _same_curve(one: dict[str, Any], other: dict[str, Any], key: str) -> bool:
 
 
 def _draw_strength(axes: Axes, mechanism: MechanismResult, locale: Locale) -> None:
-    scale = table_scale("stress", locale)
-    for strength in sorted({found["strength_pa"] for found in joints.deformable_joints(mechanism)} - {None}):
+    scale = style.table_scale("stress", locale)
+    for strength in sorted({found["strength_pa"] for found in deformable_joints(mechanism)} - {None}):
         at = float(scale.in_unit(strength))
-        axes.axhline(at, color=MUTED, linewidth=0.8, linestyle=":")
+        axes.axhline(at, color=style.MUTED, linewidth=0.8, linestyle=":")
         name, side = locale.text(say("strength")), axes.get_yaxis_transform()
-        axes.annotate(name, (1.0, at), xycoords=side, ha="right", va="bottom", color=MUTED)
+        axes.annotate(name, (1.0, at), xycoords=side, ha="right", va="bottom", color=style.MUTED)

@@ -14,26 +14,10 @@ from matplotlib.figure import Figure
 from assess.codes.check import Check, Outcome
 from assess.results import HistoryResult, MechanismResult, Results
 from reports import governing
-from reports.figures.style import (
-    FAIL,
-    GRID,
-    HALF,
-    INK,
-    MUTED,
-    Pen,
-    fold,
-    label,
-    legend_below,
-    mechanism_pens,
-    number_by_decades,
-    pen,
-    report_style,
-    sheet,
-)
-from reports.joints import group_variants
+from reports.figures import style
 from reports.language.locale import Locale
 from reports.language.texts import quantity, say
-from reports.titles import mechanism_number, numbered_title, short_check_title, short_title
+from reports.mechanisms import group_variants, mechanism_number, numbered_title, short_check_title, short_title
 
 LARGEST_RATIO = 2.5  # larger ratios are drawn at the edge [-]
 ROW_HEIGHT, ROOM, TALLEST = 0.24, 0.85, 8.4  # a row, what is above and below all rows, the figure [in]
@@ -62,14 +46,14 @@ def draw_capacities(results: Results, locale: Locale) -> Figure:
         for row, mechanism in enumerate(order)
         for name, pga in found[mechanism.name].items()
     ]
-    with report_style():
-        figure = sheet(_figure_height(ROW_HEIGHT * len(order), len(procedures)), locale)
+    with style.report_style():
+        figure = style.sheet(_figure_height(ROW_HEIGHT * len(order), len(procedures)), locale)
         axes = figure.subplots()
         _label_rows(axes, results, order, locale)
         _draw_marks(axes, dots)
         own = governing.site_pga(results)
         if own is not None:
-            axes.axvline(own, color=FAIL, linewidth=1.0, label=locale.text(say("site’s own action")))
+            axes.axvline(own, color=style.FAIL, linewidth=1.0, label=locale.text(say("site’s own action")))
         _set_pga_axis(axes, [dot.at for dot in dots if dot.at > 0.0] or [1.0], locale)
         axes.set_xlabel(locale.heading(say("peak ground acceleration at capacity"), "ground acceleration"))
         _legend(figure, procedures, locale)
@@ -82,7 +66,7 @@ def _set_pga_axis(axes: Axes, values: Sequence[float], locale: Locale) -> None:
         axes.set_xlim(0.0, 1.05 * max(values))
         return
     axes.set(xscale="log", xlim=(0.8 * min(values), 1.25 * max(values)))
-    number_by_decades(axes.xaxis, locale)
+    style.number_by_decades(axes.xaxis, locale)
 
 
 def draw_demands(results: Results, locale: Locale) -> Figure:
@@ -92,12 +76,12 @@ def draw_demands(results: Results, locale: Locale) -> Figure:
     procedures = _procedures(order, {row.procedure for row in results.comparison})
     columns = min(PANELS, len(levels)) or 1
     lines = -(-len(levels) // columns) or 1
-    with report_style():
-        figure = sheet(_figure_height(lines * (ROW_HEIGHT * len(order) + 0.2), len(procedures)), locale)
+    with style.report_style():
+        figure = style.sheet(_figure_height(lines * (ROW_HEIGHT * len(order) + 0.2), len(procedures)), locale)
         panels = figure.subplots(lines, columns, squeeze=False, sharey=True, sharex=True)
         for axes, level in zip(panels.flat, levels, strict=False):
             _label_rows(axes, results, order, locale)
-            axes.axvline(1.0, color=FAIL, linewidth=1.0)
+            axes.axvline(1.0, color=style.FAIL, linewidth=1.0)
             axes.set_xlim(0.0, LARGEST_RATIO * 1.04)
             _draw_marks(axes, _demand_marks(order, level, procedures))
             axes.set_title(locale.text(say("PGA {level}", level=quantity(level, "ground acceleration", 3))), loc="left")
@@ -111,26 +95,26 @@ def draw_demands(results: Results, locale: Locale) -> Figure:
 
 def draw_curves(results: Results, locale: Locale) -> Figure:
     """Draw rotation over PGA by one procedure, and moment over rotation, of all mechanisms; variants share a colour."""
-    pens = mechanism_pens(results)
-    with report_style():
-        figure = sheet(2.35 + 0.14 * -(-len(pens) // 3), locale)
+    pens = style.mechanism_pens(results)
+    with style.report_style():
+        figure = style.sheet(2.35 + 0.14 * -(-len(pens) // 3), locale)
         left, right = figure.subplots(1, 2)
         procedure = curve_procedure(results)
         for mechanism in results.mechanisms:
-            name = label(locale.text(numbered_title(results, mechanism.name)), LEGEND_NAME_LENGTH)
+            name = style.label(locale.text(numbered_title(results, mechanism.name)), LEGEND_NAME_LENGTH)
             _draw_rotation(left, mechanism, procedure, pens[mechanism.name], name)
             _draw_moment(right, results, mechanism, pens[mechanism.name])
         own = governing.site_pga(results)
         if own is not None:
-            left.axvline(own, color=FAIL, linewidth=0.9, linestyle=":")
+            left.axvline(own, color=style.FAIL, linewidth=0.9, linestyle=":")
         left.set(xlim=(0.0, None), ylim=(0.0, 1.05))
-        left.set_title(label(locale.text(short_title(procedure)), 60), loc="left")
+        left.set_title(style.label(locale.text(short_title(procedure)), 60), loc="left")
         left.set_xlabel(locale.heading(say("peak ground acceleration, PGA"), "ground acceleration"))
         left.set_ylabel(locale.heading(say("rotation φ / φₒᵥ"), "ratio"))
         right.set(xlim=(0.0, 1.0), ylim=(0.0, 1.05))
         right.set_xlabel(locale.heading(say("rotation φ / φₒᵥ of rigid joints"), "ratio"))
         right.set_ylabel(locale.heading(say("moment / largest of rigid joints"), "ratio"))
-        legend_below(figure, columns=3, axes=left)
+        style.legend_below(figure, columns=3, axes=left)
         return figure
 
 
@@ -143,13 +127,13 @@ def curve_procedure(results: Results) -> str:
     return max(count, key=lambda name: (count[name], name in methods), default="")
 
 
-def _draw_rotation(axes: Axes, mechanism: MechanismResult, procedure: str, ink: Pen, name: str) -> None:
+def _draw_rotation(axes: Axes, mechanism: MechanismResult, procedure: str, ink: style.Pen, name: str) -> None:
     check = next((each for each in one_per_procedure(mechanism.checks) if each.procedure == procedure), None)
     pga, ratio = ((), ()) if check is None else (check.pga_curve.pga_g, check.pga_curve.rotation_ratio)
     axes.plot(pga, ratio, linestyle=ink.dash, color=ink.colour, linewidth=ink.width, label=name)
 
 
-def _draw_moment(axes: Axes, results: Results, mechanism: MechanismResult, ink: Pen) -> None:
+def _draw_moment(axes: Axes, results: Results, mechanism: MechanismResult, ink: style.Pen) -> None:
     """Draw the capacity curve over its rigid overturning rotation and the largest moment of its rigid variant."""
     group = next(each for each in group_variants(results) if mechanism in each)
     simpler, own = mechanism.interface_curves, mechanism.curve.positive
@@ -178,11 +162,11 @@ def _figure_height(rows: float, procedures: int) -> float:
 def _label_rows(axes: Axes, results: Results, order: Sequence[MechanismResult], locale: Locale) -> None:
     """Give each mechanism a row with its name, short where there are many."""
     for line in range(len(order) - 1):
-        axes.axhline(line + 0.5, color=GRID, linewidth=0.5)
+        axes.axhline(line + 0.5, color=style.GRID, linewidth=0.5)
     names = [locale.text(numbered_title(results, each.name)) for each in order]
     if ROW_HEIGHT * len(order) > TALLEST - ROOM:
         names = [mechanism_number(results, each.name) for each in order]
-    axes.set_yticks(range(len(order)), [fold(name, width=NAME_LENGTH) for name in names])
+    axes.set_yticks(range(len(order)), [style.fold(name, width=NAME_LENGTH) for name in names])
     axes.set_ylim(len(order) - 0.5, -0.5)
     axes.tick_params(axis="y", length=0)
     axes.grid(visible=False, axis="y")
@@ -224,7 +208,7 @@ def _draw_marks(axes: Axes, dots: Sequence[ResultMark]) -> None:
 
 def _marker_style(procedure: str, marker: str = "") -> Mapping[str, object]:
     """Return how a mark is drawn: hollow for readings of the thesis."""
-    ink = pen(procedure)
+    ink = style.pen(procedure)
     return {
         "marker": marker or ink.marker,
         "color": ink.colour,
@@ -238,7 +222,7 @@ def _legend(figure: Figure, procedures: Sequence[str], locale: Locale) -> None:
     axes = figure.axes[0]
     lines = [each for each in axes.get_lines() if not str(each.get_label()).startswith("_")]
     for name in procedures:
-        lines += axes.plot([], [], label=label(locale.text(short_title(name)), 32), **_marker_style(name))  # type: ignore[arg-type]
+        lines += axes.plot([], [], label=style.label(locale.text(short_title(name)), 32), **_marker_style(name))  # type: ignore[arg-type]
     figure.legend(handles=lines, loc="outside lower center", ncols=4)
 
 
@@ -249,18 +233,18 @@ AXES_HEIGHT, LEGEND_LINE = 1.85, 0.125  # of the axes, of a line of the legend [
 def draw_pga_rotation(mechanism: MechanismResult, locale: Locale) -> Figure:
     """Draw phi / phi_ov [-] over PGA [g]: a curve for each procedure, allowables, levels, and maxima of records."""
     shown = one_per_procedure(mechanism.checks)
-    with report_style():
-        figure = sheet(AXES_HEIGHT + LEGEND_LINE * (len(shown) // 2 + 3), locale, width=HALF)
+    with style.report_style():
+        figure = style.sheet(AXES_HEIGHT + LEGEND_LINE * (len(shown) // 2 + 3), locale, width=style.HALF)
         axes = figure.subplots()
         for check in shown:
-            _draw_procedure(axes, check, label(locale.text(short_check_title(check, mechanism.checks)), 30))
+            _draw_procedure(axes, check, style.label(locale.text(short_check_title(check, mechanism.checks)), 30))
         levels = sorted({check.level_pga_g for check in mechanism.checks})
         _draw_levels(axes, levels, locale)
         _draw_histories(axes, mechanism.histories, locale)
         axes.set_xlabel(locale.heading(say("peak ground acceleration, PGA"), "ground acceleration"))
         axes.set_ylabel(locale.heading(say("rotation φ / φₒᵥ"), "ratio"))
         axes.set(xlim=(0.0, pga_axis_end(mechanism, levels)), ylim=(0.0, 1.12))
-        legend_below(figure, columns=2)
+        style.legend_below(figure, columns=2)
         return figure
 
 
@@ -274,7 +258,7 @@ def one_per_procedure(checks: tuple[Check, ...]) -> tuple[Check, ...]:
 
 
 def _draw_procedure(axes: Axes, check: Check, name: str) -> None:
-    ink, curve = pen(check.procedure), check.pga_curve
+    ink, curve = style.pen(check.procedure), check.pga_curve
     axes.plot(curve.pga_g, curve.rotation_ratio, linestyle=ink.dash, color=ink.colour, label=name)
     if check.capacity_pga_g is not None and check.capacity_rotation_ratio is not None:
         at = ([check.capacity_pga_g], [check.capacity_rotation_ratio])
@@ -285,7 +269,7 @@ def _draw_procedure(axes: Axes, check: Check, name: str) -> None:
 def _draw_histories(axes: Axes, histories: tuple[HistoryResult, ...], locale: Locale) -> None:
     standing = [(h.level_pga_g, abs(h.max_rotation_ratio)) for h in histories if h.max_rotation_ratio is not None]
     fallen = [h.level_pga_g for h in histories if h.overturned]
-    dots: dict[str, Any] = {"linestyle": "none", "markersize": 4, "color": INK}
+    dots: dict[str, Any] = {"linestyle": "none", "markersize": 4, "color": style.INK}
     if standing:
         name = locale.text(say("a record"))
         axes.plot(*zip(*standing, strict=True), marker=".", alpha=0.7, label=name, **dots)
@@ -297,13 +281,13 @@ def _draw_histories(axes: Axes, histories: tuple[HistoryResult, ...], locale: Lo
 def _draw_levels(axes: Axes, levels: list[float], locale: Locale) -> None:
     """Draw the levels assessed and the rotation that overturns, and explain the marks of capacity."""
     for level in levels:
-        axes.axvline(level, color=MUTED, linewidth=0.7, linestyle=(0, (2, 2)), zorder=0.5)
-    axes.axhline(1.0, color=FAIL, linewidth=0.8, label=locale.text(say("overturning rotation φₒᵥ")))
+        axes.axvline(level, color=style.MUTED, linewidth=0.7, linestyle=(0, (2, 2)), zorder=0.5)
+    axes.axhline(1.0, color=style.FAIL, linewidth=0.8, label=locale.text(say("overturning rotation φₒᵥ")))
     name = locale.text(say("allowable rotation"))
-    axes.plot([], [], marker="o", color=MUTED, linestyle="none", markersize=4, label=name)
+    axes.plot([], [], marker="o", color=style.MUTED, linestyle="none", markersize=4, label=name)
     if levels:
         name = locale.text(say("levels assessed"))
-        axes.plot([], [], color=MUTED, linewidth=0.7, linestyle=(0, (2, 2)), label=name)
+        axes.plot([], [], color=style.MUTED, linewidth=0.7, linestyle=(0, (2, 2)), label=name)
 
 
 def pga_axis_end(mechanism: MechanismResult, levels: list[float]) -> float:

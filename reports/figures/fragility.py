@@ -21,20 +21,7 @@ from assess.results.fragility import (
     RecordRunsResult,
     RiskResult,
 )
-from reports.figures.style import (
-    FAIL,
-    HALF,
-    INK,
-    MECHANISMS,
-    MUTED,
-    WIDTH,
-    LogTicks,
-    label,
-    legend_below,
-    number_by_decades,
-    report_style,
-    sheet,
-)
+from reports.figures import style
 from reports.intensity_measures import PERCENT, measure_text, state_text
 from reports.language.locale import Locale
 from reports.language.texts import Phrase, say
@@ -54,40 +41,40 @@ MARKERS = ("o", "s", "^", "D", "v", "P")
 
 def draw_fragility(curve: FragilityCurve, locale: Locale) -> Figure:
     """Draw the shares of one state [%] over the intensity: counted with intervals, lognormal with its band, bound."""
-    with report_style():
-        figure = sheet(2.7, locale)
+    with style.report_style():
+        figure = style.sheet(2.7, locale)
         axes = figure.subplots()
         names = say("counted, with 95 % interval"), say("the same, most records scaled by more than 4")
-        _draw_points(axes, curve.empirical, INK, "o", (locale.text(names[0]), locale.text(names[1])))
+        _draw_points(axes, curve.empirical, style.INK, "o", (locale.text(names[0]), locale.text(names[1])))
         if curve.lognormal is not None:
             _draw_lognormal(axes, curve, curve.lognormal, locale)
         if curve.first is not None:
             x = _intensities(curve)
             words = locale.text(say("bound: first intensity that reaches it"))
-            axes.plot(x, PERCENT * _shares(curve.first, x), "--", color=FAIL, label=words)
+            axes.plot(x, PERCENT * _shares(curve.first, x), "--", color=style.FAIL, label=words)
         _frame_shares(axes, [curve], locale)
         axes.set_ylabel(locale.heading(SHARE_HEADINGS[curve.state.name], "percent"))
-        legend_below(figure, columns=3)
+        style.legend_below(figure, columns=3)
         return figure
 
 
 def draw_states(curves: Sequence[FragilityCurve], locale: Locale) -> Figure:
     """Draw the shares of every state [%] over one measure: points, and lognormals as lines."""
-    with report_style():
-        figure = sheet(2.6, locale, width=HALF)
+    with style.report_style():
+        figure = style.sheet(2.6, locale, width=style.HALF)
         axes = figure.subplots()
         for place, curve in enumerate(curves):
-            colour, marker = MECHANISMS[place % len(MECHANISMS)], MARKERS[place % len(MARKERS)]
+            colour, marker = style.MECHANISMS[place % len(style.MECHANISMS)], MARKERS[place % len(MARKERS)]
             _draw_points(axes, curve.empirical, colour, marker)
             x = _intensities(curve)
             fitted = np.full_like(x, np.nan) if curve.lognormal is None else _shares(curve.lognormal, x)
-            named = label(locale.text(state_text(curve.state)), 48)
+            named = style.label(locale.text(state_text(curve.state)), 48)
             axes.plot(
                 x, PERCENT * fitted, color=colour, marker=marker, markevery=[], markersize=POINT_SIZE, label=named
             )
         _frame_shares(axes, curves, locale)
         axes.set_ylabel(locale.heading(say("records that reach the state"), "percent"))
-        legend_below(figure, columns=1)
+        style.legend_below(figure, columns=1)
         return figure
 
 
@@ -99,7 +86,7 @@ def _draw_points(
     if name != "_":
         ends = [[point.intensity] * 2 for point in points], [[PERCENT * p.low, PERCENT * p.high] for p in points]
         for x, y in zip(*ends, strict=True):
-            axes.plot(x, y, color=MUTED, linewidth=0.7)
+            axes.plot(x, y, color=style.MUTED, linewidth=0.7)
     for hollow in (False, True):
         some = [point for point in points if is_hollow(point) == hollow]
         axes.plot(
@@ -178,7 +165,7 @@ def draw_record_runs(
     locale: Locale,
     *,
     reach: float,
-    width: float = WIDTH,
+    width: float = style.WIDTH,
 ) -> Figure:
     """Draw rotation over that which overturns, over the intensity; overturned runs on a line at the top.
 
@@ -191,8 +178,8 @@ def draw_record_runs(
     locale : of the labels
     width : of the figure [in]
     """
-    with report_style():
-        figure = sheet(2.6, locale, width=width)
+    with style.report_style():
+        figure = style.sheet(2.6, locale, width=width)
         axes = figure.subplots()
         top = OVERTURNED_HEIGHT * max([1.0, *(ratio for run in runs for ratio in run.ratio if ratio is not None)])
         faint = 0.8 if len(runs) <= MANY_RECORDS else 0.45
@@ -200,19 +187,19 @@ def draw_record_runs(
         for place, (run, unit) in enumerate(pairs):
             name = locale.text(say("a record")) if place == 0 else "_"
             if len(run.scale) > 1:
-                axes.plot(*_record_curve(run, unit, top), color=MUTED, linewidth=0.4, alpha=faint, label=name)
+                axes.plot(*_record_curve(run, unit, top), color=style.MUTED, linewidth=0.4, alpha=faint, label=name)
             else:
-                axes.plot(*_record_curve(run, unit, top), "o", color=MUTED, markersize=2.5, label=name)
+                axes.plot(*_record_curve(run, unit, top), "o", color=style.MUTED, markersize=2.5, label=name)
         _mark_first_overturning(axes, pairs, top, locale)
         _draw_islands(axes, pairs, locale)
-        axes.axhline(1.0, color=FAIL, linewidth=0.7)
+        axes.axhline(1.0, color=style.FAIL, linewidth=0.7)
         axes.set_ylim(0.0, 1.04 * top)
         axes.set_xlim(0.0, reach)
         axes.set_yticks([0.0, 0.25, 0.5, 0.75, 1.0, top])
         axes.set_yticklabels([*(locale.number(y) for y in (0.0, 0.25, 0.5, 0.75, 1.0)), locale.text(say("overturned"))])
         axes.set_xlabel(locale.heading(measure_text(measure), measure.dimension))
         axes.set_ylabel(locale.heading(say("largest rotation φ/φₒᵥ"), "ratio"))
-        legend_below(figure, columns=1 if width < WIDTH else 2)
+        style.legend_below(figure, columns=1 if width < style.WIDTH else 2)
         return figure
 
 
@@ -233,13 +220,15 @@ def _mark_first_overturning(
     """Mark the first run of each record that overturns; hollow where it is scaled by more than 4."""
     first = [(_first_overturning_scale(run), unit) for run, unit in pairs]
     for large, face, words in (
-        (False, FAIL, say("overturns first")),
+        (False, style.FAIL, say("overturns first")),
         (True, "white", say("overturns first, scaled by more than 4")),
     ):
         at = [scale * unit for scale, unit in first if scale is not None and (scale > LARGE_SCALE) == large]
         if at:
             name = locale.text(words)
-            axes.plot(at, [top] * len(at), "o", color=FAIL, markersize=3.5, markerfacecolor=face, label=name, zorder=3)
+            axes.plot(
+                at, [top] * len(at), "o", color=style.FAIL, markersize=3.5, markerfacecolor=face, label=name, zorder=3
+            )
 
 
 def _draw_islands(axes: Axes, pairs: Sequence[tuple[RecordRunsResult, float]], locale: Locale) -> None:
@@ -254,7 +243,7 @@ def _draw_islands(axes: Axes, pairs: Sequence[tuple[RecordRunsResult, float]], l
         x, y = zip(*found, strict=True)
         size = 4 if len(pairs) <= MANY_RECORDS else 2
         axes.plot(
-            x, y, "D", color=INK, markerfacecolor=ISLAND_COLOUR, markersize=size, markeredgewidth=0.4, zorder=4,
+            x, y, "D", color=style.INK, markerfacecolor=ISLAND_COLOUR, markersize=size, markeredgewidth=0.4, zorder=4,
             label=locale.text(say("island: stands again")),
         )  # fmt: skip
 
@@ -266,27 +255,32 @@ DECADES = 9  # of the axis of rates, at most
 
 def draw_risk(risk: RiskResult, hazard: HazardResult | None, locale: Locale) -> Figure:
     """Draw the annual rate of exceedance above, and below it the contributions [%] over the same intensities."""
-    with report_style():
-        figure = sheet(2.7, locale)
+    with style.report_style():
+        figure = style.sheet(2.7, locale)
         above, below = figure.subplots(2, 1, sharex=True)
         if hazard is not None:
             rates = np.array(hazard.annual_rate)
             shown = rates > 0.0
             words = locale.text(say("hazard: ground motions that exceed the intensity"))
             above.plot(
-                np.array(hazard.intensity)[shown], rates[shown], color=INK, marker="o", markersize=3.0, label=words
+                np.array(hazard.intensity)[shown],
+                rates[shown],
+                color=style.INK,
+                marker="o",
+                markersize=3.0,
+                label=words,
             )
-        above.axhline(risk.annual_rate, color=FAIL, linewidth=1.0, label=locale.text(say("rate of the state")))
+        above.axhline(risk.annual_rate, color=style.FAIL, linewidth=1.0, label=locale.text(say("rate of the state")))
         if risk.with_epistemic is not None:
             words = locale.text(say("with epistemic dispersion"))
-            above.axhline(risk.with_epistemic, color=FAIL, linewidth=1.0, linestyle=":", label=words)
+            above.axhline(risk.with_epistemic, color=style.FAIL, linewidth=1.0, linestyle=":", label=words)
         if risk.target_rate is not None:
             target = locale.text(say("target"))
-            above.axhline(risk.target_rate, color=FAIL, linewidth=1.0, linestyle="--", label=target)
+            above.axhline(risk.target_rate, color=style.FAIL, linewidth=1.0, linestyle="--", label=target)
         above.set_yscale("log")
         above.yaxis.set_major_locator(LogLocator(numticks=DECADES))
         above.yaxis.set_minor_locator(NullLocator())
-        above.yaxis.set_major_formatter(LogTicks(locale))
+        above.yaxis.set_major_formatter(style.LogTicks(locale))
         above.set_ylabel(locale.heading(say("annual rate"), "annual rate"))
         edges = np.array(risk.intensity)
         below.bar(
@@ -297,8 +291,8 @@ def draw_risk(risk: RiskResult, hazard: HazardResult | None, locale: Locale) -> 
         below.set_ylim(bottom=0.0)
         if edges[0] > 0.0 and edges[-1] / edges[0] > LOGARITHMIC_FROM:
             below.set_xscale("log")
-            number_by_decades(below.xaxis, locale)
+            style.number_by_decades(below.xaxis, locale)
         below.set_xlim(edges[0], edges[-1])
         below.set_xlabel(locale.heading(measure_text(risk.measure), risk.measure.dimension))
-        legend_below(figure, columns=2)
+        style.legend_below(figure, columns=2)
         return figure

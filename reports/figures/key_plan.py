@@ -45,7 +45,7 @@ from reports.figures.sketch import direction_arrow, rounded_points, scene_model
 from reports.figures.style import FIXED, HALF, INK, VERDICT, WIDTH, Label, report_style, write_tags
 from reports.language.locale import Locale
 from reports.language.texts import Paragraph, Phrase, Text, say
-from reports.titles import mechanism_number
+from reports.mechanisms import mechanism_number
 from spectra.arrays import BoolArray, FloatArray, IntArray
 
 KEY_PLAN_SIZE = PictureSize(wide=WIDTH, tall=3.6, left=0.8, around=0.2)

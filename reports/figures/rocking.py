@@ -20,23 +20,11 @@ from assess.results import (
     Results,
 )
 from assess.results.mechanism import CriticalBand
+from reports.figures import style
 from reports.figures.spectrum import frame_logarithmic_spectra
-from reports.figures.style import (
-    FAIL,
-    INK,
-    MUTED,
-    Pen,
-    label,
-    legend_above,
-    legend_below,
-    mechanism_pens,
-    number_by_decades,
-    report_style,
-    sheet,
-)
 from reports.language.locale import Locale
 from reports.language.texts import quantity, say
-from reports.titles import mechanism_number, numbered_title
+from reports.mechanisms import mechanism_number, numbered_title
 from spectra.arrays import FloatArray
 
 ALLOWABLE_COLOUR = "#e69f00"
@@ -47,8 +35,8 @@ def draw_history(
     mechanism: MechanismResult, history: HistoryResult, trace: HistoryTrace, allowable: float | None, locale: Locale
 ) -> Figure:
     """Draw acceleration [g], also at the base where amplified, and rotation / phi_ov [-] over time [s]."""
-    with report_style():
-        figure = sheet(2.8, locale)
+    with style.report_style():
+        figure = style.sheet(2.8, locale)
         ground, rotation = figure.subplots(2, 1, sharex=True, height_ratios=(1, 1.5))
         _draw_motion(ground, trace, locale)
         _draw_rotation(rotation, mechanism, trace)
@@ -58,19 +46,19 @@ def draw_history(
         rotation.set_ylabel(locale.heading(say("rotation φ / φₒᵥ"), "ratio"))
         rotation.set_xlim(trace.time_s[0], trace.time_s[-1])
         figure.align_ylabels()
-        legend_above(rotation, columns=3)
+        style.legend_above(rotation, columns=3)
         return figure
 
 
 def _draw_motion(axes: Axes, trace: HistoryTrace, locale: Locale) -> None:
     axes.set_ylabel(locale.heading(say("acceleration"), "ground acceleration"))
     if trace.base_acceleration_g is None:
-        axes.plot(trace.time_s, trace.ground_acceleration_g, color=MUTED, linewidth=0.6)
+        axes.plot(trace.time_s, trace.ground_acceleration_g, color=style.MUTED, linewidth=0.6)
         return
     base, ground = locale.text(say("at its base")), locale.text(say("at the ground"))
     axes.plot(trace.time_s, trace.base_acceleration_g, color="#d55e00", linewidth=0.6, label=base)
-    axes.plot(trace.time_s, trace.ground_acceleration_g, color=INK, linewidth=0.5, label=ground)
-    legend_above(axes, columns=2)
+    axes.plot(trace.time_s, trace.ground_acceleration_g, color=style.INK, linewidth=0.5, label=ground)
+    style.legend_above(axes, columns=2)
 
 
 def rotation_ratio(mechanism: MechanismResult, trace: HistoryTrace) -> np.ndarray[tuple[int], np.dtype[np.float64]]:
@@ -92,7 +80,7 @@ def _draw_rotation(axes: Axes, mechanism: MechanismResult, trace: HistoryTrace) 
 
 def _draw_limits(axes: Axes, allowable: float | None, locale: Locale, *, two_sided: bool) -> None:
     sides = (1, -1) if two_sided else (1,)
-    lines = [(1.0, FAIL, "-", say("overturning, φₒᵥ"))]
+    lines = [(1.0, style.FAIL, "-", say("overturning, φₒᵥ"))]
     if allowable is not None:
         name = say("allowable, {ratio} φₒᵥ", ratio=quantity(allowable, "ratio", 3))
         lines.append((allowable, ALLOWABLE_COLOUR, "--", name))
@@ -105,10 +93,10 @@ def _draw_limits(axes: Axes, allowable: float | None, locale: Locale, *, two_sid
 def _draw_peak(axes: Axes, history: HistoryResult, locale: Locale) -> None:
     if history.overturning_time_s is not None:
         name = locale.text(say("overturns"))
-        axes.axvline(history.overturning_time_s, color=FAIL, linewidth=0.8, linestyle=":", label=name)
+        axes.axvline(history.overturning_time_s, color=style.FAIL, linewidth=0.8, linestyle=":", label=name)
     elif history.max_rotation_ratio is not None and history.time_of_max_s is not None:
         signed = np.copysign(abs(history.max_rotation_ratio), history.max_rotation_rad or 0.0)
-        axes.plot(history.time_of_max_s, signed, "o", color=INK, markersize=4, label=locale.text(say("largest")))
+        axes.plot(history.time_of_max_s, signed, "o", color=style.INK, markersize=4, label=locale.text(say("largest")))
 
 
 _BASE_COLOUR = "#d55e00"
@@ -118,8 +106,8 @@ Series = tuple[float, ...]
 
 def draw_amplification(motion: CarriedMotion, locale: Locale) -> Figure:
     """Draw acceleration [g] over time [s] and response spectra [g] over period [s], at the ground and at the base."""
-    with report_style():
-        figure = sheet(3.4, locale)
+    with style.report_style():
+        figure = style.sheet(3.4, locale)
         time, spectrum = figure.subplots(2, 1, height_ratios=(1.2, 1))
         _draw_pair(time, motion.time_s, motion.ground_acceleration_g, motion.base_acceleration_g, 0.6, locale)
         time.set_xlabel(locale.heading(say("time t"), "time"))
@@ -130,7 +118,7 @@ def draw_amplification(motion: CarriedMotion, locale: Locale) -> Figure:
         spectrum.set_ylabel(locale.heading(say("Sₐ, damping 5 %"), "ground acceleration"))
         spectrum.set_xticks(_NUMBERED_PERIODS, labels=[locale.number(period) for period in _NUMBERED_PERIODS])
         spectrum.set_xlim(motion.period_s[0], motion.period_s[-1])
-        legend_below(figure, columns=2)
+        style.legend_below(figure, columns=2)
         return figure
 
 
@@ -138,7 +126,7 @@ def _draw_pair(axes: Axes, across: Series, ground: Series, base: Series, linewid
     axes.plot(
         across, base, color=_BASE_COLOUR, linewidth=linewidth, label=locale.text(say("at the base of the mechanism"))
     )
-    axes.plot(across, ground, color=INK, linewidth=linewidth, label=locale.text(say("at the ground")))
+    axes.plot(across, ground, color=style.INK, linewidth=linewidth, label=locale.text(say("at the ground")))
 
 
 PULSE = say("frequency of the pulse")
@@ -150,8 +138,8 @@ WIDE_BAND = 0.05  # of the axis: a band that can hold its name
 def draw_envelope(one: EnvelopeResult, records: Sequence[RecordResult], locale: Locale) -> Figure:
     """Draw the outcome of pulses [g] over frequency [Hz]: white at rest, grey rocking, red overturned."""
     frequency, amplitude = np.array(one.frequency_hz), np.array(one.amplitude_g)
-    with report_style():
-        figure = sheet(2.7, locale)
+    with style.report_style():
+        figure = style.sheet(2.7, locale)
         axes = figure.subplots()
         top = float(amplitude[-1])
         axes.fill_between(frequency, np.minimum(one.uplift_g, top), top, color=ROCKS, linewidth=0.0)
@@ -159,14 +147,16 @@ def draw_envelope(one: EnvelopeResult, records: Sequence[RecordResult], locale: 
         axes.add_collection(
             PolyCollection(fallen, facecolor=OVERTURNS, edgecolor=OVERTURNS, linewidth=0.2), autolim=False
         )
-        axes.plot(frequency, one.uplift_g, "--", color=MUTED, linewidth=0.9, label=locale.text(say("rocking starts")))
+        axes.plot(
+            frequency, one.uplift_g, "--", color=style.MUTED, linewidth=0.9, label=locale.text(say("rocking starts"))
+        )
         least = locale.text(say("least pulse that overturns"))
-        axes.plot(frequency, _numbers(one.lower_bound_g), color=FAIL, label=least)
+        axes.plot(frequency, _numbers(one.lower_bound_g), color=style.FAIL, label=least)
         _draw_primary_pulses(axes, records, frequency, amplitude, locale)
         _frame_envelope(axes, frequency, _highest_frequency([one]), top, locale)
         axes.set_xlabel(locale.heading(PULSE, "frequency"))
         axes.set_ylabel(locale.heading(say("peak acceleration of the pulse"), "ground acceleration"))
-        legend_below(figure, columns=3)
+        style.legend_below(figure, columns=3)
         return figure
 
 
@@ -198,7 +188,7 @@ def _draw_primary_pulses(
     ]  # fmt: skip
     if inside:
         at = [pulse.frequency_hz for pulse in inside], [pulse.amplitude_g for pulse in inside]
-        axes.plot(*at, "o", color=INK, markersize=3, label=locale.text(say("primary pulses of the records")))
+        axes.plot(*at, "o", color=style.INK, markersize=3, label=locale.text(say("primary pulses of the records")))
 
 
 def draw_envelope_bounds(results: Results, locale: Locale) -> Figure:
@@ -210,17 +200,17 @@ def draw_envelope_bounds(results: Results, locale: Locale) -> Figure:
     if critical is None:
         raise ValueError("these results compare no envelopes")
     mapped = [(each.name, each.envelope) for each in results.mechanisms if each.envelope is not None]
-    pens = mechanism_pens(results)
+    pens = style.mechanism_pens(results)
     frequency = np.array(critical.frequency_hz)
-    with report_style():
-        figure = sheet(3.0 + 0.14 * -(-len(mapped) // 3), locale)
+    with style.report_style():
+        figure = style.sheet(3.0 + 0.14 * -(-len(mapped) // 3), locale)
         axes, band = figure.subplots(2, 1, sharex=True, height_ratios=(14, 1))
         for name, one in mapped:
-            ink, named = pens[name], label(locale.text(numbered_title(results, name)), 38)
+            ink, named = pens[name], style.label(locale.text(numbered_title(results, name)), 38)
             lowest = _numbers(one.lower_bound_g)
             axes.plot(frequency, lowest, ink.dash, color=ink.colour, linewidth=ink.width, label=named)
         least = _numbers(critical.lower_bound_g)
-        axes.plot(frequency, least, color=INK, linewidth=3.0, alpha=0.25, label=locale.text(say("least of all")))
+        axes.plot(frequency, least, color=style.INK, linewidth=3.0, alpha=0.25, label=locale.text(say("least of all")))
         every = [one for _, one in mapped]
         _frame_envelope(axes, frequency, _highest_frequency(every), min(one.amplitude_g[-1] for one in every), locale)
         axes.set_ylabel(locale.heading(say("least pulse that overturns"), "ground acceleration"))
@@ -233,11 +223,11 @@ def draw_envelope_bounds(results: Results, locale: Locale) -> Figure:
         band.set_ylabel(locale.text(say("critical")), rotation=0, ha="right", va="center")
         band.set_xlabel(locale.heading(PULSE, "frequency"))
         band.grid(visible=False)
-        legend_below(figure, columns=3, axes=axes)
+        style.legend_below(figure, columns=3, axes=axes)
         return figure
 
 
-def _draw_critical_band(axes: Axes, part: CriticalBand, ink: Pen, number: str, span: tuple[float, float]) -> None:
+def _draw_critical_band(axes: Axes, part: CriticalBand, ink: style.Pen, number: str, span: tuple[float, float]) -> None:
     """Draw the range of frequencies over which a mechanism is critical, numbered where there is room."""
     axes.axvspan(part.from_hz, part.to_hz, facecolor=ink.colour, edgecolor="white", linewidth=0.4)
     if part.to_hz - part.from_hz > WIDE_BAND * (span[1] - span[0]):
@@ -258,7 +248,7 @@ def _frame_envelope(axes: Axes, frequency: FloatArray, reach: float, top: float,
     axes.set_ylim(0.0, top)
     if frequency[-1] / frequency[0] > 2.0 and np.ptp(np.diff(frequency)) > 1e-6 * frequency[-1]:
         axes.set_xscale("log")
-        number_by_decades(axes.xaxis, locale)
+        style.number_by_decades(axes.xaxis, locale)
 
 
 def _numbers(values: Sequence[float | None]) -> FloatArray:

@@ -29,11 +29,9 @@ from matplotlib.ticker import Formatter, LogFormatter, LogLocator, NullLocator, 
 from numpy.typing import ArrayLike
 
 from assess.results import Results
-from reports.joints import group_variants
-from reports.language.lettering import character_code, truncate, truncate_middle, visible
-from reports.language.locale import Locale
+from reports.language.locale import UNITS, Locale, Unit, character_code, truncate, truncate_middle, visible
 from reports.language.texts import Text
-from reports.language.units import UNITS, Unit
+from reports.mechanisms import group_variants
 from spectra.arrays import FloatArray
 
 WIDTH = 6.7  # of the text on the page [in]

@@ -5,19 +5,28 @@
 
 from __future__ import annotations
 
+import re
+import unicodedata
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
-from functools import singledispatchmethod
-from math import isfinite
+from functools import cache, singledispatchmethod
+from gettext import GNUTranslations, NullTranslations
+from io import BytesIO
+from math import isfinite, pi
+from pathlib import Path
+from typing import Literal
+
+from scipy.constants import foot, g, giga, inch, kilo, lbf, mega, mile, milli, pound, psi
 
 from assess.messages.message import Message, Quantity
 from assess.messages.texts import TEXTS
-from reports.language.catalogue import ENGLISH, decimal_point, read_catalogue
 from reports.language.texts import Kind, Listing, Paragraph, Phrase, Reference, Term, Text, Verbatim
-from reports.language.units import UNIT_WORDS, UNITS, System, Unit
 
 _NARROW = "\u00a0"  # between a number and its unit and within units, so that no line breaks there
 FIGURES = 4
+System = Literal["SI", "US"]
+ENGLISH = "en"
+FOLDER = Path(__file__).parent / "catalogues"
 
 
 @dataclass(frozen=True)
@@ -168,3 +177,164 @@ def decimals(value: float, *, figures: int) -> int | None:
 def _with_decimal_sign(text: str, *, aligned: bool, point: str) -> str:
     shorter = text if aligned or "." not in text else text.rstrip("0").rstrip(".")
     return shorter.replace("-", "−").replace(".", point)
+
+
+KIP = kilo * lbf
+
+
+@dataclass(frozen=True)
+class Unit:
+    """A unit. size : of one of them in the SI unit of its dimension."""
+
+    name: str
+    size: float = 1.0
+
+
+@dataclass(frozen=True)
+class DimensionUnits:
+    """The units of one dimension in one system: that of tables, and those of single numbers, the smallest first."""
+
+    table: Unit
+    single: tuple[Unit, ...]
+
+    def of(self, value: float) -> Unit:
+        """Return the unit of a single number: the largest of which there is at least one."""
+        return next((unit for unit in reversed(self.single) if abs(value) >= unit.size), self.single[0])
+
+
+def _one(name: str, size: float = 1.0) -> DimensionUnits:
+    return DimensionUnits(Unit(name, size), (Unit(name, size),))
+
+
+def _several(table: str, **sizes: float) -> DimensionUnits:
+    units = tuple(Unit(name.replace("_", " "), size) for name, size in sizes.items())
+    return DimensionUnits(next(unit for unit in units if unit.name == table), units)
+
+
+_PER_METRE = DimensionUnits(
+    Unit("GPa/m", giga), (Unit("Pa/m"), Unit("kPa/m", kilo), Unit("MPa/m", mega), Unit("GPa/m", giga))
+)
+_SI: Mapping[str, DimensionUnits] = {
+    "ratio": _one(""),
+    "percent": _one("%"),
+    "length": _one("m"),
+    "short length": _one("mm", milli),
+    "distance": _one("km", kilo),
+    "area": _one("m²"),
+    "volume": _one("m³"),
+    "time": _one("s"),
+    "velocity": _one("m/s"),
+    "acceleration": _one("m/s²"),
+    "ground acceleration": _one("g"),
+    "frequency": _one("Hz"),
+    "rotation": _one("rad"),
+    "angle": _one("°", pi / 180.0),
+    "angular frequency": _one("1/s"),
+    "mass": _several("kg", kg=1.0, t=kilo),
+    "inertia": _several("kg m²", **{"kg m²": 1.0, "t m²": kilo}),
+    "first moment": _several("kg m", **{"kg m": 1.0, "t m": kilo}),
+    "density": _one("kg/m³"),
+    "weight density": _one("kN/m³", kilo),
+    "area density": _one("kg/m²"),
+    "force": _several("kN", N=1.0, kN=kilo, MN=mega),
+    "moment": _several("kN m", N_m=1.0, kN_m=kilo, MN_m=mega),
+    "energy": _several("kJ", J=1.0, kJ=kilo, MJ=mega),
+    "stress": _several("MPa", Pa=1.0, kPa=kilo, MPa=mega, GPa=giga),
+    "stiffness": _PER_METRE,
+    "rotational stiffness": _several("kN m/rad", **{"N m/rad": 1.0, "kN m/rad": kilo, "MN m/rad": mega}),
+    "return period": _one("years"),
+    "annual rate": _one("1/year"),
+}
+_US: Mapping[str, DimensionUnits] = {
+    "length": _one("ft", foot),
+    "short length": _one("in", inch),
+    "distance": _one("mi", mile),
+    "area": _one("ft²", foot**2),
+    "volume": _one("ft³", foot**3),
+    "velocity": _one("ft/s", foot),
+    "acceleration": _one("g", g),
+    "mass": _one("lb", pound),
+    "inertia": _one("lb ft²", pound * foot**2),
+    "first moment": _one("lb ft", pound * foot),
+    "density": _one("lb/ft³", pound / foot**3),
+    "weight density": _one("lbf/ft³", lbf / foot**3),
+    "area density": _one("lb/ft²", pound / foot**2),
+    "force": _one("kip", KIP),
+    "moment": _one("kip ft", KIP * foot),
+    "energy": _one("kip ft", KIP * foot),
+    "stress": _several("psi", psi=psi, ksi=kilo * psi),
+    "stiffness": _several("psi/in", **{"psi/in": psi / inch, "ksi/in": kilo * psi / inch}),
+    "rotational stiffness": _one("kip ft/rad", KIP * foot),
+}
+UNITS: Mapping[System, Mapping[str, DimensionUnits]] = {"SI": _SI, "US": {**_SI, **_US}}
+UNIT_WORDS = ("years", "1/year")
+"""Units that are words of a language."""
+
+
+def languages() -> tuple[str, ...]:
+    """Return the codes of all languages that a report can be written in, English first."""
+    return (ENGLISH, *sorted(path.stem for path in FOLDER.glob("*.po")))
+
+
+@cache
+def read_catalogue(language: str) -> NullTranslations:
+    """Return the entries of a language; raises ValueError where there is no file of it."""
+    if language not in languages():
+        raise ValueError(f'report.language: "{language}" has no catalogue; known are {", ".join(languages())}')
+    if language == ENGLISH:
+        return NullTranslations()
+    from babel.messages.mofile import write_mo
+    from babel.messages.pofile import read_po
+
+    compiled = BytesIO()
+    with (FOLDER / f"{language}.po").open("rb") as file:
+        write_mo(compiled, read_po(file, locale=language))
+    compiled.seek(0)
+    return GNUTranslations(compiled)
+
+
+@cache
+def decimal_point(language: str) -> str:
+    """Return the decimal sign of a language."""
+    if language == ENGLISH:
+        return "."
+    from babel.numbers import get_decimal_symbol
+
+    return get_decimal_symbol(language)
+
+
+_HIDDEN = {"Cc", "Cf", "Cs", "Co", "Cn", "Zl", "Zp"}
+
+
+def visible(text: str) -> str:
+    """Return `text` on one line, with control, format and unassigned characters shown as their code: ⟨U+0007⟩."""
+    if text.isprintable():
+        return text
+    spaced = " ".join(text.split()) if any(mark in text for mark in "\n\r\t\v\f") else text
+    return "".join(character_code(mark) if unicodedata.category(mark) in _HIDDEN else mark for mark in spaced)
+
+
+def truncate(text: str, limit: int) -> str:
+    """Cut `text` to `limit` characters, with an ellipsis at the end."""
+    return text if len(text) <= limit else text[: limit - 1].rstrip() + "…"
+
+
+def truncate_middle(text: str, limit: int) -> str:
+    """Cut `text` in the middle to `limit` characters: names of components differ at their ends."""
+    kept = limit - 1
+    return text if len(text) <= limit else f"{text[: kept // 2].rstrip()}…{text[-(kept - kept // 2) :].lstrip()}"
+
+
+def character_code(mark: str) -> str:
+    """Return the code of a character in brackets: ⟨U+0007⟩."""
+    return f"⟨U+{ord(mark):04X}⟩"
+
+
+_INDEX_MARK = re.compile(r"(?<=[^\W\d_])_(?:\{([^{}]+)\}|([^\W_]+(?:,[^\W_]+)*))")
+_POWER_MARK = re.compile(r"\^(?:\{([^{}]+)\}|([-−]?[\w.]+))")
+
+
+def mark_up(escaped: str, *, index: tuple[str, str], power: tuple[str, str]) -> str:
+    """Put the given marks before and after each index and each power of an escaped formula."""
+    lowered = _INDEX_MARK.sub(lambda found: f"{index[0]}{found[1] or found[2]}{index[1]}", escaped)
+    return _POWER_MARK.sub(lambda found: f"{power[0]}{found[1] or found[2]}{power[1]}", lowered)

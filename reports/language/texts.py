@@ -95,7 +95,7 @@ def names(texts: Iterable[str], join: Literal["and", "or", ""] = "and") -> Listi
 
 
 def quantity(value: float, dimension: str = "ratio", figures: int = 4) -> Quantity:
-    """Return a number in SI with its dimension, a key of `reports.language.units.UNITS`, and significant figures."""
+    """Return a number in SI with its dimension, a key of `reports.language.locale.UNITS`, and significant figures."""
     return Quantity(value, dimension, figures)
 
 

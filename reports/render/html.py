@@ -40,7 +40,7 @@ from reports.document import (
     Table,
     WritingBox,
 )
-from reports.language.lettering import mark_up, truncate, visible
+from reports.language.locale import mark_up, truncate, visible
 from reports.language.texts import Kind, Phrase, Text, say
 from reports.render.table_text import (
     CONTENTS,

@@ -46,22 +46,24 @@ from reports.document import (
     WritingBox,
 )
 from reports.figures.style import GRID, printable
-from reports.language.lettering import truncate
-from reports.language.locale import Locale
+from reports.language.locale import Locale, truncate
 from reports.language.texts import Verbatim, count, say
-from reports.render.pdf_blocks import BlockFlowables, PagedTable, PlacedFigure, photograph
-from reports.render.table_text import CONTENTS, program_and_stamp
-from reports.render.typeset import (
+from reports.render.pdf_blocks import (
     BARE,
     REGULAR,
     STYLES,
+    BlockFlowables,
+    PagedTable,
+    PlacedFigure,
     cut_to_width,
     markup,
     paragraph,
+    photograph,
     register_fonts,
     set_letters,
     width_of,
 )
+from reports.render.table_text import CONTENTS, program_and_stamp
 from reports.render.vector import TracedFigures, document_processes, trace_figures
 
 rl_config.useA85 = 0  # streams as bytes, not as letters: four fifths of the size, and sooner written

@@ -16,8 +16,7 @@ from xlsxwriter.worksheet import Worksheet
 
 from reports.document import Cell, Column, Document, Link, OutcomeCell, Sheet, Table
 from reports.figures.style import BANNER, FAIL, INK, MUTED, PASS
-from reports.language.lettering import truncate, visible
-from reports.language.locale import Locale, decimals, numeral
+from reports.language.locale import Locale, decimals, numeral, truncate, visible
 from reports.language.texts import Kind, say
 from reports.render.table_text import NOTHING, PlainCell, is_numeric, plain_cell, program_and_stamp, sheet_as_table
 from spectra.formulas import is_formula

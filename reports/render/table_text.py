@@ -2,17 +2,20 @@
 
 from __future__ import annotations
 
+import csv
+import io
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from pathlib import Path
 from typing import TypeGuard
 
 from assess.codes.calculation_sheet import INPUT_FIGURES, RESULT_FIGURES, Step, substitute, values_text, write_plain
 from assess.messages.message import Quantity
 from reports.document import Banner, Cell, Column, Document, Link, OutcomeCell, Sheet, Table
-from reports.language.locale import Locale
+from reports.language.locale import UNITS, Locale, visible
 from reports.language.texts import Text, Verbatim, say
-from reports.language.units import UNITS
+from spectra.formulas import harmless_cell
 
 PlainCell = str | float | int | bool | None
 NOTHING = "—"
@@ -255,3 +258,42 @@ def program_and_stamp(document: Document) -> Text:
     if not document.stamp:
         return program
     return say("{program}, stamp {stamp}", program=program, stamp=Verbatim(document.stamp))
+
+
+def write_csv(document: Document, folder: Path) -> tuple[Path, ...]:
+    """Write every table and calculation sheet into `folder` as name.csv (UTF-8); the paths written.
+
+    The last column is the stamp of the results: a row that is copied elsewhere takes it along. Numbers have a decimal
+    point in every language.
+    """
+    locale = document.writer
+    everything = (*document.tables, *(sheet_as_table(sheet, locale) for sheet in document.sheets))
+    return tuple(_write(table, folder, locale, stamp=document.stamp) for table in everything)
+
+
+def csv_field(cell: PlainCell) -> str:
+    """Return a cell as CSV text: numbers to full precision, text that looks like a formula behind an apostrophe."""
+    if cell is None:
+        return ""
+    if isinstance(cell, bool):
+        return "true" if cell else "false"
+    if isinstance(cell, int | float):
+        return repr(float(cell)) if isinstance(cell, float) else repr(cell)
+    return harmless_cell(cell, shown=visible(cell))
+
+
+def csv_lines(rows: Iterable[Iterable[PlainCell]]) -> str:
+    """Return rows, the header first, as the text of a CSV file; every cell goes through `csv_field`."""
+    stream = io.StringIO()
+    csv.writer(stream, lineterminator="\n").writerows([csv_field(cell) for cell in row] for row in rows)
+    return stream.getvalue()
+
+
+def _write(table: Table, folder: Path, locale: Locale, *, stamp: str) -> Path:
+    path = folder / f"{table.name}.csv"
+    last = [stamp] if stamp else []
+    head = [locale.heading(column.label, column.dimension) for column in table.columns]
+    rows = ([plain_cell(*each, locale) for each in zip(row, table.columns, strict=True)] for row in table.rows)
+    named = [*head, *([locale.text(STAMP)] if stamp else [])]
+    path.write_text(csv_lines([named, *([*row, *last] for row in rows)]), encoding="utf-8", newline="")
+    return path

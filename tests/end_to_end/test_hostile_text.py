@@ -15,8 +15,8 @@ from PIL import Image
 from pypdf import PdfReader
 
 from reports.figures.style import printable
-from reports.language.lettering import visible
-from reports.render.csv import csv_field
+from reports.language.locale import visible
+from reports.render.table_text import csv_field
 from tests.support.command import ended
 from tests.support.files import write_file
 from tests.support.motions import write_noise

@@ -9,8 +9,7 @@ from string import Formatter
 
 import pytest
 
-from reports.language.catalogue import ENGLISH, decimal_point, languages
-from reports.language.locale import Locale
+from reports.language.locale import ENGLISH, Locale, decimal_point, languages
 from reports.language.texts import quantity, say, say_count
 from tests.languages.fixed_terms import fixed_terms
 from tools.catalogue import Entry, catalogue_of, english_entries, is_symbolic, is_translated

@@ -29,7 +29,7 @@ class Listener(Locale):
     unknown: set[str] = field(default_factory=set)
 
     def word(self, english: str) -> str:
-        from reports.language.catalogue import read_catalogue
+        from reports.language.locale import read_catalogue
 
         known = read_catalogue(self.language)._catalog  # type: ignore[attr-defined]
         if not {english, (english, 0)} & known.keys() and not is_symbolic(english):

@@ -19,8 +19,7 @@ from reports import governing
 from reports.assessment import assessment
 from reports.chapters.declaration import WITHIN_ROUNDING
 from reports.document import Column, Document, Figure, Table
-from reports.language.locale import Locale
-from reports.language.units import UNITS
+from reports.language.locale import UNITS, Locale
 from reports.render.table_text import cell_text
 from tests.support.written_numbers import read_number
 

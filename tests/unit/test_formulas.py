@@ -19,15 +19,15 @@ from records.reading import read_records
 from records.record import Earthquake, StationSite, make_record
 from reports.document import NOTHING, Column, Document, Section, Table
 from reports.language.texts import Verbatim
-from reports.render.csv import csv_lines
 from reports.render.spreadsheet import write_xlsx
+from reports.render.table_text import csv_lines
 from spectra.formulas import SIGNS, is_formula, mark_formulas, unmark_formulas
 from tests.support.command import ended
 from tests.support.places import SOURCES
 from tests.support.projects import ASCE7, published, tables_toml
 
 WRITERS = {  # `csv_lines` and `table_text` escape every cell, `write_xlsx` writes text as text, quoted
-    r"csv\.(writer|DictWriter)|to_csv|savetxt": {"reports/render/csv.py", "assess/risk/exports.py"},
+    r"csv\.(writer|DictWriter)|to_csv|savetxt": {"reports/render/table_text.py", "assess/risk/exports.py"},
     r"xlsxwriter|openpyxl|to_excel": {"reports/render/spreadsheet.py"},
 }
 HOSTILE = "=cmd|'/c calc'!A1"

@@ -28,7 +28,7 @@ from records.pulses import primary_pulses
 from records.record import make_record
 from records.scaling import band
 from records.selection import SuiteCriteria, event_groups, select
-from reports.render.typeset import formula
+from reports.render.pdf_blocks import formula
 from spectra.asce7 import design_spectrum
 from tests.support.projects import published, tables_toml
 from tests.support.solids import refine_mesh

@@ -67,7 +67,7 @@ def watched(project: Path, folder: Path) -> Stopwatch:
     watch.begin("results.json")
     (folder / "results.json").write_text(dumps(results), encoding="utf-8")
     watch.begin("imports of the report")
-    from reports.writing import write_all
+    from reports.assessment import write_all
 
     watch.begin("document")
     write_all(results, folder, progress=watch.begin)

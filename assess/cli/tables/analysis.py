@@ -37,7 +37,7 @@ from assess.results.fragility import (
     StateResult,
 )
 from assess.results.run import UncertainAnswer, UncertaintyResult
-from reports.render.csv import csv_lines
+from reports.render.table_text import csv_lines
 
 EXIT_CODES = {Decision.PASS: 0, Decision.FAIL: 1, Decision.INCOMPLETE: 3}
 """Exit codes of `assess run`."""

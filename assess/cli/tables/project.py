@@ -26,7 +26,7 @@ from assess.results import (
     OscillatorResult,
 )
 from assess.study.study import Sweep, UnvariedNumber, Variable
-from reports.render.csv import csv_lines
+from reports.render.table_text import csv_lines
 
 MOST_CANDIDATES = 8  # candidates on a line
 LINE_WIDTH = 100  # characters of a line

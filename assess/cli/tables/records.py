@@ -16,18 +16,31 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.constants import g
 
-from assess.cli.tables import text_table
+from assess.cli.tables import messages_text, text_table
 from assess.errors import AssessError
 from assess.messages.message import escape_text
+from assess.project.suites import ScaledSuite
+from assess.results import RecordResult
+from assess.results.json import dumps_suite
+from assess.results.provenance import origin
 from records.candidates import DAMPING, PERIODS
 from records.reading import read_with_overrides
 from records.record import Record, is_vertical
 from records.response import Measures, measures, response_spectrum
+from reports.chapters.suite import event_name, requirements_table, selection_sentences
+from reports.document import Cell, Column
+from reports.figures.spectrum import draw_beside_target
+from reports.figures.style import WIDTH
+from reports.language.locale import Locale
+from reports.language.texts import Verbatim
+from reports.render.table_text import cell_text, csv_lines
+from reports.render.vector import write_figure
 
 if TYPE_CHECKING:
     from records.catalogue import IndexSummary
     from records.flatfile import FlatfileMatch
     from records.formats.header import HeaderOverrides
+
 
 SPECTRUM_PERIODS = np.concatenate(([0.0], np.geomspace(0.01, 10.0, 160)))  # s, of the spectra, as in results.json
 RECORD_HEADER = (
@@ -58,7 +71,7 @@ def records_table(records: Sequence[Record]) -> str:
 
 def records_csv(records: Sequence[Record]) -> str:
     """Write everything but the spectra at full precision, under the JSON names."""
-    from reports.render.csv import csv_lines
+    from reports.render.table_text import csv_lines
 
     rows = [_flat(_properties(record)) for record in records]
     return csv_lines([rows[0], *(row.values() for row in rows)])
@@ -195,7 +208,7 @@ def spectra_table(spectra: Spectra) -> str:
 
 def spectra_csv(spectra: Spectra) -> str:
     """Write a line for each period and a column for each record at full precision."""
-    from reports.render.csv import csv_lines
+    from reports.render.table_text import csv_lines
 
     header = ["period [s]", *(f"{name} [m/s2]" for name in spectra.names)]
     columns = zip(PERIODS.tolist(), spectra.ordinates.T.tolist(), strict=True)
@@ -253,3 +266,62 @@ def _flatfile_json(merged: FlatfileMatch | None) -> dict[str, object] | None:
     bad = [asdict(cell) for cell in merged.bad]
     counts = {"matched": merged.matched, "unmatched": merged.unmatched, "records": merged.records}
     return {**counts, "bad_cells": bad, "warning": None if merged.warning is None else merged.warning.text}
+
+
+SUITE_HEADER = ("record", "event", "NGA", "M", "comp.", "misfit", "factor", "PGA [g]")
+
+
+def suite_table(suite: ScaledSuite) -> str:
+    """Write the records as in thesis Table 8.8, how they were selected, and the code rules of the suite."""
+    motion = suite.motion
+    steps = () if motion.selection is None else motion.selection.remaining
+    left = "; ".join(f"{one.number} {one.step}" for one in steps)
+    written = "\n".join([*map(Locale().text, selection_sentences(motion)), *([f"Candidates: {left}."] if left else [])])
+    requirements = [_requirement_row(row) for row in requirements_table(motion).rows]
+    columns = ("requirement", "clause", "code", "found", "limit", "periods", "met")
+    return (
+        "\n".join(
+            (
+                text_table(SUITE_HEADER, [_record_row(record) for record in suite.records]),
+                f"{written}\n",
+                text_table(columns, requirements),
+                messages_text(suite.messages),
+            )
+        ).rstrip("\n")
+        + "\n"
+    )
+
+
+def suite_csv(suite: ScaledSuite) -> str:
+    """Write the records at full precision, under their names of results.json."""
+    names = (
+        "id", "path", "event", "date", "station", "component", "nga", "magnitude", "distance_km", "vs30_m_per_s",
+        "dt_s", "npts", "mse", "scale_factor", "pga_g",
+    )  # fmt: skip
+    return csv_lines([names, *([getattr(record, name) for name in names] for record in suite.records)])
+
+
+def suite_json(suite: ScaledSuite) -> str:
+    """Write `records` and `ground_motion` of results.json."""
+    return dumps_suite(suite.records, suite.motion)
+
+
+def draw_suite(suite: ScaledSuite, path: Path) -> None:
+    """Draw target, records and their mean to `path`."""
+    write_figure(
+        draw_beside_target(suite.motion, suite.records, (), Locale(), width=WIDTH),
+        path,
+        creator=origin("records select", suite_json(suite)),
+    )
+
+
+def _record_row(record: RecordResult) -> list[str]:
+    known = ["-" if each is None else f"{each:g}" for each in (record.nga, record.magnitude)]
+    numbers = [f"{record.mse:.4f}", f"{record.scale_factor:.4g}", f"{record.pga_g:.4g}"]
+    return [record.id, event_name(record), *known, record.component, *numbers]
+
+
+def _requirement_row(row: tuple[Cell, ...]) -> list[str]:
+    """Return a requirement without its remark."""
+    code, clause, what, *found, _ = (cell_text(cell, Column(Verbatim("")), Locale()) for cell in row)
+    return [what, clause, code, *found]

@@ -15,7 +15,7 @@ from assess.codes.verdict import Answer, Decision, MechanismVerdict
 from assess.messages.message import count_noun, escape_text
 from assess.results import MechanismResult, OscillatorResult, Results
 from assess.results.diff import Difference, DifferenceKind, is_number
-from reports.render.csv import csv_lines
+from reports.render.table_text import csv_lines
 
 SEVERITY = (Decision.PASS, Decision.INCOMPLETE, Decision.FAIL)
 NO_VERDICT = "no verdict"

@@ -12,12 +12,11 @@ from scipy.stats import norm
 
 from assess.messages.message import note
 from assess.results.fragility import FragilityResults, LognormalResult, MechanismFragility
-from reports.assessment import fragility_report
+from reports.assessment import fragility_report, write_document
 from reports.chapters import fragility, fragility_tables
 from reports.document import Document, Figure, Table
 from reports.intensity_measures import main_curve, main_risk, measure_text
 from reports.language.locale import Locale
-from reports.writing import write_document
 from tests.languages.test_reports import Listener, texts_in
 from tests.support.document_numbers import is_known, misread, numbers_of, shown_numbers
 from tests.support.fragility_results import (

@@ -10,7 +10,7 @@ import pytest
 from openpyxl import load_workbook
 
 from assess.portfolio.tasks import ProjectRow
-from reports.language.catalogue import languages
+from reports.language.locale import languages
 from reports.portfolio import FILES, write_ranking
 
 HOSTILE = ('=HYPERLINK("http://x")', "<script>alert(1)</script>", "@SUM(A1)", "a\nb", "x" * 500)

@@ -11,8 +11,7 @@ import pytest
 from pypdf import PdfReader
 
 from assess.results import Results
-from reports.assessment import assessment
-from reports.writing import write_all
+from reports.assessment import assessment, write_all
 
 
 def digest(folder: Path) -> dict[str, str]:

@@ -13,9 +13,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from assess.risk.empirical import wilson_interval
+from assess.risk.estimates import Lognormal, wilson_interval
 from assess.risk.exports import ExportedCurve, ExportedState, nrml_text
-from assess.risk.lognormal import Lognormal
 
 PYTHON = os.environ.get("OPENQUAKE_PYTHON", "")
 PROGRAM = """

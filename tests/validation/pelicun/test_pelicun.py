@@ -13,8 +13,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from assess.risk.estimates import Lognormal
 from assess.risk.exports import ExportedCurve, ExportedState, pelicun_text
-from assess.risk.lognormal import Lognormal
 
 PYTHON = os.environ.get("PELICUN_PYTHON", "")
 DRAWS = 200_000

@@ -83,7 +83,7 @@ def faked(project: Path, monkeypatch: pytest.MonkeyPatch) -> Callable[..., None]
             return results
 
         monkeypatch.setattr("assess.study.run.run_study", run)
-        monkeypatch.setattr("reports.writing.write_all", small_report)
+        monkeypatch.setattr("reports.assessment.write_all", small_report)
 
     return fake
 
@@ -205,7 +205,7 @@ def test_failing_report_leaves_old_outputs(
     assert ended("run", project, "-o", tmp_path / "out") == 0
     before = {path.name: path.read_bytes() for path in (tmp_path / "out").iterdir()}
     faked(check(SPECTRUM, "fail", 2.0))
-    monkeypatch.setattr("reports.writing.write_all", failing_report)
+    monkeypatch.setattr("reports.assessment.write_all", failing_report)
     assert ended("run", project, "-o", tmp_path / "out") == 2
     assert {path.name: path.read_bytes() for path in (tmp_path / "out").iterdir()} == before
     assert sorted(path.name for path in tmp_path.iterdir()) == ["out", "walls.toml"]
@@ -258,7 +258,7 @@ def test_report_is_as_detailed_as_asked(project: Path, faked: Callable[..., None
 
     assert ended("run", project, "-o", out) == 0
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("reports.writing.write_all", write)
+        patch.setattr("reports.assessment.write_all", write)
         for option in ((), ("--detail", "main"), ("--detail", "full")):
             assert ended("report", out / "results.json", *option) == 0
     assert seen == [None, "main", "full"]

@@ -180,6 +180,6 @@ def test_edited_results_are_doubted_and_their_report_says_so(
         "them, so their numbers cannot be trusted; run the project again\n"
     )
     assert "their numbers cannot be trusted" in told.out
-    monkeypatch.setattr("reports.writing.write_all", lambda found, stage, **_: seen.append(found) or stage / "x")
+    monkeypatch.setattr("reports.assessment.write_all", lambda found, stage, **_: seen.append(found) or stage / "x")
     assert ended("report", here / "results.json") == 0
     assert [each.key for each in seen[0].warnings].count("results-changed") == 1

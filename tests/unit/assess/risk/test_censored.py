@@ -7,7 +7,7 @@ import pytest
 from scipy.optimize import minimize
 from scipy.stats import CensoredData, norm
 
-from assess.risk.lognormal import Lognormal, fit_first_exceedances
+from assess.risk.estimates import Lognormal, fit_first_exceedances
 
 
 def sample(seed, records=40):

@@ -7,9 +7,8 @@ import pytest
 from scipy.integrate import quad
 from scipy.stats import norm
 
-from assess.risk.empirical import EmpiricalCurve
+from assess.risk.estimates import EmpiricalCurve, Lognormal
 from assess.risk.hazard import HazardCurve, rate
-from assess.risk.lognormal import Lognormal
 
 RISING = EmpiricalCurve(np.array([0.1, 0.2, 0.35, 0.8]), np.array([0.0, 0.3, 0.4, 1.0]))
 FALLING = EmpiricalCurve(np.array([0.2, 0.3, 0.4, 0.6, 0.8]), np.array([0.1, 0.6, 0.2, 0.7, 0.9]))

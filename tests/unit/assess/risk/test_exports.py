@@ -10,9 +10,8 @@ import numpy as np
 import pytest
 from scipy.stats import lognorm
 
-from assess.risk.empirical import wilson_interval
+from assess.risk.estimates import Lognormal, wilson_interval
 from assess.risk.exports import ExportedCurve, ExportedState, csv_text, nrml_text, pelicun_text
-from assess.risk.lognormal import Lognormal
 
 NAME = '{http://openquake.org/xmlns/nrml/0.5}'  # fmt: skip
 HOSTILE = "=cmd|'/c calc'!A1 <wall> & \"6\"\x07"

@@ -6,9 +6,8 @@ import numpy as np
 import pytest
 
 from assess.errors import HazardError
-from assess.risk.empirical import EmpiricalCurve
+from assess.risk.estimates import EmpiricalCurve, Lognormal
 from assess.risk.hazard import HazardCurve, probability_of, rate
-from assess.risk.lognormal import Lognormal
 
 
 @pytest.mark.parametrize("rows", [2, 5, 60])

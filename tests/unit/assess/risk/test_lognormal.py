@@ -7,7 +7,7 @@ import pytest
 from scipy.optimize import minimize
 from scipy.stats import binom, lognorm
 
-from assess.risk.lognormal import Lognormal, UnboundedReason, fit_lognormal, fit_lognormals, unbounded_reason
+from assess.risk.estimates import Lognormal, UnboundedReason, fit_lognormal, fit_lognormals, unbounded_reason
 
 STRIPES = np.geomspace(0.05, 2.0, 12)
 TRUE = Lognormal(0.4, 0.45)

@@ -8,7 +8,7 @@ from scipy.optimize import minimize
 from scipy.special import expit, ndtr
 from scipy.stats import linregress
 
-from assess.risk.regression import cloud_probability, equivalent_lognormals, fit_clouds, trend
+from assess.risk.estimates import cloud_probability, equivalent_lognormals, fit_clouds, trend
 
 
 def records(seed, number=200, sigma=0.4):

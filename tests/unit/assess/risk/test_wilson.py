@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from scipy.stats import binom, binomtest
 
-from assess.risk.empirical import wilson_interval
+from assess.risk.estimates import wilson_interval
 
 
 @pytest.mark.parametrize(("reached", "records"), [(0, 1), (1, 1), (0, 7), (7, 7), (3, 10), (1, 200), (150, 200)])

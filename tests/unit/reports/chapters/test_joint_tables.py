@@ -12,13 +12,13 @@ from assess.project.build import build
 from assess.project.project_file import load
 from assess.results import HistoryResult, HistoryTrace, MechanismResult
 from assess.study.mechanism_results import parameters
-from reports import joints
 from reports.chapters import annex_sheets
 from reports.chapters.annex_sheets import parameters_table as table_of_parameters
 from reports.document import Figure, Prose, Sheet, Table
 from reports.figures import capacity
 from reports.language.locale import Locale
 from reports.language.texts import Verbatim, quantity
+from reports.mechanisms import joints_of_branch, peak_rotation, values_at
 from tests.support.letters import letters
 from tests.support.projects import block, project_toml, wall
 
@@ -59,9 +59,9 @@ def test_the_contact_at_the_peak_is_that_of_the_closed_form(mechanisms, rotation
     """Thesis 6.6: partial contact, elastic, a = sqrt(2 W / (k l phi)), stress k phi a, resultant a / 3."""
     a = sqrt(2 * W / (K * L * sin(abs(rotation))))
     mechanism = shaken(mechanisms["flexible"], rotation)
-    assert joints.peak_rotation(mechanism, mechanism.histories[0]) == abs(rotation)
-    (joint,) = joints.joints_of_branch(mechanism, mechanism.histories[0].branch)
-    stress, resultant, opened, crushed = joints.values_at(joint, abs(rotation))
+    assert peak_rotation(mechanism, mechanism.histories[0]) == abs(rotation)
+    (joint,) = joints_of_branch(mechanism, mechanism.histories[0].branch)
+    stress, resultant, opened, crushed = values_at(joint, abs(rotation))
     assert stress == pytest.approx(K * sin(abs(rotation)) * a, rel=1e-3)  # the curve is read between its points
     assert resultant == pytest.approx(a / 3, rel=1e-3)
     assert opened == pytest.approx(1 - a / B, rel=1e-3)
@@ -85,8 +85,8 @@ def test_a_history_counts_from_rest_and_a_joint_from_upright(mechanisms):
     rest = two.oscillator.equilibrium_rad
     assert rest < 0.0
     there, back = shaken(two, 0.02), shaken(two, -0.02)
-    assert joints.peak_rotation(there, there.histories[0]) == pytest.approx(0.02 + rest, rel=1e-12)
-    assert joints.peak_rotation(back, back.histories[0]) == pytest.approx(0.02 - rest, rel=1e-12)
+    assert peak_rotation(there, there.histories[0]) == pytest.approx(0.02 + rest, rel=1e-12)
+    assert peak_rotation(back, back.histories[0]) == pytest.approx(0.02 - rest, rel=1e-12)
 
 
 def test_the_table_has_every_hinge_and_its_thresholds(mechanisms):

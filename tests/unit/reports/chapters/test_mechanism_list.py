@@ -7,7 +7,7 @@ from dataclasses import replace
 import pytest
 
 from assess.results import Results
-from reports.titles import mechanism_list
+from reports.mechanisms import mechanism_list
 from tests.support.letters import letters
 
 

@@ -11,7 +11,8 @@ from assess.codes.verdict import Decision, Index
 from assess.messages.message import Message, Severity
 from assess.results import MechanismResult, ResolvedValue, Results
 from reports import governing
-from reports.chapters import mechanism_page, mechanism_verdict, verdict_texts
+from reports.chapters import mechanism_page, mechanism_verdict
+from reports.chapters.cells import required_increase
 from reports.document import Figure, FigureRow, OutcomeCell
 from reports.figures.key_plan import building_of
 from reports.language.locale import Locale
@@ -187,11 +188,11 @@ def test_a_failure_says_what_it_lacks(results: Results) -> None:
     one = results.verdict.mechanisms[1]
     answer = replace(one.answers[0], outcome=Decision.FAIL, ratio=3.0, index=Index("zeta_E", 0.4))
     failing = replace(one, outcome=Decision.FAIL, answers=(answer,), margin=0.5)
-    assert verdict_texts.required_increase(failing, replace(results.verdict, target=0.8)) == pytest.approx(2.0)
+    assert required_increase(failing, replace(results.verdict, target=0.8)) == pytest.approx(2.0)
     by_ratio = replace(failing, answers=(replace(answer, index=Index("D/C", 3.0)),))
-    assert verdict_texts.required_increase(by_ratio, results.verdict) == pytest.approx(2.0)  # 1 / margin
+    assert required_increase(by_ratio, results.verdict) == pytest.approx(2.0)  # 1 / margin
     unknown = replace(by_ratio, margin=None)
-    assert verdict_texts.required_increase(unknown, results.verdict) == pytest.approx(3.0)
+    assert required_increase(unknown, results.verdict) == pytest.approx(3.0)
 
 
 def test_the_clause_is_that_of_the_comparison(results: Results) -> None:

@@ -6,7 +6,8 @@ from dataclasses import replace
 
 from assess.codes.calculation_sheet import step
 from assess.results import LoadResult, ResolvedValue, Results
-from reports.chapters import verdict, verdict_texts
+from reports.chapters import verdict
+from reports.chapters.cells import factor_text, knowledge_text, mechanism_knowledge, stated_premises
 from tests.support.changed_results import with_project
 from tests.support.letters import letters, lines
 
@@ -28,22 +29,21 @@ def with_factors(results: Results, *factors: float | None) -> Results:
 
 def test_confidence_factors_are_told_by_mechanism(results: Results) -> None:
     assert (
-        letters(verdict_texts.knowledge_text(with_factors(results, 1.35, 1.35)))
-        == "confidence factor FC = 1.35 for all mechanisms"
+        letters(knowledge_text(with_factors(results, 1.35, 1.35))) == "confidence factor FC = 1.35 for all mechanisms"
     )
     assert (
-        letters(verdict_texts.knowledge_text(with_factors(results, 1.35, 1.2)))
+        letters(knowledge_text(with_factors(results, 1.35, 1.2)))
         == "confidence factor FC = 1.35 for M1, confidence factor FC = 1.2 for M2"
     )
-    assert verdict_texts.knowledge_text(with_factors(results, None, None)) is None
+    assert knowledge_text(with_factors(results, None, None)) is None
 
 
 def test_the_knowledge_level_stands_before_its_factor(results: Results) -> None:
     code = next(check.procedure.partition("-")[0] for check in results.mechanisms[0].checks)
     lowest = {f"procedures__{code}__knowledge_level": ResolvedValue("LC1", True)}
     made = with_project(with_factors(results, 1.35, 1.35), **lowest)
-    level, factor = verdict_texts.mechanism_knowledge(made, made.mechanisms[0]) or ("", 0.0)
-    assert letters(verdict_texts.factor_text(level, factor)) == "LC1, confidence factor FC = 1.35"
+    level, factor = mechanism_knowledge(made, made.mechanisms[0]) or ("", 0.0)
+    assert letters(factor_text(level, factor)) == "LC1, confidence factor FC = 1.35"
 
 
 def test_what_the_user_vouches_for_is_on_page_1(results: Results) -> None:
@@ -58,4 +58,4 @@ def test_what_the_user_vouches_for_is_on_page_1(results: Results) -> None:
 
 def test_sound_masonry_is_no_condition_where_no_code_asks_for_it(results: Results) -> None:
     sound = with_project(with_factors(results, None, None), **EXCLUDED)
-    assert not list(verdict_texts.stated_premises(sound))
+    assert not list(stated_premises(sound))

@@ -11,7 +11,7 @@ from assess.codes.check import NumericalSpread, Outcome, Reason, reason_message
 from assess.codes.verdict import Index
 from assess.results import Results
 from reports.chapters import comparison, recommendations, verdict
-from reports.chapters.verdict_texts import margin_text
+from reports.chapters.cells import margin_text
 from reports.document import OutcomeCell, Table
 from tests.support.changed_results import with_verdict
 from tests.support.letters import letters, rows

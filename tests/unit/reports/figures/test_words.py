@@ -10,11 +10,12 @@ from matplotlib.figure import Figure
 from matplotlib.text import Text
 
 from assess.results import Results
-from reports import governing, joints
+from reports import governing
 from reports.figures import capacity, comparison, key_plan, rocking, sensitivity, sketch, spectrum
 from reports.figures.key_plan import building_of
 from reports.language.locale import Locale
 from reports.language.texts import Verbatim, say
+from reports.mechanisms import deformable_joints
 from tests.support.drawn_figures import WORD, Bracketed, fixed_words
 
 
@@ -25,7 +26,7 @@ def every(results: Results) -> Iterator[Callable[[Locale], Figure]]:
         yield from (
             partial(draw, each) for draw in (sketch.draw_sketch, capacity.draw_capacity, comparison.draw_pga_rotation)
         )
-        if joints.deformable_joints(each):
+        if deformable_joints(each):
             yield from (partial(draw, each) for draw in (capacity.draw_contact, capacity.draw_moment_rotation))
         found = governing.governing_history(each)
         if found is not None:

@@ -7,9 +7,8 @@ from scipy.constants import foot, g, psi
 
 from assess.messages.message import UNITS as MESSAGE_UNITS
 from assess.messages.message import Message, Quantity, Severity, note
-from reports.language.locale import Locale
+from reports.language.locale import UNITS, Locale
 from reports.language.texts import Listing, Paragraph, Reference, Verbatim, count, quantity, say, say_count
-from reports.language.units import UNITS
 from tests.support.letters import letters
 
 SI, US, ITALIAN = Locale(), Locale("en", "US"), Locale("it")

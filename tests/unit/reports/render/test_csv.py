@@ -11,7 +11,7 @@ from scipy.constants import foot, kilo
 from reports.document import NOTHING, Cell, Column, Document, OutcomeCell, Section, Table
 from reports.language.locale import Locale
 from reports.language.texts import Text, Verbatim, quantity, say
-from reports.render.csv import csv_field, write_csv
+from reports.render.table_text import csv_field, write_csv
 from spectra.formulas import is_formula
 from tests.support.sample_document import HOSTILE, sample_document
 

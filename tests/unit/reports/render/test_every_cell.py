@@ -10,11 +10,17 @@ from lxml import html
 from openpyxl import load_workbook
 
 from reports.document import Table
-from reports.language.lettering import visible
-from reports.language.locale import Locale
-from reports.render.csv import csv_field, write_csv
+from reports.language.locale import Locale, visible
 from reports.render.spreadsheet import write_xlsx
-from reports.render.table_text import PlainCell, column_texts, plain_cell, sheet_as_table, sheet_rows
+from reports.render.table_text import (
+    PlainCell,
+    column_texts,
+    csv_field,
+    plain_cell,
+    sheet_as_table,
+    sheet_rows,
+    write_csv,
+)
 from tests.support.letters import without_spaces
 from tests.support.sample_document import sample_document
 from tests.support.sample_page import write_page

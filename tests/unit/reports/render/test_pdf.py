@@ -36,9 +36,8 @@ from reports.figures.style import BANNER, printable
 from reports.language.locale import Locale
 from reports.language.texts import Verbatim, quantity
 from reports.render.pdf import write_pdf
-from reports.render.pdf_blocks import INK_OF, TINT, column_widths
+from reports.render.pdf_blocks import BOLD, INK_OF, REGULAR, TINT, column_widths, register_fonts, width_of
 from reports.render.table_text import verdict_word
-from reports.render.typeset import BOLD, REGULAR, register_fonts, width_of
 from tests.support.letters import without_spaces
 from tests.support.sample_document import HOSTILE, sample_document
 

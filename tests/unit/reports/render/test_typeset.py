@@ -6,8 +6,8 @@ import pytest
 from hypothesis import given, strategies
 
 from reports.figures.style import printable
-from reports.language.lettering import truncate, visible
-from reports.render.typeset import paragraph, register_fonts
+from reports.language.locale import truncate, visible
+from reports.render.pdf_blocks import paragraph, register_fonts
 
 
 @pytest.mark.parametrize("text", ["<b>&", "<para>", "</font>", "a_<b>", "x^</sub>", "_", "^", "a_{", "a^{}", "%s {0}"])

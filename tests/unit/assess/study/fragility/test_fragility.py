@@ -16,7 +16,7 @@ from assess.dynamics.history import Jobs, make_solver
 from assess.errors import ProjectError
 from assess.results.fragility import FragilityCurve, FragilityResults, HazardResult, MechanismFragility, RiskResult
 from assess.results.json import dumps_fragility, loads_fragility
-from assess.risk.empirical import EmpiricalCurve
+from assess.risk.estimates import EmpiricalCurve
 from assess.study.fragility import run_fragility
 from assess.study.fragility_runs import measure
 from assess.study.study import FragilityQuestion, Study

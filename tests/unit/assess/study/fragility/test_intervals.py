@@ -8,8 +8,7 @@ from scipy.special import ndtr, ndtri
 from scipy.stats import t
 
 from assess.results.fragility import FIVE_PERCENT
-from assess.risk.empirical import event_counts, mirrored_draws, widened_quantiles
-from assess.risk.lognormal import fit_lognormals
+from assess.risk.estimates import event_counts, fit_lognormals, mirrored_draws, widened_quantiles
 from assess.study.fragility_curves import lognormal_result
 
 STRIPES = np.geomspace(0.1, 1.6, 15)

@@ -1,29 +1,16 @@
-"""A lognormal fragility curve and its fits by maximum likelihood: to counts at each intensity, and to first
-exceedances.
-
-Counts: a finite maximum of the likelihood exists where they overlap: neither do all that reach the state lie above all
-that do not, nor the other way round (Albert and Anderson 1984, Biometrika 71, 1-10; Silvapulle 1981).
-
-First exceedances: a record that is run at rising scales is known to reach the state first between two of them: above
-the last scale at which it had not reached it, at most at the first at which it does. One that stands at its largest
-scale is known to lie above it. The likelihood is that of a lognormal between the two bounds (Turnbull 1976, J. R.
-Stat. Soc. B 38, 290-295; Klein and Moeschberger 2003, section 3.5). As rocking is not monotone this bounds fragility
-from above: a record may stand again at a higher intensity.
-
-Sources: binomial likelihood of a lognormal, Baker 2015, "Efficient analytical fragility function fitting using dynamic
-structural analysis", Earthquake Spectra 31(1), eq. 8 to 11; moments of a lognormal, any textbook.
-"""
+"""Three estimates of fragility from histories: a lognormal curve, the share of records that reach a state, a cloud."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
 from typing import Literal
 
 import numpy as np
 from numpy.typing import ArrayLike
-from scipy.special import expit, log_expit, log_ndtr, ndtr, ndtri
+from scipy.special import expit, log_expit, log_ndtr, ndtr, ndtri, stdtrit
+from scipy.stats import t as student
 
 from assess.short_repr import ShortRepr
 from spectra.arrays import BoolArray, FloatArray, IntArray
@@ -378,3 +365,266 @@ def _select_draws(likelihood: Likelihood, rows: BoolArray) -> Likelihood:
 
 def _arrays(likelihood: Likelihood) -> tuple[FloatArray, FloatArray, FloatArray]:
     return likelihood.value, likelihood.gradient, likelihood.curvature
+
+
+@dataclass(frozen=True, repr=False)
+class EmpiricalCurve(ShortRepr):
+    """Shares of records at intensities, linear in the logarithm of intensity between them; they need not rise.
+
+    Below the first intensity and above the last its own share is held: nothing is known there.
+    intensity [n] positive, rising; share [n] [-]
+    """
+
+    intensity: FloatArray
+    share: FloatArray
+
+    def probability(self, intensity: ArrayLike) -> FloatArray:
+        """Return the share at each intensity, any shape [-]."""
+        at = np.asarray(intensity, dtype=np.float64)
+        with np.errstate(divide="ignore"):
+            return np.asarray(np.interp(np.log(at), np.log(self.intensity), self.share))
+
+    def convolve(self, dispersion: float) -> WidenedCurve:
+        """Return the mean of the curve over a lognormal factor of median 1 on the intensity.
+
+        Parameters
+        ----------
+        dispersion : standard deviation of the natural logarithm of the factor, positive [-]
+        """
+        return WidenedCurve(self, dispersion)
+
+
+@dataclass(frozen=True, repr=False)
+class WidenedCurve(ShortRepr):
+    """The mean of an empirical curve over a lognormal factor of median 1 on the intensity.
+
+    curve : of slopes s_j in u = ln IM; dispersion : beta, of the logarithm of the factor, positive [-]
+    """
+
+    curve: EmpiricalCurve
+    dispersion: float
+
+    def probability(self, intensity: ArrayLike) -> FloatArray:
+        """Return the probability that the state is reached at each positive intensity, any shape [-].
+
+        The curve is its first share and a ramp (s_j - s_(j-1)) max(u - u_j, 0) for each point. The mean of max(x, 0)
+        over a normal x of mean m and standard deviation beta is m Phi(m / beta) + beta phi(m / beta).
+        """
+        beta, u_j = self.dispersion, np.log(self.curve.intensity)
+        slopes = np.diff(self.curve.share) / np.diff(u_j)
+        d = (np.log(np.asarray(intensity, dtype=np.float64))[..., None] - u_j) / beta
+        ramps = beta * (d * ndtr(d) + np.exp(-0.5 * d**2) / np.sqrt(2.0 * np.pi))
+        return np.asarray(np.clip(self.curve.share[0] + ramps @ np.diff(slopes, prepend=0.0, append=0.0), 0.0, 1.0))
+
+
+def wilson_interval(
+    reached: ArrayLike, records: ArrayLike, *, confidence: float = 0.95
+) -> tuple[FloatArray, FloatArray]:
+    """Return the lower and upper bounds of the probability behind each share, each of the shape given.
+
+    Records count as independent: those of one earthquake are not, and their interval is then too narrow.
+
+    Parameters
+    ----------
+    reached : how many reach the state
+    records : how many there are, at least one
+    confidence : of the interval [-]
+    """
+    n = np.asarray(records, dtype=np.float64)
+    p = np.asarray(reached, dtype=np.float64) / n
+    z = float(ndtri(0.5 + 0.5 * confidence))
+    centre = (p + z**2 / (2.0 * n)) / (1.0 + z**2 / n)
+    half = z / (1.0 + z**2 / n) * np.sqrt(p * (1.0 - p) / n + z**2 / (4.0 * n**2))
+    low = np.where(p == 0.0, 0.0, np.clip(centre - half, 0.0, 1.0))
+    return low, np.where(p == 1.0, 1.0, np.clip(centre + half, 0.0, 1.0))
+
+
+LEAST_EVENTS = 3
+
+
+def event_counts(event: Sequence[str], *, seed: int, draws: int) -> FloatArray:
+    """Return how often each record is drawn when events are, with replacement [draws, records].
+
+    Parameters
+    ----------
+    event : earthquake of each record [records]
+    seed : of the random draws
+    draws : how many
+    """
+    _, index = np.unique(np.asarray(event, dtype=str), return_inverse=True)
+    events = int(index.max()) + 1
+    generator = np.random.Generator(np.random.PCG64(seed))
+    draws_of_event = generator.multinomial(events, np.full(events, 1.0 / events), size=draws)
+    return draws_of_event[:, index].astype(np.float64)
+
+
+def mirrored_draws(draws: FloatArray, estimate: float) -> FloatArray:
+    """Return e^2 / q of each draw q of a positive number: the basic interval is between the quantiles of these [draws].
+
+    Parameters
+    ----------
+    draws : of the number [draws]
+    estimate : of all records
+    """
+    return np.asarray(estimate**2 / draws)
+
+
+def widened_quantiles(draws: FloatArray, *, events: int, confidence: float = 0.95) -> FloatArray:
+    """Return the lower and the upper quantile of draws [2, ...], with tails made for few events.
+
+    The probability below the lower quantile is widened for few events (Hesterberg 2015, section 3.2).
+
+    Parameters
+    ----------
+    draws : of any number of values [draws, ...]
+    events : how many earthquakes are drawn, at least three
+    confidence : of the interval [-]
+    """
+    t = float(stdtrit(events - 1, 0.5 - 0.5 * confidence))
+    tail = float(ndtr(t * np.sqrt(events / (events - 1))))
+    return np.asarray(np.quantile(draws, [tail, 1.0 - tail], axis=0, method="weibull"))
+
+
+STEEP = 1e6  # slope of a logistic curve that stands for a step
+REACH = 7.0  # powers of e beyond the intensities of the records in which an equivalent curve is sought
+LEVELS = (0.16, 0.5, 0.84)
+BISECTIONS = 50
+LEAST = 3  # records, or groups, that a slope with its spread needs
+
+
+@dataclass(frozen=True, repr=False)
+class TrendSlope(ShortRepr):
+    """The slope of a straight line through points, with the two-sided p-value of a slope of zero; n : points."""
+
+    slope: float
+    p_value: float
+    n: int
+
+
+def equivalent_lognormals(
+    intensity: FloatArray, demand: FloatArray, counts: FloatArray, threshold: float
+) -> tuple[FloatArray, FloatArray]:
+    """Return medians and dispersions [draws] of the lognormals equivalent to clouds; nan where there is none.
+
+    They have the cloud's median and half its logarithmic range from 16 to 84 %; there is none where the cloud does not
+    pass through these within a factor exp(7) of the records.
+
+    Parameters
+    ----------
+    intensity : of each record, positive [records]
+    demand : largest rotation, or its ratio to the one that overturns: 0 where it does not rock, inf where it overturns
+        [records]
+    counts : how often each record is drawn [draws, records]
+    threshold : demand at which the state is reached; inf for overturning
+    """
+    return _equivalents(fit_clouds(intensity, demand, counts), np.log(intensity), threshold)
+
+
+def trend(residual: ArrayLike, on: ArrayLike, *, event: Sequence[str] | None = None) -> TrendSlope | None:
+    """Return the slope of residuals on a property; None with fewer than three points or events, or without spread.
+
+    With events the p-value is that of the cluster-robust variance (CR1) with Student's t of events less one degrees of
+    freedom: Cameron and Miller 2015, J. Human Resources 50(2), section II and VI. Without, of least squares.
+
+    Parameters
+    ----------
+    residual : of the logarithm of intensity [n]
+    on : magnitude, or the logarithm of distance or scale [n]
+    event : earthquake of each point, whose residuals go together [n]
+    """
+    y, x = (np.asarray(each, dtype=np.float64) for each in (residual, on))
+    groups = np.arange(x.size) if event is None else np.unique(np.asarray(event, dtype=str), return_inverse=True)[1]
+    number = int(groups.max(initial=-1)) + 1
+    centred = x - x.mean() if x.size else x
+    spread = float(centred @ centred)
+    if number < LEAST or spread <= 1e-24 * float(x @ x):
+        return None
+    slope = float(centred @ y) / spread
+    left = y - y.mean() - slope * centred
+    if event is None:
+        variance, freedom = float(left @ left) / (x.size - 2) / spread, x.size - 2
+    else:
+        scores = np.bincount(groups, weights=centred * left)
+        factor = number / (number - 1) * (x.size - 1) / (x.size - 2)
+        variance, freedom = factor * float(scores @ scores) / spread**2, number - 1
+    error = float(np.sqrt(variance))
+    return TrendSlope(slope, float(2.0 * student.sf(abs(slope) / error, freedom)) if error > 0.0 else 0.0, int(x.size))
+
+
+def fit_clouds(intensity: FloatArray, demand: FloatArray, counts: FloatArray) -> FloatArray:
+    """Return the clouds of draws [draws, 7]; nan where fewer than three records at two intensities rock on.
+
+    A row is intercept, slope and sigma of ln D = a + b ln IM + sigma N(0, 1) of those that rock and do not overturn,
+    then intercept and slope in ln IM of the logistic probability that a record which does not overturn it makes it
+    rock, and those of the probability that a record overturns it.
+
+    Parameters
+    ----------
+    intensity : as `equivalent_lognormals` takes it [records]
+    demand : as `equivalent_lognormals` takes it [records]
+    counts : how often each record is drawn [draws, records]
+    """
+    x, over = np.log(intensity), np.isinf(demand)
+    rocks = (demand > 0.0) & ~over
+    line = _lines(x[rocks], np.log(demand[rocks]), counts[:, rocks])
+    stood = counts[:, ~over]
+    return np.hstack([line, _logistic(x[~over], stood * rocks[~over], stood), _logistic(x, counts * over, counts)])
+
+
+def _lines(x: FloatArray, y: FloatArray, n: FloatArray) -> FloatArray:
+    """Return intercept, slope and standard deviation about the line of each draw [draws, 3]."""
+    total = n.sum(axis=1)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        x_0, y_0 = n @ x / total, n @ y / total
+        u, v = x - x_0[:, None], y - y_0[:, None]
+        s_xx = (n * u**2).sum(axis=1)
+        slope = (n * u * v).sum(axis=1) / np.where(s_xx > 0.0, s_xx, np.nan)
+        left = (n * (v - slope[:, None] * u) ** 2).sum(axis=1)
+        sigma = np.sqrt(left / np.where(total >= LEAST, total - 2.0, np.nan))
+    return np.stack([y_0 - slope * x_0, slope, sigma], axis=1)
+
+
+def _logistic(x: FloatArray, reached: FloatArray, records: FloatArray) -> FloatArray:
+    """Return logistic curves [draws, 2]; a step half way where data are separated, a constant where all are alike."""
+    theta = fit_binomial(x, reached, records, link="logit")
+    (first, last), (first_not, last_not) = least_and_largest(x, reached > 0), least_and_largest(x, records > reached)
+    apart = ~counts_overlap(x, reached, records)
+    rises = first >= last_not
+    with np.errstate(invalid="ignore"):
+        middle = np.where(rises, 0.5 * (first + last_not), 0.5 * (last + first_not))
+        step = np.stack([np.where(rises, -STEEP, STEEP) * middle, np.where(rises, STEEP, -STEEP)], axis=1)
+    none, every = np.isinf(first), np.isinf(first_not)
+    theta = np.where(apart[:, None], step, theta)
+    theta = np.where(every[:, None], [np.inf, 0.0], theta)
+    return np.asarray(np.where(none[:, None], [-np.inf, 0.0], theta))
+
+
+def cloud_probability(row: FloatArray, u: FloatArray, threshold: float) -> FloatArray:
+    """Return the probabilities that the demand exceeds a threshold [draws, m].
+
+    Parameters
+    ----------
+    row : clouds, as `fit_clouds` returns them [draws, 7]
+    u : logarithms of intensity [draws, m], or [1, m] for all draws
+    threshold : in the demand's unit; inf for overturning
+    """
+    a, b, sigma, a_r, b_r, a_o, b_o = (each[:, None] for each in row.T)
+    overturns, rocks = expit(a_o + b_o * u), expit(a_r + b_r * u)
+    if np.isinf(threshold):
+        return np.asarray(overturns)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        exceeds = ndtr((a + b * u - np.log(threshold)) / sigma) if threshold > 0.0 else np.ones_like(u)
+    return np.asarray(overturns + (1.0 - overturns) * rocks * exceeds)
+
+
+def _equivalents(row: FloatArray, u: FloatArray, threshold: float) -> tuple[FloatArray, FloatArray]:
+    """Return medians and dispersions of the lognormals with the 16, 50 and 84 % of clouds [draws]."""
+    start = np.full((len(row), len(LEVELS)), u.min() - REACH)
+    low, high = start, np.full_like(start, u.max() + REACH)
+    inside = (cloud_probability(row, low, threshold) < LEVELS) & (cloud_probability(row, high, threshold) > LEVELS)
+    for _ in range(BISECTIONS):
+        middle = 0.5 * (low + high)
+        below = cloud_probability(row, middle, threshold) < LEVELS
+        low, high = np.where(below, middle, low), np.where(below, high, middle)
+    good = inside.all(axis=1) & (high[:, 2] > high[:, 0])
+    return np.where(good, np.exp(high[:, 1]), np.nan), np.where(good, 0.5 * (high[:, 2] - high[:, 0]), np.nan)

@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from math import hypot
+from typing import Any
 
 from assess.geometry.planar import PlanarBody, planar_body, planar_body_from_values
 from assess.geometry.solid import box
 from assess.interfaces.contact import JointLaw
 from assess.interfaces.section import rectangle
-from assess.loads.load import Force
+from assess.loads.load import Force, PointMass, Tie
 from assess.mechanisms.assembly import add_joints
 from assess.mechanisms.chain import Joint, RigidBlock
-from assess.mechanisms.mechanism import Mechanism
+from assess.mechanisms.mechanism import Mechanism, Sides
 from assess.mechanisms.single_block import single_block
 from assess.oscillator import Oscillator
 
@@ -55,6 +57,16 @@ def free_wall(thickness: float = 0.6, height: float = 6.0, *, base: float = 0.0)
     return single_block("wall", planar_box(thickness, height, base=base)).oscillator
 
 
+def body_at(mass: float, x: float, z: float, *, name: str = "b") -> PlanarBody:
+    """Return a body of a mass [kg] about (x, z), whose radius of gyration squared is 0.4 m2."""
+    return planar_body_from_values(mass=mass, centroid=(x, z), inertia=0.4 * mass, name=name)
+
+
+def pier(*loads: Force | PointMass | Tie, sides: Sides = "two") -> Mechanism:
+    """Return a wall of 0.8 x 5 m, 2 m long and of 1900 kg/m3, under loads."""
+    return single_block("w", planar_box(0.8, 5.0, length=2.0, density=1900.0), loads=loads, sides=sides)
+
+
 def wall_on_joints(
     thickness: float,
     height: float,
@@ -64,18 +76,47 @@ def wall_on_joints(
     density: float = 1800.0,
     model: str = "flexible",
     loads: Sequence[Force] = (),
+    sides: Sides = "two",
+    rises: tuple[float, float] = (0.0, 0.0),
     restitution: tuple[float | str, float | str],
 ) -> Mechanism:
-    """Return a wall [m] on a level joint over its whole base, which rocks to both sides about its edges."""
-    joints = (Joint((-1.0, 0.0), rectangle(thickness, length), law, model),)
-    rigid = rigid_wall(thickness, height, length=length, density=density, loads=loads)
-    return add_joints(rigid, joints, joints, restitution=restitution)
+    """Return a wall [m] on a joint over its whole base, which rocks about its edges.
+
+    Parameters
+    ----------
+    rises : elevation of the hinges ahead and behind, as on an inclined crack [m]; length : along the axis [m]
+    """
+    rigid = rigid_wall(
+        thickness,
+        height,
+        length=length,
+        density=density,
+        loads=loads,
+        sides=sides,
+        rises=rises,
+        restitution=restitution,
+    )
+    size, fall = hypot(thickness, rises[0] - rises[1]), rises[1] - rises[0]
+    ahead, behind = (
+        (Joint((-thickness / size, way * fall / size), rectangle(size, length), law, model),) for way in (1.0, -1.0)
+    )
+    return add_joints(rigid, ahead, behind, restitution=restitution)
 
 
 def rigid_wall(
-    thickness: float, height: float, *, length: float, density: float = 1800.0, loads: Sequence[Force] = ()
+    thickness: float,
+    height: float,
+    *,
+    length: float,
+    density: float = 1800.0,
+    loads: Sequence[Force] = (),
+    sides: Sides = "two",
+    rises: tuple[float, float] = (0.0, 0.0),
+    restitution: tuple[Any, Any] = (None, None),
 ) -> Mechanism:
     """Return the same wall on a rigid base."""
     body = body_of_block(rectangle_block(-thickness / 2, 0.0, thickness, height, length=length, density=density))
-    half = thickness / 2
-    return single_block("w", body, hinge=(half, 0.0), hinge_negative=(-half, 0.0), loads=loads)
+    hinges = {"hinge": (thickness / 2, rises[0]), "hinge_negative": (-thickness / 2, rises[1])}
+    if sides == "one":
+        hinges["hinge_negative"] = None
+    return single_block("w", body, **hinges, loads=loads, sides=sides, restitution=restitution)

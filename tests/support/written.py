@@ -29,3 +29,9 @@ def run(folder: Path, files: Mapping[str, str], *, owner: str = RESULTS, tell: T
     """Write the files into `folder` as a command does that is known to write them all."""
     with output_folder(folder, command="a test", owner=owner, expected=[*files], tell=tell) as stage:
         write(stage, files)
+
+
+def made_file(path: Path, content: str | bytes) -> Path:
+    """Return a file that is made with this content."""
+    path.write_bytes(content.encode() if isinstance(content, str) else content)
+    return path

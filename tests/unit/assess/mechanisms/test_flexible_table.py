@@ -17,10 +17,9 @@ from assess.interfaces.contact import JointLaw
 from assess.interfaces.section import rectangle
 from assess.loads.load import Force, PointMass, mirror_load
 from assess.mechanisms.assembly import add_joints
-from assess.mechanisms.chain import Joint, RigidBlock
+from assess.mechanisms.chain import Joint
 from assess.mechanisms.flexible_chain import FlexibleChain
 from assess.mechanisms.four_hinge import four_hinge
-from assess.mechanisms.single_block import single_block
 from assess.mechanisms.two_block import two_block
 from assess.oscillator import (
     block_at,
@@ -32,7 +31,7 @@ from assess.oscillator import (
     multiplier,
     restoring_moment,
 )
-from tests.support.bodies import body_of_block, rectangle_block
+from tests.support.bodies import body_of_block, rectangle_block, wall_on_joints
 
 B, H, L, RHO = 1.0, 6.0, 2.0, 1800.0
 block_of = partial(rectangle_block, length=L)
@@ -42,25 +41,15 @@ LAW = JointLaw(2e8, 1.5e6)
 THESIS = ("thesis", "thesis")
 
 
-def bed(way, depth, *, law=LAW, model="flexible", length=L):
-    return Joint((float(way), 0.0), rectangle(depth, length), law, model)
-
-
-def wall(*, law=LAW, model="flexible", loads=(), sides="two", size=1.0):
+def wall(*, law=LAW, size=1.0, **more):
     """A wall of 1 x 6 x 2 m, times `size`, on a level joint."""
-    b, h, l, m = (size * each for each in (B, H, L, size**2 * MASS))  # noqa: E741
-    ends = {"hinge": (b / 2, 0.0)} | ({"hinge_negative": (-b / 2, 0.0)} if sides == "two" else {})
-    rigid = single_block(
-        "w", body_of_block(RigidBlock(m, (0.0, h / 2), m * (b**2 + h**2) / 12)), sides=sides, loads=loads, **ends
-    )
-    joint = (bed(-1, b, law=law, model=model, length=l),)
-    return add_joints(rigid, joint, joint, restitution=THESIS)
+    return wall_on_joints(size * B, size * H, law, length=size * L, restitution=THESIS, **more)
 
 
 def chain_of(blocks, front, back, ways, *, over=0.0, depth, law=LAW, model="flexible"):
     """Level joints; over: a force down through the hinge at the top of a wall, whichever way it moves."""
     bodies = [body_of_block(each) for each in blocks]
-    joints = tuple(bed(way, depth, law=law, model=model) for way in ways)
+    joints = tuple(Joint((float(way), 0.0), rectangle(depth, L), law, model) for way in ways)
     if len(bodies) == 2:
         rigid = two_block("m", *bodies, hinges=front, hinges_negative=back)
         loads = (Force("overburden", (0.0, -over), front[2], 1),)
@@ -231,10 +220,7 @@ def test_rest_under_an_eccentric_load_by_hand(side, law):
 def test_rest_under_a_thrust_by_hand():
     T, z = 6e3, 4.0
     stiffness = LAW.stiffness * L * B**3 / 12
-
-    def over(phi):
-        return T * (B / 2 * sin(phi) + z * cos(phi)) + W * H / 2 * sin(phi) - stiffness * sin(phi) * cos(phi)
-
+    over = lambda phi: T * (B / 2 * sin(phi) + z * cos(phi)) + W * H / 2 * sin(phi) - stiffness * sin(phi) * cos(phi)  # noqa: E731
     found = wall(loads=(Force("thrust", (T, 0.0), (0.0, z)),)).oscillator
     assert found.equilibrium == pytest.approx(brentq(over, 0.0, 3e-3, xtol=1e-16), rel=1e-9)
 
@@ -250,16 +236,11 @@ def total(phi):
     down, e = u - float(flexible.rest[0]), 0.15 * np.sign(phi)
     z_G = -down + B / 2 * s + H / 2 * cos(phi)
     z_F = -down + (B / 2 - e) * s + 5.5 * cos(phi)
-    strain = quad(density, 0.0, B, args=(u, s), points=[min(max((u - v) / s, 0.0), B) for v in (0.0, 0.0075)],
+    k, crushed = LAW.stiffness, LAW.strength / LAW.stiffness
+    density = lambda v: L * k * (min(max(v, 0.0), crushed) ** 2 / 2 + crushed * max(v - crushed, 0.0))  # noqa: E731
+    strain = quad(lambda x: density(u - s * x), 0.0, B, points=[min(max((u - v) / s, 0.0), B) for v in (0.0, 0.0075)],
                   epsabs=1e-9, epsrel=1e-13)[0]  # fmt: skip
     return W * z_G + 5e4 * z_F + strain
-
-
-def density(x, u, s):
-    """Strain energy for a metre of depth [J/m]."""
-    v = u - s * x
-    k, f = LAW.stiffness, LAW.strength
-    return L * (k * v**2 / 2 if v < f / k else f * v - f**2 / (2 * k)) if v > 0.0 else 0.0
 
 
 def test_energy_of_both_branches_counts_from_the_eccentric_rest():
@@ -295,13 +276,17 @@ def test_branches_meet_at_the_eccentric_rest():
 
 def test_where_a_leaning_wall_overturns_counts_from_its_rest():
     """The moment of all falls to zero at phi_ov, that of weight and joints alone at phi_cr, each from the rest on."""
-    found, leaning = TIED.oscillator, brentq(pulled, 0.0, 2e-3, xtol=1e-16)
+    thrust = lambda phi: 1e3 * (B / 2 * sin(phi) + 4.0 * cos(phi))  # noqa: E731
+    leaning = brentq(lambda phi: excess(phi, F=5e4, at=(0.15, 5.5)) + thrust(phi), 0.0, 2e-3, xtol=1e-16)
+    found = TIED.oscillator
     assert found.equilibrium == pytest.approx(leaning, rel=1e-9)
     assert found.equilibrium_negative == -found.equilibrium
     chains = [FlexibleChain(chain, "m") for chain in (TIED.positive, TIED.negative)]
     for chain, side, rest in zip(chains, found.branches, (leaning, -leaning), strict=True):
+        works = lambda phi, by=chain: by.solve_equilibrium(np.array([phi])).work  # noqa: E731
         falls = [
-            brentq(lambda phi, at=what, by=chain: at(by, phi), 0.02, 0.3, xtol=1e-14) for what in (of_all, of_weight)
+            brentq(lambda phi, of=works: float(of(phi).restoring[0]), 0.02, 0.3, xtol=1e-14),
+            brentq(lambda phi, of=works: float(of(phi).weight[0]), 0.02, 0.3, xtol=1e-14),
         ]
         assert falls[0] != pytest.approx(falls[1], rel=1e-3)
         assert [side.overturning_flexible + rest, side.critical + rest] == pytest.approx(falls, rel=1e-7)
@@ -309,21 +294,6 @@ def test_where_a_leaning_wall_overturns_counts_from_its_rest():
 
 
 TIED = wall(loads=(Force("F", (0.0, -5e4), (0.15, 5.5)), Force("T", (1e3, 0.0), (0.0, 4.0))))
-
-
-def pulled(phi):
-    """What overturns the wall of TIED [N m], by hand."""
-    return excess(phi, F=5e4, at=(0.15, 5.5)) + 1e3 * (B / 2 * sin(phi) + 4.0 * cos(phi))
-
-
-def of_all(chain, phi):
-    """The restoring moment of a chain at a rotation [N m]."""
-    return float(chain.solve_equilibrium(np.array([phi])).work.restoring[0])
-
-
-def of_weight(chain, phi):
-    """The same without that of the forces."""
-    return float(chain.solve_equilibrium(np.array([phi])).work.weight[0])
 
 
 def test_mirrored_loads_change_the_branches():

@@ -8,7 +8,6 @@ from math import cos, sin
 import pytest
 from scipy.constants import g
 
-from assess.geometry.planar import planar_body_from_values
 from assess.loads.load import Force, PointMass, Tie
 from assess.mechanisms.four_hinge import four_hinge
 from assess.mechanisms.hinge_forces import hinge_forces
@@ -16,12 +15,9 @@ from assess.mechanisms.mechanism import Face, Mechanism
 from assess.mechanisms.single_block import single_block
 from assess.mechanisms.two_block import two_block
 from assess.oscillator import HingeForces
+from tests.support.bodies import body_at
 
 LEVEL, ROOF = Face(friction=0.6), Face(normal=(0.0, -1.0), friction=0.6)
-
-
-def body(mass: float, x: float, z: float):
-    return planar_body_from_values(mass=mass, centroid=(x, z), inertia=0.4 * mass, name="b")
 
 
 def forces(mechanism: Mechanism, *faces: Face) -> dict[str, HingeForces]:
@@ -30,19 +26,15 @@ def forces(mechanism: Mechanism, *faces: Face) -> dict[str, HingeForces]:
 
 def block(*loads, **more) -> Mechanism:
     """A block of 1000 kg, 0.8 m thick, 4 m high."""
-    return single_block("m", body(1000.0, 0.0, 2.0), hinge=(0.4, 0.0), hinge_negative=(-0.4, 0.0), loads=loads, **more)
-
-
-def wall(*loads) -> Mechanism:
-    """Two blocks of 1000 kg and 0.4 x 2 m on each other, held at the top."""
-    return two_block(
-        "m",
-        body(1000.0, 0.0, 1.0),
-        body(1000.0, 0.0, 3.0),
-        hinges=((0.2, 0.0), (-0.2, 2.0), (0.2, 4.0)),
-        sides="one",
-        loads=loads,
+    return single_block(
+        "m", body_at(1000.0, 0.0, 2.0), hinge=(0.4, 0.0), hinge_negative=(-0.4, 0.0), loads=loads, **more
     )
+
+
+def spanning(*loads) -> Mechanism:
+    """Two blocks of 1000 kg and 0.4 x 2 m on each other, held at the top."""
+    halves, hinges = (body_at(1000.0, 0.0, 1.0), body_at(1000.0, 0.0, 3.0)), ((0.2, 0.0), (-0.2, 2.0), (0.2, 4.0))
+    return two_block("m", *halves, hinges=hinges, sides="one", loads=loads)
 
 
 def test_a_block_needs_the_friction_of_its_own_slenderness() -> None:
@@ -85,7 +77,7 @@ def test_a_wall_held_at_the_top() -> None:
     Upper block about B: 2 H_C = 0.2 w + lambda w. Lower one about A: lambda w + 2 (lambda w - H_C) = 0.6 w.
     """
     w = 1000 * g
-    found = forces(wall(), LEVEL, LEVEL, ROOF)
+    found = forces(spanning(), LEVEL, LEVEL, ROOF)
     assert [found[name].horizontal / w for name in "ABC"] == pytest.approx([-0.5, -0.1, -0.3], rel=1e-12)
     assert [found[name].vertical / w for name in "ABC"] == pytest.approx([2.0, 1.0, 0.0], rel=1e-12)
     assert [found[name].required_friction for name in "ABC"] == [pytest.approx(0.25), pytest.approx(0.1), None]
@@ -96,7 +88,7 @@ def test_a_wall_held_at_the_top() -> None:
 def test_what_stands_on_the_top_of_a_wall_presses_there() -> None:
     """A load N at C adds N to V of A and B. Virtual work: it sinks with C as C does."""
     load, w = 5000.0, 1000 * g
-    found = forces(wall(Force("roof", (0.0, -load), (0.2, 4.0), 1)), LEVEL, LEVEL, ROOF)
+    found = forces(spanning(Force("roof", (0.0, -load), (0.2, 4.0), 1)), LEVEL, LEVEL, ROOF)
     assert [found[name].vertical for name in "ABC"] == pytest.approx([2 * w + load, w + load, -load], rel=1e-12)
     top = found["C"]
     assert top.starting.normal == pytest.approx(load, rel=1e-12)
@@ -106,8 +98,8 @@ def test_what_stands_on_the_top_of_a_wall_presses_there() -> None:
 
 def test_a_portal_of_light_posts_leans_on_them_along_their_diagonals() -> None:
     """A post without weight passes on a force along the line of its two hinges: |H| / V is its slenderness."""
-    posts, beam = body(1e-9, 0.2, 1.5), body(4000.0, 2.5, 3.2)
-    far = body(1e-9, 4.8, 1.5)
+    posts, beam = body_at(1e-9, 0.2, 1.5), body_at(4000.0, 2.5, 3.2)
+    far = body_at(1e-9, 4.8, 1.5)
     hinges = ((0.4, 0.0), (0.0, 3.0), (4.6, 3.0), (5.0, 0.0))
     found = forces(four_hinge("m", [posts, beam, far], hinges=hinges, sides="one"), *[LEVEL] * 4)
     assert [each.required_friction for each in found.values()] == pytest.approx([0.4 / 3.0] * 4, rel=1e-9)
@@ -117,7 +109,7 @@ def test_a_portal_of_light_posts_leans_on_them_along_their_diagonals() -> None:
 
 
 def test_a_chain_at_rest_is_taken_without_shear_and_with_its_normal_force() -> None:
-    for each in forces(wall(), LEVEL, LEVEL, ROOF).values():
+    for each in forces(spanning(), LEVEL, LEVEL, ROOF).values():
         assert (each.resting.shear, each.resting.normal) == (0.0, each.starting.normal)
 
 

@@ -16,10 +16,8 @@ T, H, LENGTH, RHO = 0.6, 4.0, 2.0, 1800.0
 M = RHO * T * H * LENGTH
 J = M * (T**2 + H**2) / 12.0
 HALF = T / 2.0
-
-
-def wall(*, thickness=T, height=H, foot=0.0):
-    return planar_box(thickness, height, base=foot, length=LENGTH, density=RHO)
+LONG = {"length": LENGTH, "density": RHO}
+WALL = planar_box(T, H, **LONG)
 
 
 def kept_by_hand(*masses):
@@ -39,7 +37,7 @@ def kept_by_hand(*masses):
 @pytest.mark.parametrize("x", [0.0, 0.2])
 def test_momentum_is_kept_where_a_load_moves(bearing, x):
     mass = PointMass("roof", 2000.0, (x, 3.8), bearing)
-    found = single_block("w", wall(), loads=(mass,))
+    found = single_block("w", WALL, loads=(mass,))
     assert found.restitution[0] == pytest.approx(kept_by_hand((2000.0, x, 3.8, bearing)), rel=1e-12)
     assert found.restitution[1] == pytest.approx(kept_by_hand((2000.0, -x, 3.8, bearing)), rel=1e-12)
     assert found.restitution_source.startswith("momentum kept over the mechanism")
@@ -49,24 +47,24 @@ def test_a_mass_that_does_not_bear_takes_part_in_the_impact():
     """Housner's value of the plain block knows nothing of it; it is printed beside."""
     mass = PointMass("roof", 0.35 * M, (0.0, 3.8), False)
     plain = 1.0 - 1.5 * sin(atan2(T, H)) ** 2
-    found = single_block("w", wall(), loads=(mass,))
+    found = single_block("w", WALL, loads=(mass,))
     assert found.restitution[0] == pytest.approx(kept_by_hand((0.35 * M, 0.0, 3.8, False)), rel=1e-12)
     assert found.restitution[0] > plain
     assert f'"thesis" would give {plain:.3f}' in found.restitution_source
-    asked = single_block("w", wall(), loads=(mass,), restitution=("thesis", "thesis"))
+    asked = single_block("w", WALL, loads=(mass,), restitution=("thesis", "thesis"))
     assert asked.restitution[0] == pytest.approx(plain, rel=1e-12)
     assert f'"momentum" would give {found.restitution[0]:.3f}' in asked.restitution_source
 
 
 def test_forces_alone_leave_the_rule_of_the_thesis():
     thrust = Force("thrust", (500.0, -2000.0), (0.0, 3.8))
-    found = single_block("w", wall(), loads=(thrust,))
-    assert found.restitution == single_block("w", wall()).restitution
+    found = single_block("w", WALL, loads=(thrust,))
+    assert found.restitution == single_block("w", WALL).restitution
     assert found.restitution_source == "Housner 1963, thesis eq. 3.44"
 
 
 def test_well_above_the_plain_block_is_told_with_the_reason():
-    stocky = wall(thickness=1.6)
+    stocky = planar_box(1.6, H, **LONG)
     plain = single_block("w", stocky)
     heavy = single_block("w", stocky, loads=(PointMass("bell", 20000.0, (0.0, 6.0), False),))
     assert heavy.restitution[0] > plain.restitution[0] + 0.03
@@ -78,7 +76,7 @@ def test_well_above_the_plain_block_is_told_with_the_reason():
 
 def test_what_slides_on_its_seat_passes_on_no_horizontal_momentum():
     """Both ends are printed where they differ: a bearing mass of the same weight, at the middle of a stocky block."""
-    stocky, m, z = wall(thickness=2.0), 30000.0, 4.0
+    stocky, m, z = planar_box(2.0, H, **LONG), 30000.0, 4.0
     block, half = RHO * 2.0 * H * LENGTH, 1.0
     inertia = block * (2.0**2 + H**2) / 12.0
     before = inertia + block * ((H / 2.0) ** 2 - half**2) - m * half**2
@@ -91,7 +89,7 @@ def test_what_slides_on_its_seat_passes_on_no_horizontal_momentum():
 def test_two_blocks_with_a_floor_are_not_refused():
     """3.46 about one base hinge would add energy to some; the default keeps momentum and prints 3.46 beside."""
     floor = PointMass("floor", 30000.0, (0.0, 2.4), True, 1)
-    found = two_block("w", wall(height=2.2), wall(height=1.8, foot=2.2), loads=(floor,))
+    found = two_block("w", planar_box(T, 2.2, **LONG), planar_box(T, 1.8, base=2.2, **LONG), loads=(floor,))
     assert 0.0 <= found.restitution[0] < 1.0
     assert found.restitution_source.startswith("momentum kept over the mechanism")
     assert '"thesis" would give' in found.restitution_source
@@ -99,7 +97,7 @@ def test_two_blocks_with_a_floor_are_not_refused():
 
 def test_no_default_is_refused():
     """Hinges that differ: the thesis' rule for two blocks may add energy; then momentum is kept instead."""
-    lower, upper = wall(height=2.2), wall(height=1.8, foot=2.2)
+    lower, upper = planar_box(T, 2.2, **LONG), planar_box(T, 1.8, base=2.2, **LONG)
     front, back = ((0.3, 0.0), (-0.1, 2.2), (0.3, 4.0)), ((0.1, 0.0), (0.3, 2.2), (-0.3, 4.0))
     found = two_block("w", lower, upper, hinges=front, hinges_negative=back)
     assert all(each >= 0.0 for each in found.restitution)
@@ -109,7 +107,7 @@ def test_no_default_is_refused():
 
 def test_a_squat_block_stops_and_everything_else_is_given():
     """1 - 3/2 sin^2 of a block five times as wide as high is negative."""
-    squat = wall(thickness=20.0)
+    squat = planar_box(20.0, H, **LONG)
     signed = 1.0 - 1.5 * sin(atan2(20.0, H)) ** 2
     found = single_block("w", squat)
     assert signed < 0.0
@@ -125,29 +123,29 @@ def test_a_squat_block_stops_and_everything_else_is_given():
 
 def test_one_branch_that_stops_is_enough():
     """The impulse law of two hinges is the same both ways; a number given for one leaves the other to the law."""
-    found = single_block("w", wall(thickness=20.0), restitution=(0.2, None))
+    found = single_block("w", planar_box(20.0, H, **LONG), restitution=(0.2, None))
     assert found.restitution == (0.2, 0.0)
     assert found.stopped is not None
 
 
 def test_the_rebound_of_a_one_sided_block_has_a_range():
-    found = single_block("w", wall(), sides="one")
+    found = single_block("w", WALL, sides="one")
     assert found.rebounds == (1.0, 0.5, 1.5)
     assert "the worst of 0.5, 1 and 1.5 times it" in found.restitution_source
-    assert single_block("w", wall(), sides="one", restitution=(0.3, 0.3)).rebounds == (1.0,)
-    assert single_block("w", wall()).rebounds == (1.0,)
+    assert single_block("w", WALL, sides="one", restitution=(0.3, 0.3)).rebounds == (1.0,)
+    assert single_block("w", WALL).rebounds == (1.0,)
 
 
 def test_where_the_formula_gives_no_rebound_there_is_none():
     """3.45 is positive for a block wider than high: cos^2 alpha falls below I / (2 M R^2)."""
-    found = single_block("w", wall(thickness=8.0), sides="one")
+    found = single_block("w", planar_box(8.0, H, **LONG), sides="one")
     assert found.restitution == (0.0, 0.0)
     assert found.rebounds == (1.0,)
     assert any("no rebound" in text for text in map(str, found.warnings))
 
 
 def test_a_chain_to_one_side_does_not_rebound():
-    found = two_block("w", wall(height=2.2), wall(height=1.8, foot=2.2), sides="one")
+    found = two_block("w", planar_box(T, 2.2, **LONG), planar_box(T, 1.8, base=2.2, **LONG), sides="one")
     assert found.restitution == (0.0, 0.0)
     assert found.stopped is None
     assert any("no formula is published" in text for text in map(str, found.warnings))
@@ -155,9 +153,9 @@ def test_a_chain_to_one_side_does_not_rebound():
 
 def test_a_given_restitution_that_takes_more_energy_than_the_rule_is_warned_of():
     """For a slender wall momentum keeps 1 - 3/2 sin^2 alpha; a number well below it flatters every history."""
-    by_rule = single_block("w", wall()).restitution[0]
-    low = single_block("w", wall(), restitution=(by_rule - 0.05, by_rule - 0.05))
+    by_rule = single_block("w", WALL).restitution[0]
+    low = single_block("w", WALL, restitution=(by_rule - 0.05, by_rule - 0.05))
     assert any("takes more energy" in text for text in map(str, low.warnings))
-    near = single_block("w", wall(), restitution=(by_rule - 0.02, by_rule - 0.02))
+    near = single_block("w", WALL, restitution=(by_rule - 0.02, by_rule - 0.02))
     assert not any("takes more energy" in text for text in map(str, near.warnings))
-    assert not single_block("w", wall(), sides="one", restitution=(0.1, 0.1)).warnings
+    assert not single_block("w", WALL, sides="one", restitution=(0.1, 0.1)).warnings

@@ -24,6 +24,7 @@ from assess.oscillator import linear_multiplier, multiplier
 from assess.study.joint_results import interface_curves
 from assess.study.mechanism_results import rigid_branches
 from records.record import Record
+from tests.support.bodies import wall_on_joints
 
 B, H, L, RHO = 1.0, 6.0, 2.0, 1800.0
 MASS = B * H * L * RHO
@@ -31,16 +32,8 @@ W = MASS * g
 STIFF, SOFT = JointLaw(2e8, 1.5e6), JointLaw(4.3e6, float("inf"))
 
 
-def wall(*, law=STIFF, loads=(), sides="two", model="flexible", ways=(0.0, 0.0), choice="momentum"):
-    """A wall of 1 x 6 x 2 m on a joint; ways: elevation of the hinges ahead and behind [m], as on an inclined crack."""
-    inertia = MASS * (B**2 + H**2) / 12
-    ends = {"hinge": (B / 2, ways[0])} | ({"hinge_negative": (-B / 2, ways[1])} if sides == "two" else {})
-    body = planar_body_from_values(mass=MASS, centroid=(0.0, H / 2), inertia=inertia, name="b")
-    rigid = single_block("w", body, sides=sides, loads=loads, restitution=(choice, choice), **ends)
-    size = sqrt(B**2 + (ways[0] - ways[1]) ** 2)
-    along = np.array([-B, ways[1] - ways[0]]) / size, np.array([-B, ways[0] - ways[1]]) / size
-    joints = [(Joint(tuple(way), rectangle(size, L), law, model),) for way in along]
-    return add_joints(rigid, *joints, restitution=(choice, choice))
+def wall(*, law=STIFF, choice="momentum", **more):
+    return wall_on_joints(B, H, law, length=L, restitution=(choice, choice), **more)
 
 
 def test_a_force_that_takes_half_of_the_resistance_still_has_a_table_up_to_phi_cr():
@@ -56,7 +49,7 @@ def test_a_force_that_takes_half_of_the_resistance_still_has_a_table_up_to_phi_c
 @pytest.mark.parametrize("model", ["flexible", "semi-flexible"])
 def test_an_impact_between_unlike_hinges_keeps_its_share_of_energy(model):
     """Of the energy as much is left as momentum keeps between the edges, whatever inertia the branches begin with."""
-    found = wall(model=model, ways=(0.3, -0.3), law=JointLaw(2e8, float("inf")))  # a_SF = 0: hinges at the edges
+    found = wall(model=model, rises=(0.3, -0.3), law=JointLaw(2e8, float("inf")))  # a_SF = 0: hinges at the edges
     x, z, J = B / 2, H / 2, MASS * (B**2 + H**2) / 12
     ahead, behind = J + MASS * (x**2 + (z - 0.3) ** 2), J + MASS * (x**2 + (z + 0.3) ** 2)
     between = J + MASS * (-(x**2) + (z - 0.3) * (z + 0.3))
@@ -70,7 +63,7 @@ def test_an_impact_between_unlike_hinges_keeps_its_share_of_energy(model):
 
 
 def test_a_given_coefficient_stays_what_it_is():
-    assert wall(ways=(0.3, -0.3), choice=0.9).restitution == (0.9, 0.9)
+    assert wall(rises=(0.3, -0.3), choice=0.9).restitution == (0.9, 0.9)
 
 
 def test_what_resists_does_not_drop_where_a_wall_just_leans_on_its_support():

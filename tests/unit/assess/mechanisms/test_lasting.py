@@ -24,10 +24,9 @@ from assess.mechanisms.assembly import add_joints
 from assess.mechanisms.chain import Joint
 from assess.mechanisms.mechanism import height_of_highest_tie, limits, open_seats
 from assess.mechanisms.oscillators import collapse_branch
-from assess.mechanisms.single_block import single_block
 from assess.mechanisms.two_block import two_block
 from assess.oscillator import interpolant, restoring_moment
-from tests.support.bodies import planar_box
+from tests.support.bodies import pier, planar_box
 
 T, L, H, RHO = 0.8, 2.0, 5.0, 1900.0
 M = RHO * T * L * H
@@ -39,25 +38,17 @@ INWARD = Tie("tie", 3000.0, TOP, direction=(-1.0, 0.0))
 VOUCHED = replace(INWARD, until="collapse", strength=9000.0, length=8.0, fracture_strain=0.2, evidence="tests 2024")
 
 
-def wall(*loads, sides="two"):
-    return single_block("w", WALL, loads=loads, sides=sides)
-
-
-def found(*loads, sides="two"):
-    return wall(*loads, sides=sides).variants
-
-
 def d0(rocker):
     return displacement_at_collapse(rocker.positive, mass=rocker.mass)
 
 
 def on_joint(stiffness, *loads, strength=inf):
     joint = (Joint((-1.0, 0.0), rectangle(T, L), JointLaw(stiffness, strength), "flexible"),)
-    return add_joints(wall(*loads), joint, joint, restitution=("thesis", "thesis"))
+    return add_joints(pier(*loads), joint, joint, restitution=("thesis", "thesis"))
 
 
 def test_a_thrust_beside_a_tie_of_its_size_collapses_as_the_thrust_alone():
-    both, alone, none = found(THRUST, INWARD), found(THRUST), found()
+    both, alone, none = pier(THRUST, INWARD).variants, pier(THRUST).variants, pier().variants
     assert d0(both.starting) == pytest.approx(d0(none.starting), rel=1e-12)
     assert d0(both.collapse) == d0(alone.collapse) == d0(alone.starting)
     np.testing.assert_array_equal(both.collapse.positive.restoring, alone.starting.positive.restoring)
@@ -68,18 +59,18 @@ def test_a_thrust_beside_a_tie_of_its_size_collapses_as_the_thrust_alone():
 @pytest.mark.parametrize("until", [None, 0.05, 5.0])
 def test_a_tie_of_three_percent_of_the_weight_never_moves_d0(until):
     tie = replace(INWARD, pull=0.03 * M * g, until=until)
-    assert d0(found(tie).collapse) == d0(found().collapse)
-    assert d0(found(tie).starting) > 1.05 * d0(found().starting)
+    assert d0(pier(tie).variants.collapse) == d0(pier().variants.collapse)
+    assert d0(pier(tie).variants.starting) > 1.05 * d0(pier().variants.starting)
 
 
 def test_a_tie_that_is_vouched_for_moves_d0_by_the_closed_form():
     """M g R sin(alpha - phi) + S h cos(phi) = 0; d0 is the way of the centroid, e* being 1."""
     phi = brentq(lambda p: M * g * R * sin(ALPHA - p) + 3000.0 * 4.5 * cos(p), 0.0, 1.0, xtol=1e-15)
-    ways = found(VOUCHED)
+    ways = pier(VOUCHED).variants
     assert ways.collapse is ways.starting is ways.breaking
     assert ways.collapse.positive.overturning == pytest.approx(phi, rel=1e-12)
     assert d0(ways.collapse) == pytest.approx(R * (sin(ALPHA) - sin(ALPHA - phi)), rel=1e-9)
-    assert d0(ways.collapse) > d0(found().collapse)
+    assert d0(ways.collapse) > d0(pier().variants.collapse)
 
 
 @pytest.mark.parametrize("key", ["until", "strength", "length", "fracture_strain", "evidence"])
@@ -88,79 +79,84 @@ def test_a_tie_that_lacks_one_of_its_proofs_does_not_last(key):
     assert lasts(VOUCHED)
     assert not lasts(lacking)
     assert lacking.missing == ("source" if key == "evidence" else key,)
-    assert d0(found(lacking).collapse) == d0(found().collapse)
+    assert d0(pier(lacking).variants.collapse) == d0(pier().variants.collapse)
 
 
 def test_a_tie_never_pulls_with_more_than_its_strength():
     weak = replace(VOUCHED, strength=1200.0)
-    plain, held = found().starting.positive.restoring[0], found(weak).starting.positive.restoring[0]
+    plain, held = pier().variants.starting.positive.restoring[0], pier(weak).variants.starting.positive.restoring[0]
     assert held - plain == pytest.approx(1200.0 * 4.5, rel=1e-12)
 
 
 def test_the_moment_drops_by_that_of_the_tie_where_its_point_has_moved_so_far():
     """A point h above the hinge moves by 2 h sin(phi / 2)."""
     tie = replace(INWARD, until=0.1)
-    ways, at = found(tie), 2 * asin(0.1 / (2 * 4.5))
+    ways, at = pier(tie).variants, 2 * asin(0.1 / (2 * 4.5))
     side = ways.breaking.positive
     jump = int(np.flatnonzero(np.diff(side.rotation) == 0.0)[0])
     assert side.rotation[jump] == pytest.approx(at, rel=1e-12)
     assert side.restoring[jump] - side.restoring[jump + 1] == pytest.approx(3000.0 * 4.5 * cos(at), rel=1e-11)
     np.testing.assert_allclose(side.restoring[jump + 1 :], M * g * R * np.sin(ALPHA - side.rotation[jump + 1 :]),
                                rtol=1e-10, atol=1e-9 * M * g)  # fmt: skip
-    (limit,) = limits(wall(tie))
+    (limit,) = limits(pier(tie))
     assert (limit.kind, limit.what, limit.branch, limit.rotation) == ("break", "tie", "positive", side.rotation[jump])
-    assert d0(ways.collapse) == d0(found().collapse)
+    assert d0(ways.collapse) == d0(pier().variants.collapse)
 
 
 def test_a_tie_breaks_where_it_has_lengthened_by_its_fracture_strain():
     """Level, it lengthens by h sin(phi): 0.225 m at 0.05 rad. It is no part of the curve of collapse then."""
     brittle = replace(VOUCHED, length=4.5 * sin(0.05) / 0.1, fracture_strain=0.1)
-    side = found(brittle).breaking.positive
+    side = pier(brittle).variants.breaking.positive
     assert side.rotation[np.flatnonzero(np.diff(side.rotation) == 0.0)] == pytest.approx([0.05], rel=1e-12)
-    np.testing.assert_array_equal(found(brittle).collapse.positive.restoring, found().starting.positive.restoring)
-    assert [limit.rotation for limit in limits(wall(brittle))] == pytest.approx([0.05], rel=1e-12)
+    np.testing.assert_array_equal(
+        pier(brittle).variants.collapse.positive.restoring, pier().variants.starting.positive.restoring
+    )
+    assert [limit.rotation for limit in limits(pier(brittle))] == pytest.approx([0.05], rel=1e-12)
 
 
 def test_towards_an_anchor_it_lengthens_as_the_distance_does():
     anchor, elongation = (-3.0, 4.0), 0.12
     tie = replace(VOUCHED, direction=None, anchor=anchor, length=elongation / 0.05, fracture_strain=0.05)
-
-    def length(phi):
-        return hypot(anchor[0] - (0.4 + 4.5 * sin(phi)), anchor[1] - 4.5 * cos(phi))
-
+    length = lambda phi: hypot(anchor[0] - (0.4 + 4.5 * sin(phi)), anchor[1] - 4.5 * cos(phi))  # noqa: E731
     at = brentq(lambda phi: length(phi) - length(0.0) - elongation, 0.0, 0.3, xtol=1e-15)
-    assert [limit.rotation for limit in limits(wall(tie))] == pytest.approx([at], rel=1e-11)
+    assert [limit.rotation for limit in limits(pier(tie))] == pytest.approx([at], rel=1e-11)
 
 
 def test_a_tie_that_breaks_as_the_wall_would_fall_without_it_ends_the_curve_there():
     """Beyond the block's own overturning only the tie holds: the curve of collapse ends where it breaks."""
     at = 1.02 * ALPHA
     tie = replace(VOUCHED, pull=9000.0, length=4.5 * sin(at) / 0.1, fracture_strain=0.1)
-    ways = found(tie)
+    ways = pier(tie).variants
     assert ways.collapse.positive.overturning == pytest.approx(at, rel=1e-12)
     assert ways.starting.positive.overturning > 1.05 * at
     assert ways.collapse.positive.restoring[0] == ways.starting.positive.restoring[0]
 
 
 def test_without_ties_and_resisting_forces_the_three_are_one_object():
-    for ways in (found(), found(PointMass("floor", 900.0, (0.2, 4.0), True)), found(THRUST, sides="one")):
+    for ways in (
+        pier().variants,
+        pier(PointMass("floor", 900.0, (0.2, 4.0), True)).variants,
+        pier(THRUST, sides="one").variants,
+    ):
         assert ways.starting is ways.breaking is ways.collapse
 
 
 def test_a_force_that_resists_and_is_not_shown_to_last_leaves_and_a_weight_that_stays_does_not():
     weight = Force("beam", (0.0, -5000.0), (-0.1, 5.0))
     stays = replace(weight, until="collapse", evidence="a weight, which stays")
-    kept = found(stays)
+    kept = pier(stays).variants
     assert kept.collapse is kept.starting
-    assert found(weight).collapse.positive.restoring[0] == found().starting.positive.restoring[0]
-    assert d0(found(weight).collapse) < d0(found().collapse)  # it drives once it has passed over the hinge
+    assert pier(weight).variants.collapse.positive.restoring[0] == pier().variants.starting.positive.restoring[0]
+    assert d0(pier(weight).variants.collapse) < d0(
+        pier().variants.collapse
+    )  # it drives once it has passed over the hinge
 
 
 def test_a_force_acts_where_it_drives_and_not_where_it_resists():
     """A load h above and in front of the hinge drives down from the start; behind it, only once it has passed over."""
     behind = Force("beam", (0.0, -9000.0), (0.1, 4.0))
     over = atan2(0.3, 4.0)  # where it stands over hinge A
-    side, plain = found(behind).collapse.positive, found().collapse.positive
+    side, plain = pier(behind).variants.collapse.positive, pier().variants.collapse.positive
     rotation = np.linspace(0.0, side.overturning, 41)
     moment = 9000.0 * hypot(0.3, 4.0) * np.sin(rotation - over)
     expected = restoring_moment(plain, rotation) - np.maximum(moment, 0.0)
@@ -170,18 +166,18 @@ def test_a_force_acts_where_it_drives_and_not_where_it_resists():
 
 def test_a_mechanism_that_stands_by_such_a_tie_alone_has_no_curve_of_collapse():
     heavy, holding = Force("thrust", (30000.0, 0.0), TOP), replace(INWARD, pull=20000.0)
-    ways = found(heavy, holding)
+    ways = pier(heavy, holding).variants
     assert (ways.breaking, ways.collapse, ways.depends_on) == (None, None, ("tie",))
     assert ways.deciding is ways.starting
-    assert limits(wall(heavy, holding)) == ()
-    breaking = found(heavy, replace(holding, until=0.1))
+    assert limits(pier(heavy, holding)) == ()
+    breaking = pier(heavy, replace(holding, until=0.1)).variants
     assert breaking.breaking is not None
     assert breaking.collapse is None
 
 
 def test_what_rests_on_a_seat_that_is_not_given_moves_with_its_own_point():
     held = PointMass("held", 900.0, TOP, True, seat=0.12)
-    found = {each.branch: each for each in open_seats(wall(PointMass("floor", 900.0, TOP, True), held))}
+    found = {each.branch: each for each in open_seats(pier(PointMass("floor", 900.0, TOP, True), held))}
     assert {each.what for each in found.values()} == {"floor"}
     positive, negative = found["positive"], found["negative"]
     assert positive.travel == pytest.approx(4.5 * np.sin(positive.rotation), abs=1e-12)
@@ -192,7 +188,7 @@ def test_what_rests_on_a_seat_that_is_not_given_moves_with_its_own_point():
 def test_seats_are_lost_where_the_point_has_moved_sideways_by_them():
     floor = PointMass("floor", 900.0, TOP, True, seat=0.12)
     loose = PointMass("pushes", 900.0, TOP, False, seat=0.12)
-    seats = {(limit.kind, limit.branch): limit.rotation for limit in limits(wall(floor, loose))}
+    seats = {(limit.kind, limit.branch): limit.rotation for limit in limits(pier(floor, loose))}
     assert seats["seat", "positive"] == pytest.approx(asin(0.12 / 4.5), rel=1e-12)
     r, start = hypot(0.8, 4.5), atan2(0.8, 4.5)  # about the other hinge
     assert seats["seat", "negative"] == pytest.approx(start - asin(sin(start) - 0.12 / r), rel=1e-11)
@@ -208,14 +204,14 @@ CASES = [
 
 @pytest.mark.parametrize("loads", CASES)
 def test_the_mirror_image_has_the_branches_of_the_other_side(loads):
-    one, two = found(*loads), found(*(mirror_load(load) for load in loads))
+    one, two = pier(*loads).variants, pier(*(mirror_load(load) for load in loads)).variants
     for name in ("starting", "breaking", "collapse"):
         a, b = getattr(one, name), getattr(two, name)
         for here, there in ((a.positive, b.negative), (a.negative, b.positive)):
             np.testing.assert_allclose(here.rotation, there.rotation, rtol=1e-12)
             np.testing.assert_allclose(here.restoring, there.restoring, rtol=0.0, atol=1e-9 * M * g)
-    ends = {(each.what, each.branch): each.rotation for each in limits(wall(*loads))}
-    other = {(each.what, each.branch): each.rotation for each in limits(wall(*(mirror_load(load) for load in loads)))}
+    ends = {(each.what, each.branch): each.rotation for each in limits(pier(*loads))}
+    other = {(each.what, each.branch): each.rotation for each in limits(pier(*(mirror_load(load) for load in loads)))}
     assert {(what, {"positive": "negative", "negative": "positive"}[branch]) for what, branch in ends} == set(other)
 
 
@@ -234,10 +230,10 @@ def ties(draw):
 def test_more_ties_never_worsen_any_of_the_three(added):
     """One after the other."""
     loads = [Force("thrust", (2000.0, -500.0), (0.0, 4.0))]
-    before = found(*loads)
+    before = pier(*loads).variants
     for number, tie in enumerate(added):
         loads.append(replace(tie, name=f"tie {number}"))
-        now = found(*loads)
+        now = pier(*loads).variants
         for name in ("starting", "breaking", "collapse"):
             was, side = getattr(before, name).positive, getattr(now, name).positive
             rotation = np.linspace(0.0, was.overturning, 301)[1:-1]
@@ -271,7 +267,7 @@ def test_a_wall_of_two_blocks_with_a_tie_that_breaks():
 
 def test_on_stiff_joints_the_variants_tend_to_the_rigid_ones():
     loads = (THRUST, replace(INWARD, pull=6000.0, until=0.15), Force("beam", (0.0, -4000.0), (-0.1, 5.0)))
-    rigid, distance = wall(*loads).variants, []
+    rigid, distance = pier(*loads).variants, []
     for stiffness in (1e10, 1e11, 1e12):
         soft = on_joint(stiffness, *loads).variants
         shares = [
@@ -309,24 +305,24 @@ def test_a_weight_that_crushes_the_joint_does_not_leave_to_make_the_wall_stand_l
 def test_one_chain_alone_has_the_same_curve_of_collapse():
     brittle = replace(VOUCHED, length=2.0, fracture_strain=0.1)
     for loads in ((THRUST, INWARD), (THRUST, VOUCHED), (brittle,)):
-        mechanism = wall(*loads)
+        mechanism = pier(*loads)
         side = collapse_branch(on_joint(1e9, *loads).positive, name="w")
         np.testing.assert_array_equal(side.restoring, mechanism.variants.collapse.positive.restoring)
     with pytest.raises(FallingError):
-        collapse_branch(wall(Force("thrust", (30000.0, 0.0), TOP), replace(INWARD, pull=20000.0)).positive, name="w")
+        collapse_branch(pier(Force("thrust", (30000.0, 0.0), TOP), replace(INWARD, pull=20000.0)).positive, name="w")
 
 
 def test_the_highest_tie_that_lasts_holds_the_wall():
     low, slack = replace(VOUCHED, name="low", at=(0.4, 2.0)), replace(VOUCHED, name="slack", direction=(-1.0, 0.0))
-    assert height_of_highest_tie(wall(low)) == 2.0
-    assert height_of_highest_tie(wall(low, slack)) == 4.5
-    assert height_of_highest_tie(wall(INWARD, THRUST)) == 0.0
-    assert height_of_highest_tie(wall(replace(low, until=0.1, length=None))) == 2.0
+    assert height_of_highest_tie(pier(low)) == 2.0
+    assert height_of_highest_tie(pier(low, slack)) == 4.5
+    assert height_of_highest_tie(pier(INWARD, THRUST)) == 0.0
+    assert height_of_highest_tie(pier(replace(low, until=0.1, length=None))) == 2.0
 
 
 def test_work_up_to_overturning_is_that_of_weights_and_tie_before_and_after_the_break():
     tie = replace(INWARD, pull=8000.0, until=0.2)
-    side, at = found(tie).breaking.positive, 2 * asin(0.2 / (2 * 4.5))
+    side, at = pier(tie).variants.breaking.positive, 2 * asin(0.2 / (2 * 4.5))
     expected = M * g * (R - H / 2) + 8000.0 * 4.5 * sin(at)
     spline = interpolant(side.rotation, side.restoring)
     assert float(spline.integrate(0.0, ALPHA)) == pytest.approx(expected, rel=1e-10)

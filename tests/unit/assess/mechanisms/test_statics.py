@@ -13,16 +13,13 @@ from assess.mechanisms.hinge_forces import hinge_compressions
 
 COLUMN, BEAM = RigidBlock(6400.0, (0.4, 2.0), 9000.0), RigidBlock(6440.0, (2.3, 4.35), 11000.0)
 FAR = RigidBlock(6400.0, (4.2, 2.0), 9000.0)
+BLOCKS = (COLUMN, BEAM, FAR)
 HINGES = ((0.8, 0.0), (0.0, 4.0), (3.8, 4.0), (4.6, 0.0))
 BACK = ((0.0, 0.0), (0.8, 4.0), (4.6, 4.0), (3.8, 0.0))
 
 
-def portal(*loads: Force) -> Chain:
-    return Chain((COLUMN, BEAM, FAR), HINGES, loads)
-
-
 def test_a_portal_presses_on_all_its_hinges_with_what_stands_on_them() -> None:
-    a, b, c, d = hinge_compressions(portal())
+    a, b, c, d = hinge_compressions(Chain(BLOCKS, HINGES))
     assert min(a, b, c, d) > 0.0
     assert b + c == pytest.approx(BEAM.mass * g, rel=1e-12)
     assert (a - b, d - c) == pytest.approx((COLUMN.mass * g, FAR.mass * g), rel=1e-12)
@@ -30,16 +27,16 @@ def test_a_portal_presses_on_all_its_hinges_with_what_stands_on_them() -> None:
 
 @pytest.mark.parametrize(("place", "block"), [(0, 0), (3, 2)])
 def test_a_lift_at_a_support_is_taken_from_that_support_and_pulls_where_it_is_larger(place: int, block: int) -> None:
-    before = hinge_compressions(portal())
+    before = hinge_compressions(Chain(BLOCKS, HINGES))
     lift = 1.5 * before[place]
     expected = [force - lift * (number == place) for number, force in enumerate(before)]
-    after = hinge_compressions(portal(Force("lift", (0.0, lift), HINGES[place], block)))
+    after = hinge_compressions(Chain(BLOCKS, HINGES, (Force("lift", (0.0, lift), HINGES[place], block),)))
     assert after == pytest.approx(expected, rel=1e-9)
     assert after[place] < 0.0
 
 
 def test_a_support_that_would_have_to_pull_is_told() -> None:
-    lift = 1.5 * hinge_compressions(portal())[3]
+    lift = 1.5 * hinge_compressions(Chain(BLOCKS, HINGES))[3]
     bodies = [
         planar_body_from_values(mass=each.mass, centroid=each.centroid, inertia=each.inertia, name="b")
         for each in (COLUMN, BEAM, FAR)

@@ -12,6 +12,7 @@ from assess.portfolio.projects import KeyColumn, Task, find_tasks, project_tree,
 from assess.project.project_file import Project, load, load_tree
 from assess.verbs import unit_fault
 from tests.support.projects import block, project_toml
+from tests.support.written import made_file
 
 FORCE = {"kind": "force", "force": "2 kN", "direction": [1, 0, 0], "at": [0.0, 0.0, 3.0]}
 TEMPLATE = project_toml(
@@ -24,9 +25,7 @@ THICKNESS = "bodies.wall.box.thickness"
 
 def table(folder: Path, text: str | bytes, *, template: str = TEMPLATE) -> tuple[Task, ...]:
     """Return the tasks of a table with this text."""
-    (folder / "template.toml").write_text(template, encoding="utf-8")
-    (folder / "walls.csv").write_bytes(text if isinstance(text, bytes) else text.encode())
-    return find_tasks(folder / "walls.csv", folder / "template.toml")
+    return find_tasks(made_file(folder / "walls.csv", text), made_file(folder / "template.toml", template))
 
 
 def project(task: Task) -> Project:
@@ -136,7 +135,7 @@ def test_trailing_empty_cells_keep_the_values_of_the_template(tmp_path: Path) ->
 
 
 def test_unit_of_a_head_is_checked_by_the_key(tmp_path: Path) -> None:
-    tables = read_template(template_in(tmp_path))
+    tables = read_template(made_file(tmp_path / "template.toml", TEMPLATE))
     for key, units, wrong in (
         (THICKNESS, ("m", "mm", "ft"), ("kg", "kg/m^3", "wide")),
         ("materials.brick.density", ("kg/m^3", "kN/m^3"), ("kg", "m")),
@@ -248,7 +247,7 @@ def test_content_of_a_task_is_its_row_alone(tmp_path: Path) -> None:
 
 
 def test_tasks_are_counted_while_they_are_found(tmp_path: Path) -> None:
-    template_in(tmp_path)
+    made_file(tmp_path / "template.toml", TEMPLATE)
     (tmp_path / "walls.csv").write_text("title\n" + "a\n" * 3)
     counted: list[int] = []
     find_tasks(tmp_path / "walls.csv", tmp_path / "template.toml", progress=counted.append)

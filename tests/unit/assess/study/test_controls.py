@@ -11,7 +11,6 @@ from scipy.constants import g
 
 from assess.dynamics.history import peaks, product, trace_with_events
 from assess.dynamics.packing import Equation
-from assess.geometry.planar import planar_body_from_values
 from assess.loads.load import Force, PointMass, Tie
 from assess.mechanisms.four_hinge import four_hinge
 from assess.mechanisms.hinge_forces import hinge_forces
@@ -40,6 +39,7 @@ from assess.study.history_controls import (
 )
 from assess.study.run import run_study
 from tests.support import blocks
+from tests.support.bodies import body_at
 from tests.support.motions import noise, write_noise
 from tests.support.projects import ASCE7, block, project_toml, published, study_of
 
@@ -55,13 +55,9 @@ LOADS = (
 FACES = ((Face(),) * 4, (Face(),) * 4)
 
 
-def body(mass: float, x: float, z: float, *, of: float = 0.4):
-    return planar_body_from_values(mass=mass, centroid=(x, z), inertia=of * 1000.0, name="b")
-
-
 def single(mass: float = 1000.0, *loads, sides="two") -> Mechanism:
     found = single_block(
-        "m", body(mass, 0.0, 2.0), hinge=(0.4, 0.0), hinge_negative=None if sides == "one" else (-0.4, 0.0),
+        "m", body_at(mass, 0.0, 2.0), hinge=(0.4, 0.0), hinge_negative=None if sides == "one" else (-0.4, 0.0),
         loads=loads or LOADS, sides=sides, restitution=(0.9, None if sides == "one" else 0.9),
     )  # fmt: skip
     return replace(found, faces=tuple((Face(),) for _ in (found.positive, found.negative) if _))
@@ -70,15 +66,15 @@ def single(mass: float = 1000.0, *loads, sides="two") -> Mechanism:
 def spanning(mass: float = 1000.0) -> Mechanism:
     top = (PointMass("roof", 200.0, (0.0, 4.0), bearing=True, block=1),)
     found = two_block(
-        "m", body(1000.0, 0.0, 1.0), body(mass, 0.0, 3.0), hinges=((0.2, 0.0), (-0.2, 2.0), (0.2, 4.0)), sides="one",
-        loads=top, restitution=(0.8, None),
+        "m", body_at(1000.0, 0.0, 1.0), body_at(mass, 0.0, 3.0), hinges=((0.2, 0.0), (-0.2, 2.0), (0.2, 4.0)),
+        sides="one", loads=top, restitution=(0.8, None),
     )  # fmt: skip
     return replace(found, faces=((Face(), Face(), Face(normal=(0.0, -1.0))),))
 
 
 def portal(mass: float = 800.0) -> Mechanism:
     found = four_hinge(
-        "m", (body(1000.0, 0.2, 1.2), body(mass, 2.0, 3.2), body(1000.0, 3.8, 1.2)),
+        "m", (body_at(1000.0, 0.2, 1.2), body_at(mass, 2.0, 3.2), body_at(1000.0, 3.8, 1.2)),
         hinges=((0.4, 0.0), (0.0, 3.0), (3.6, 3.0), (4.0, 0.0)), sides="one", restitution=(0.8, None),
     )  # fmt: skip
     return replace(found, faces=((Face(),) * 4,))
@@ -156,7 +152,11 @@ def test_the_multiplier_by_moments_is_that_of_virtual_work(kind: str) -> None:
 def test_the_multiplier_of_a_wall_cracked_at_half_its_height_is_four_times_its_slenderness() -> None:
     """Thickness t, height h, held at its top, without load: lambda = 4 t / h."""
     found = two_block(
-        "m", body(1000.0, 0.0, 1.0), body(1000.0, 0.0, 3.0), hinges=((0.2, 0.0), (-0.2, 2.0), (0.2, 4.0)), sides="one"
+        "m",
+        body_at(1000.0, 0.0, 1.0),
+        body_at(1000.0, 0.0, 3.0),
+        hinges=((0.2, 0.0), (-0.2, 2.0), (0.2, 4.0)),
+        sides="one",
     )
     assert moment_multiplier(found.positive) == pytest.approx(4 * 0.4 / 4.0, rel=1e-12)
 

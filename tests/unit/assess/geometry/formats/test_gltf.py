@@ -16,6 +16,7 @@ from assess.geometry.mesh import load_solid
 from assess.geometry.solid import Solid, box
 from tests.support.mesh_files import glb, off, package
 from tests.support.solids import assert_same_mass
+from tests.support.written import made_file
 
 DENSITY = 2000.0
 WALL = box(thickness=1.25, length=3.0, height=8.5, base=[0.5, 0.25, 2.0], density=DENSITY, name="wall")
@@ -61,8 +62,7 @@ def mf3(vertices: ArrayLike, triangles: ArrayLike, *, unit: str | None, items: s
 
 
 def read(folder: Path, file: str, content: bytes, **options) -> Solid:
-    (folder / file).write_bytes(content)
-    return load_solid(folder / file, density=DENSITY, name="wall", **options)
+    return load_solid(made_file(folder / file, content), density=DENSITY, name="wall", **options)
 
 
 def test_off(tmp_path: Path) -> None:

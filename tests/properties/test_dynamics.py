@@ -41,10 +41,6 @@ def run(bodies: list[Oscillator], motions: list[Record], scales: object, equatio
     return peaks(bodies, motions, product(len(bodies), len(motions), scales), equation=equation, **more)
 
 
-def same_bytes(first: Peaks, second: Peaks) -> bool:
-    return all(getattr(first, name).tobytes() == getattr(second, name).tobytes() for name in vars(first))
-
-
 @BOTH
 @EVERY
 def test_energy_of_free_motion_never_grows(body: Oscillator, equation: Equation) -> None:
@@ -132,7 +128,7 @@ def test_as_many_threads_as_wanted_give_the_same_bytes(equation: Equation, monke
     motions, scales = [noise(seed) for seed in range(4)], np.linspace(0.3, 2.0, 5)
     assert len(_job_slices(product(len(BODIES), 4, scales), motions)) > 10
     single, double = (run(list(BODIES.values()), motions, scales, equation, threads=threads) for threads in (1, 2))
-    assert same_bytes(single, double)
+    assert all(getattr(single, name).tobytes() == getattr(double, name).tobytes() for name in vars(single))
 
 
 @BOTH

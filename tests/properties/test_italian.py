@@ -36,10 +36,6 @@ def site(*, elevation=0.0, levels=(0.25 * g,), **more):
     return Context(SPECTRUM, levels, 0.0, elevation, HOUSE, **more)
 
 
-def asked(procedure, rocker, context, **more):
-    return procedure(rocker, context, options=ItalianOptions(**more))
-
-
 def ratio(check):
     return inf if check.ratio is None else check.ratio
 
@@ -48,7 +44,7 @@ def ratio(check):
 @given(elevation=st.sampled_from([0.0, 4.0, 9.0]), slender=SLENDER, radius=RADIUS)
 def test_a_lower_action_never_worsens(procedure, elevation, slender, radius):
     levels = tuple((np.linspace(0.02, 1.5, 25) * g).tolist())
-    checks = asked(procedure, wall(slender, radius), site(elevation=elevation, levels=levels))
+    checks = procedure(wall(slender, radius), site(elevation=elevation, levels=levels), options=ItalianOptions())
     assert [ratio(check) for check in checks] == sorted(ratio(check) for check in checks)
     for check in checks:
         assert (check.verdict == "pass") is (check.level_pga_g <= check.capacity_pga_g * (1 + 1e-9))
@@ -58,7 +54,10 @@ def test_a_lower_action_never_worsens(procedure, elevation, slender, radius):
 def test_a_larger_d0_at_the_ground_never_worsens(procedure):
     """Walls of one slenderness, larger and larger: periods beyond T_B, where S_e does not rise."""
     for slender in (0.06, 0.15, 0.3):
-        ratios = [ratio(asked(procedure, wall(slender, radius), site())[0]) for radius in np.geomspace(0.5, 12.0, 12)]
+        ratios = [
+            ratio(procedure(wall(slender, radius), site(), options=ItalianOptions())[0])
+            for radius in np.geomspace(0.5, 12.0, 12)
+        ]
         assert all(after <= before * (1 + 1e-9) for before, after in pairwise(ratios))
 
 
@@ -67,11 +66,11 @@ def test_a_larger_d0_at_the_ground_never_worsens(procedure):
 def test_a_tie_that_is_not_shown_to_last_never_changes_the_displacement_capacity(procedure, slender, radius):
     """It is in the curve of activation alone: d_SLV, a(d_SLV), T_SLV and the demand stay as they are."""
     rocker = wall(slender, radius)
-    (plain,) = asked(procedure, rocker, site())
+    (plain,) = procedure(rocker, site(), options=ItalianOptions())
     for share in (0.01, 0.03, 0.3, 3.0):
         force = share * g * rocker.mass * radius
         starting = both(pulled(rocker.positive, force, until=1.4 * slender), rocker)
-        (held,) = asked(procedure, rocker, site(starting=starting))
+        (held,) = procedure(rocker, site(starting=starting), options=ItalianOptions())
         assert held.capacity == plain.capacity
         names = ("d0*", "a(d_SLV)", "T_SLV", "a_s*", "T_s")
         for one, other in zip(held.steps, plain.steps, strict=True):
@@ -82,8 +81,8 @@ def test_a_tie_that_is_not_shown_to_last_never_changes_the_displacement_capacity
 @given(slender=SLENDER, radius=RADIUS)
 def test_a_seat_never_raises_and_a_lower_factor_never_changes_what_decides(procedure, slender, radius):
     rocker = wall(slender, radius)
-    (plain,) = asked(procedure, rocker, site())
-    deciding, informing = asked(procedure, rocker, site(), confidence_factor=1.0)
+    (plain,) = procedure(rocker, site(), options=ItalianOptions())
+    deciding, informing = procedure(rocker, site(), options=ItalianOptions(confidence_factor=1.0))
     assert replace(deciding) == plain
     assert informing.informs
     assert not deciding.informs
@@ -94,11 +93,11 @@ def test_no_building_of_the_range_asks_more_than_the_range(slender, radius, T1):
     rocker, elevation = wall(slender, radius), 9.0
     ranged = site(elevation=elevation)
     at = replace(ranged, building=replace(HOUSE, period=T1), levels=(2.0 * g,))
-    (whole,) = asked(ntc2018.assess_nonlinear, rocker, at)
+    (whole,) = ntc2018.assess_nonlinear(rocker, at, options=ItalianOptions())
     for softening in np.linspace(1.5, 2.0, 21):
         mode = {"SLV": StatedFirstMode(softening * T1, 0.10, "one of them")}
-        (one,) = asked(
-            ntc2018.assess_nonlinear, rocker, replace(at, building=replace(HOUSE, period=T1, limit_states=mode))
+        (one,) = ntc2018.assess_nonlinear(
+            rocker, replace(at, building=replace(HOUSE, period=T1, limit_states=mode)), options=ItalianOptions()
         )
         assert one.ratio <= whole.ratio * (1 + 1e-5)
         assert one.capacity_pga_g >= whole.capacity_pga_g * (1 - 1e-5)

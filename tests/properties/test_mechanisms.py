@@ -25,8 +25,10 @@ from assess.mechanisms.restitution import find_restitution
 from assess.mechanisms.single_block import single_block
 from assess.mechanisms.two_block import two_block
 from assess.oscillator import energy, interpolant, multiplier
+from tests.support import projects
 from tests.support.bodies import body_of_block, rectangle_block
-from tests.support.projects import study_of
+from tests.support.differences import slope
+from tests.support.projects import mechanism_of, project_toml
 
 LOOKS_DOWN = (0.0, -1.0)
 TABLES = ("rotation", "inertia", "restoring", "excitation", "participation", "lift")
@@ -153,14 +155,13 @@ def taut(chain, tie):
 @EVERY
 def test_restoring_moment_is_the_slope_of_the_whole_potential(case):
     """To 1e-8, by differences of eighth order; without loads it is that of the weights alone."""
-    weights, step = {1: 4 / 5, 2: -1 / 5, 3: 4 / 105, 4: -1 / 280}, 4e-3
     for chain, side in sides(case):
         phi = side.rotation[::16]
         bare = replace(chain, loads=tuple(each for each in chain.loads if isinstance(each, PointMass)))
         work = virtual_work(chain, phi)
         for of, found in ((chain, work.restoring), (bare, work.weight)):
-            slope = sum(w * (potential(of, phi + k * step) - potential(of, phi - k * step)) for k, w in weights.items())
-            np.testing.assert_allclose(found, slope / step, rtol=1e-8, atol=1e-8 * np.abs(found).max())
+            climbed = slope(partial(potential, of), phi)
+            np.testing.assert_allclose(found, climbed, rtol=1e-8, atol=1e-8 * np.abs(found).max())
         assert work.weight == pytest.approx(g * work.lift, rel=1e-14)
 
 
@@ -379,26 +380,15 @@ def test_time_to_the_first_impact_by_quadrature(name):
     assert found.impact_time[0] == pytest.approx(time, rel=1e-6)  # 1e-7 of the start is left out
 
 
-BOX = """
-[bodies.{name}]
-material = "m"
-box = {{ thickness = {t}, length = 1.0, height = {h}, base = [{x}, 0, {z}] }}
-"""
-TAILS = {
-    "two-block": """
-[mechanisms.m]
-kind = "two-block"
-direction = [1, 0, 0]
-blocks = {blocks}
-loads = [{{ kind = "overburden", force = "21 kN", eccentricity = 0.1 }}]
-""",
-    "four-hinge": """
-[mechanisms.m]
-kind = "four-hinge"
-blocks = {blocks}
-hinges = {{ A = [0.8, 0], B = [0, 4], C = [3.6, 4], D = [4.6, 0] }}
-hinges_negative = {{ A = [0, 0], B = [0.8, 4], C = [4.6, 4], D = [3.6, 0] }}
-""",
+PARTS = {
+    "two-block": {
+        "direction": [1, 0, 0],
+        "loads": [{"kind": "overburden", "force": "21 kN", "eccentricity": 0.1}],
+    },
+    "four-hinge": {
+        "hinges": {"A": [0.8, 0], "B": [0, 4], "C": [3.6, 4], "D": [4.6, 0]},
+        "hinges_negative": {"A": [0, 0], "B": [0.8, 4], "C": [4.6, 4], "D": [3.6, 0]},
+    },
 }
 BOXES = {
     "two-block": [("a", 0.5, 2.6, 0.0, 0.0), ("b", 0.5, 1.6, 0.0, 2.6)],
@@ -406,21 +396,18 @@ BOXES = {
 }
 
 
-def project_of(kind, share):
-    """Each box, with `share` < 1 cut into a lower and an upper part that move as one."""
-    text, blocks = "[materials.m]\ndensity = 2000\n", []
-    for name, t, h, x, z in BOXES[kind]:
-        parts = [(f"{name}1", share * h, z), (f"{name}2", h - share * h, z + share * h)][: 2 if share < 1 else 1]
-        blocks.append([part for part, _, _ in parts])
-        text += "".join(BOX.format(name=part, t=t, h=high, x=x, z=low) for part, high, low in parts)
-    return text + TAILS[kind].format(blocks=str(blocks).replace("'", '"'))
-
-
 @pytest.mark.parametrize("kind", BOXES)
 def test_a_block_of_several_bodies_in_a_project_file(tmp_path, kind):
+    """Each box, and then each cut into a lower and an upper part that move as one."""
     found = []
     for share in (1.0, 0.37):
-        found.append(study_of(tmp_path, project_of(kind, share)).mechanisms[0])
+        bodies, blocks = {}, []
+        for name, t, h, x, z in BOXES[kind]:
+            parts = [(f"{name}1", share * h, z), (f"{name}2", h - share * h, z + share * h)][: 2 if share < 1 else 1]
+            blocks.append([part for part, _, _ in parts])
+            bodies |= {part: projects.wall(t, 1.0, high, base=[x, 0, low]) for part, high, low in parts}
+        text = project_toml(bodies=bodies, mechanisms={"m": projects.block(*blocks, kind=kind, **PARTS[kind])})
+        found.append(mechanism_of(tmp_path, text))
     assert found[0].restitution == pytest.approx(found[1].restitution, rel=1e-9)
     for a, b in zip(*(each.oscillator.branches for each in found), strict=True):
         same_tables(a, b, 1e-9)

@@ -16,19 +16,10 @@ from assess.geometry.solid import Solid, box, polyhedron, profile
 from assess.geometry.surface import merge_vertices
 from assess.mechanisms.single_block import single_block
 from assess.oscillator import Branch, Oscillator
-from tests.support.solids import convex_hull
+from tests.support.solids import convex_hull, refine_mesh
 
 DENSITY = 2100.0
 X = (1.0, 0.0, 0.0)
-
-
-def boulder() -> Solid:
-    """A convex body without symmetry that stands on a level face."""
-    points = np.random.default_rng(3).normal(size=(60, 3)) * [0.8, 1.5, 3.0] + [0.0, 0.0, 4.0]
-    points = points[points[:, 2] > 0.5]
-    foot = np.array([[-0.9, -1.0, 0.0], [0.8, -1.2, 0.0], [1.1, 1.0, 0.0], [-0.7, 1.3, 0.0]])
-    cloud = np.vstack([points, foot])
-    return convex_hull(cloud, density=DENSITY, name="boulder")
 
 
 ARCHED = [
@@ -42,11 +33,14 @@ ARCHED = [
     [2.0, 4.5],
     [-2.0, 5.0],
 ]
+POINTS = np.random.default_rng(3).normal(size=(60, 3)) * [0.8, 1.5, 3.0] + [0.0, 0.0, 4.0]
+FOOT = np.array([[-0.9, -1.0, 0.0], [0.8, -1.2, 0.0], [1.1, 1.0, 0.0], [-0.7, 1.3, 0.0]])
+"""Of a convex body without symmetry, which stands on a level face."""
 BODIES = {
     "wall": box(thickness=0.6, length=4.0, height=4.5, base=(0.0, 0.0, 0.0), density=DENSITY, name="wall"),
     "leaning pier": profile([[-0.5, 0], [0.5, 0], [0.7, 3], [0.1, 3]], length=1.0, density=DENSITY, name="pier"),
     "pierced wall": profile(ARCHED, length=0.6, density=DENSITY, name="pierced"),
-    "boulder": boulder(),
+    "boulder": convex_hull(np.vstack([POINTS[POINTS[:, 2] > 0.5], FOOT]), density=DENSITY, name="boulder"),
 }
 EVERY = pytest.mark.parametrize("body", BODIES.values(), ids=BODIES)
 
@@ -57,22 +51,16 @@ def rocking(*bodies: Solid, direction: tuple[float, float, float] = X) -> Oscill
     return single_block("m", seen[0] if len(seen) == 1 else join_planar(seen, name="block")).oscillator
 
 
+def loose(solid: Solid) -> tuple[np.ndarray, np.ndarray]:
+    """Triangles that share no corner."""
+    return solid.vertices[solid.triangles].reshape(-1, 3), np.arange(solid.triangles.size).reshape(-1, 3)
+
+
 def meshed(vertices: np.ndarray, triangles: np.ndarray) -> Solid:
     """A body by the way of a mesh file."""
     surface, told = repair(merge_vertices(vertices, triangles), where="mesh")
     assert told == ()
     return polyhedron(*surface, density=DENSITY, name="mesh")
-
-
-def finer(solid: Solid, *, times: int) -> tuple[np.ndarray, np.ndarray]:
-    """Every triangle cut into four at the middles of its edges, several times; loose triangles."""
-    corners = solid.vertices[solid.triangles]
-    for _ in range(times):
-        a, b, c = corners[:, 0], corners[:, 1], corners[:, 2]
-        ab, bc, ca = (a + b) / 2.0, (b + c) / 2.0, (c + a) / 2.0
-        four = [(a, ab, ca), (ab, b, bc), (ca, bc, c), (ab, bc, ca)]
-        corners = np.concatenate([np.stack(each, axis=1) for each in four])
-    return corners.reshape(-1, 3), np.arange(3 * len(corners)).reshape(-1, 3)
 
 
 def alike(found: Oscillator, wanted: Oscillator, *, rtol: float = 1e-9) -> None:
@@ -96,7 +84,7 @@ def of_g(branch: Branch) -> np.ndarray:
 
 @EVERY
 def test_a_finer_mesh_changes_nothing(body: Solid) -> None:
-    alike(rocking(meshed(*finer(body, times=3))), rocking(body))
+    alike(rocking(meshed(*loose(refine_mesh(body, 3)))), rocking(body))
 
 
 @EVERY
@@ -130,7 +118,7 @@ def test_a_block_split_into_welded_bodies_changes_nothing(body: Solid) -> None:
 
 def test_a_mesh_of_twenty_thousand_triangles_rocks_as_its_body() -> None:
     """The whole way from triangles to the oscillator; a million are in the benchmarks."""
-    vertices, triangles = finer(BODIES["boulder"], times=5)
+    vertices, triangles = loose(refine_mesh(BODIES["boulder"], 5))
     assert len(triangles) > 20_000
     found = rocking(meshed(vertices, triangles))
     alike(found, rocking(BODIES["boulder"]))
@@ -139,7 +127,7 @@ def test_a_mesh_of_twenty_thousand_triangles_rocks_as_its_body() -> None:
 def test_planar_bodies_know_their_outline() -> None:
     """The mesh's outline is that of the body, whatever its triangles."""
     body = BODIES["boulder"]
-    coarse, fine = (planar_body(each, direction=X) for each in (body, meshed(*finer(body, times=2))))
+    coarse, fine = (planar_body(each, direction=X) for each in (body, meshed(*loose(refine_mesh(body, 2)))))
     assert isinstance(coarse, PlanarBody)
     assert len(coarse.outline) == len(fine.outline) == 1
     np.testing.assert_allclose(fine.outline[0], coarse.outline[0], rtol=0.0, atol=1e-9)

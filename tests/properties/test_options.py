@@ -15,6 +15,7 @@ from assess.cli import main
 from assess.cli.app import app
 from records.processing import at2_text
 from records.record import make_record
+from tests.support.command import ended_with
 from tests.support.projects import published, tables_toml
 
 VALUES = ("nan", "inf", "-1", "0", "1e300")
@@ -62,17 +63,13 @@ MAY_BE_ZERO = {"near_fault_distance", "relief_position"}
 WORDS = {"site_class", "ground_type", "subsoil", "soil", "topography", "type"}
 
 
-def commands() -> Iterator[tuple[str, Any]]:
+def commands(command: Any, name: str = "") -> Iterator[tuple[str, Any]]:
     """Every command by its name."""
-
-    def below(command: Any, name: str) -> Iterator[tuple[str, Any]]:
-        if not hasattr(command, "commands"):
-            yield name, command
-            return
-        for each, inner in command.commands.items():
-            yield from below(inner, f"{name} {each}".strip())
-
-    return below(typer.main.get_command(app), "")
+    if not hasattr(command, "commands"):
+        yield name, command
+        return
+    for each, inner in command.commands.items():
+        yield from commands(inner, f"{name} {each}".strip())
 
 
 def numeric(parameter: Any) -> bool:
@@ -84,7 +81,7 @@ def numeric(parameter: Any) -> bool:
 
 OPTIONS = [
     (name, one.opts[-1], one.nargs)
-    for name, command in commands()
+    for name, command in commands(typer.main.get_command(app))
     if name != "spectrum"
     for one in command.params
     if numeric(one)
@@ -114,14 +111,6 @@ def files(tmp_path_factory: pytest.TempPathFactory) -> dict[str, str]:
     return {key: str(root / path) for key, path in (paths | more).items()}
 
 
-def ended(capsys: pytest.CaptureFixture[str], *arguments: str) -> tuple[int, str]:
-    """The code at the end, and the last line on stderr."""
-    with pytest.raises(SystemExit) as caught:
-        main(list(arguments))
-    lines = capsys.readouterr().err.splitlines()
-    return int(caught.value.code or 0), lines[-1] if lines else ""
-
-
 @pytest.mark.parametrize(("command", "option", "count"), OPTIONS)
 def test_hostile_numbers(
     command: str, option: str, count: int, files: dict[str, str], capsys: pytest.CaptureFixture[str]
@@ -131,7 +120,7 @@ def test_hostile_numbers(
         for use in USES[command]:
             Path(f"{files['out']}.csv").unlink(missing_ok=True)  # what is there is not written over
             typed = [*(part.format(**files) for part in use), option, *[value] * count]
-            code, line = ended(capsys, *command.split(), *typed)
+            code, line = ended_with(capsys, *command.split(), *typed)
             assert code in (0, 2), (typed, line)
             assert code == 0 or re.match(r"assess: error: \S", line), line
             codes.add(code)
@@ -145,17 +134,17 @@ def test_hostile_numbers(
 def test_hostile_numbers_of_spectra(use: str, key: str, capsys: pytest.CaptureFixture[str]) -> None:
     given = SPECTRA[use]
     base = ("spectrum", "--code", use.split()[0], "--csv")
-    usual = ended(capsys, *base, *(part for name, text in given.items() for part in _option(name, text)))
+    usual = ended_with(
+        capsys, *base, *(part for name, text in given.items() for part in (f"--{name.replace('_', '-')}", text))
+    )
     assert usual[0] == 0, usual
     for value in VALUES:
         typed = given | {key: value}
-        code, line = ended(capsys, *base, *(part for name, text in typed.items() for part in _option(name, text)))
+        code, line = ended_with(
+            capsys, *base, *(part for name, text in typed.items() for part in (f"--{name.replace('_', '-')}", text))
+        )
         assert code == 2 or (code == 0 and value == "0" and key in MAY_BE_ZERO), (typed, line)
         assert code == 0 or line.startswith("assess: error: "), line
-
-
-def _option(name: str, text: str) -> tuple[str, str]:
-    return f"--{name.replace('_', '-')}", text
 
 
 def test_every_command_with_numbers_is_used_here() -> None:

@@ -73,17 +73,12 @@ def wall(*, size=1.0):
 
 def answers(name, rocker=None, context=None, *, size=1.0):
     """What the procedure itself says, whether or not it may be asked."""
-    return asked_of(name, size=size)(rocker or wall(size=size), context or site())
+    return procedure_of(name, size=size)(rocker or wall(size=size), context or site())
 
 
-def asked_of(name, *, size=1.0):
+def procedure_of(name, *, size=1.0):
     known = Asce41Options(position="other")  # of a wall whose storey nobody gave, nothing between is answered
     return with_options(name, CodeOptions(asce43_05=Asce43Options(allowable_sliding=0.02 * size), asce41_13=known))
-
-
-def allowed(name, rocker=None, context=None):
-    """The same as its admission lets it stand."""
-    return apply_procedure(name, asked_of(name), rocker or wall(), context or site())
 
 
 @EVERY
@@ -181,7 +176,7 @@ def test_a_spectrum_that_ends_early_claims_nothing_it_cannot_know(name):
 def test_the_ground_alone_can_fail_a_mechanism_above_it_but_not_pass_it():
     raised = dataclasses.replace(site(levels=(0.05 * g, 1.5 * g)), elevation=4.0)
     for name in ("dmi2008-linear", "dmi2008-nonlinear", "ntc2018-linear", "ntc2018-nonlinear"):
-        low, high = allowed(name, context=raised)
+        low, high = apply_procedure(name, procedure_of(name), wall(), raised)
         assert (low.verdict, high.verdict) == ("not-answered", "fail")
         assert low.reason.key == Reason.GROUND_MOTION
         assert "[building]" in low.reason.text
@@ -291,7 +286,9 @@ def test_a_lower_action_never_makes_an_answer_worse(name, elevation):
     where = dataclasses.replace(
         site(levels=levels), suites=suites, incremental=(), elevation=elevation, building=house, rise=0.0
     )
-    checks = [check for check in allowed(name, context=where) if check.verdict != "not-applicable"]
+    checks = [
+        check for check in apply_procedure(name, procedure_of(name), wall(), where) if check.verdict != "not-applicable"
+    ]
     assert not any(worse(weak, strong) for weak, strong in pairwise(checks))
 
 

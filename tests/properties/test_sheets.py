@@ -18,7 +18,7 @@ from tests.support.formula import NoFormulaError, evaluate
 from tests.support.readings import LINES
 from tests.support.sheet import Sheet
 from tests.support.sheets import comes_to, faults, faults_of
-from tests.support.subjects import LEVELS, Subject, subjects
+from tests.support.subjects import LEVELS, subjects
 
 EVERY = pytest.mark.parametrize("name", PROCEDURES)
 OTHER = {"+": "−", "−": "+", "/": "·", "·": "/"}
@@ -58,15 +58,11 @@ def lines(name: str) -> Iterator[tuple[Step, Sheet]]:
     """The lines of one sheet of each mechanism, on the ground and above, as they are read in order."""
     for subject in subjects(name):
         if abs(subject.check.level_pga_g * 9.80665 - LEVELS[1]) < 1e-9:
-            yield from in_order(subject)
-
-
-def in_order(subject: Subject) -> Iterator[tuple[Step, Sheet]]:
-    sheet = Sheet(subject)
-    for step in subject.check.steps:
-        sheet.step = step
-        yield step, sheet
-        sheet.known[step.symbol] = step.value
+            sheet = Sheet(subject)
+            for step in subject.check.steps:
+                sheet.step = step
+                yield step, sheet
+                sheet.known[step.symbol] = step.value
 
 
 def seen(step: Step, sheet: Sheet) -> bool:

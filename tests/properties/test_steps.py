@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
 import pytest
 
-from assess.codes.calculation_sheet import Step, SymbolValue, substitute
+from assess.codes.calculation_sheet import SymbolValue, substitute
 from assess.codes.procedures import PROCEDURES
 from assess.examples import copy_example
 from assess.project.build import build
@@ -21,27 +20,22 @@ from tests.support.subjects import subjects
 CLOSE = 6e-6  # relative: by Simpson's rule or between two points of a table at most
 
 
-def steps_of(name: str) -> Iterator[Step]:
-    for subject in subjects(name):
-        yield from subject.check.steps
-
-
-def by_formula(step: Step) -> float:
-    return evaluate(step.formula, {each.symbol: each.value for each in step.inputs})
-
-
 @pytest.mark.parametrize("name", PROCEDURES)
 def test_every_line_comes_to_its_value_by_its_formula(name: str) -> None:
-    worked = [step for step in steps_of(name) if step.inputs and step.value is not None]
+    worked = [
+        step for subject in subjects(name) for step in subject.check.steps if step.inputs and step.value is not None
+    ]
     assert worked
     for step in worked:
-        assert by_formula(step) == pytest.approx(step.value, rel=CLOSE, abs=1e-12), (step.symbol, step.formula)
+        assert evaluate(step.formula, {each.symbol: each.value for each in step.inputs}) == pytest.approx(
+            step.value, rel=CLOSE, abs=1e-12
+        ), (step.symbol, step.formula)
 
 
 @pytest.mark.parametrize("name", PROCEDURES)
 def test_the_numbers_printed_come_to_the_value_too(name: str) -> None:
     """Seven figures of each number stand in the line, and come to the four of the value, within half of the last."""
-    for step in steps_of(name):
+    for step in (step for subject in subjects(name) for step in subject.check.steps):
         if step.inputs and step.value is not None:
             found = evaluate(substitute(step.formula, step.inputs), {})
             assert comes_to(found, step.value), (step.symbol, step.substituted)
@@ -50,7 +44,7 @@ def test_the_numbers_printed_come_to_the_value_too(name: str) -> None:
 @pytest.mark.parametrize("name", PROCEDURES)
 def test_fewer_figures_would_not_do_everywhere(name: str) -> None:
     """The measure can fail: with three figures of each number some line of every long sheet comes to another value."""
-    worked = [step for step in steps_of(name) if len(step.inputs) > 1 and step.value]
+    worked = [step for subject in subjects(name) for step in subject.check.steps if len(step.inputs) > 1 and step.value]
     coarse = [evaluate(substitute(step.formula, step.inputs, write=lambda x: f"{x:.3g}"), {}) for step in worked]
     assert not all(comes_to(found, step.value) for found, step in zip(coarse, worked, strict=True))
 

@@ -17,21 +17,12 @@ MORE = {"nzsee2017": {"target_nbs": 100}}
 ITALIAN = ("ntc2018", "dmi2008")
 
 
-def of_site(basis, state):
-    """An action that each deciding limit state of a basis may go by."""
-    if basis in ITALIAN:
-        return {"periods": True}
-    return {"state": next(each.actions[0] for each in BASES[basis].states if each.name == state)}
-
-
-def cases():
-    """Every basis, chosen limit state, and choice of named methods."""
-    for name, basis in BASES.items():
-        for state in basis.chosen:
-            methods = tuple(dict.fromkeys(m.procedure for rank in state.ranks for m in rank))
-            named = [None] + [c for n in range(1, len(methods) + 1) for c in combinations(methods, n)]
-            for procedures, use_class in product(named, ("II", "IV", None)):
-                yield name, state.name, procedures, use_class
+def question_of(basis, state, procedures, use_class):
+    """The question of a basis by one limit state, at an action that each of its deciding limit states may go by."""
+    periods = {"periods": True} if basis in ITALIAN else {}
+    action = periods or {"state": next(each.actions[0] for each in BASES[basis].states if each.name == state)}
+    more = {"limit_state": state, "procedures": procedures, "use_class": use_class, **MORE.get(basis, {})}
+    return question(basis, **action, **more)
 
 
 def slots(basis):
@@ -41,20 +32,20 @@ def slots(basis):
     )
 
 
-CASES = list(cases())
+CASES = [  # every basis, chosen limit state, and choice of named methods
+    (name, state.name, procedures, use_class)
+    for name, basis in BASES.items()
+    for state in basis.chosen
+    for methods in [tuple(dict.fromkeys(m.procedure for rank in state.ranks for m in rank))]
+    for procedures in [None, *(c for n in range(1, len(methods) + 1) for c in combinations(methods, n))]
+    for use_class in ("II", "IV", None)
+]
 
 
 @pytest.mark.parametrize(("basis", "state", "procedures", "use_class"), CASES)
 def test_a_worse_answer_never_improves_the_outcome(basis, state, procedures, use_class):
     """Turning one answer from pass to fail or to missing never improves what is decided."""
-    asked = question(
-        basis,
-        **of_site(basis, state),
-        limit_state=state,
-        procedures=procedures,
-        use_class=use_class,
-        **MORE.get(basis, {}),
-    )
+    asked = question_of(basis, state, procedures, use_class)
     places = slots(basis)
 
     def outcome(answers):
@@ -72,14 +63,7 @@ def test_a_worse_answer_never_improves_the_outcome(basis, state, procedures, use
 
 @pytest.mark.parametrize(("basis", "state", "procedures", "use_class"), CASES)
 def test_nothing_passes_without_an_answer_that_passes(basis, state, procedures, use_class):
-    asked = question(
-        basis,
-        **of_site(basis, state),
-        limit_state=state,
-        procedures=procedures,
-        use_class=use_class,
-        **MORE.get(basis, {}),
-    )
+    asked = question_of(basis, state, procedures, use_class)
     silent = [check(procedure, None, state=checked) for procedure, checked in slots(basis)]
     assert decide(asked, silent).outcome == Decision.INCOMPLETE
     assert decide(asked, []).outcome == Decision.INCOMPLETE

@@ -14,3 +14,9 @@ def ended(*arguments: str | Path | float) -> int:
     with pytest.raises(SystemExit) as caught:
         main([str(argument) for argument in arguments])
     return int(caught.value.code or 0)
+
+
+def ended_with(capsys: pytest.CaptureFixture[str], *arguments: str | Path | float) -> tuple[int, str]:
+    """The exit code of a command, and the last line that it wrote on stderr."""
+    code = ended(*arguments)
+    return code, (capsys.readouterr().err.splitlines() or [""])[-1]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import csv
 import os
 import re
 from collections.abc import Iterator
@@ -45,3 +46,9 @@ def fenced(text: str, kind: str) -> Iterator[tuple[int, str]]:
 def defines(path: str, name: str) -> bool:
     """Return whether a module defines a function, a class or a value of this name, itself or in what it defines."""
     return bool(re.search(rf"^\s*(?:(?:def|class) {name}\b|{name}\s*(?::[^=\n]+)?=[^=])", text_of(path), re.MULTILINE))
+
+
+def index_rows() -> list[dict[str, str]]:
+    """Return the rows of the index of real records, which an independent parser made; none where they are not."""
+    index = REAL_RECORDS / "INDEX.csv"
+    return list(csv.DictReader(index.read_text(encoding="utf-8").splitlines())) if index.exists() else []

@@ -28,28 +28,18 @@ def printed(key: str) -> dict[str, dict[str, Decimal]]:
     return {each["name"]: each["values"] for each in content["quantities"]}
 
 
-def half_a_digit(value: Decimal) -> float:
-    return 0.501 * 10.0 ** int(value.as_tuple().exponent)
-
-
-def check(key: str) -> None:
+@pytest.mark.parametrize(
+    "key", [pytest.param(key, marks=[pytest.mark.study] if key in SLOW else []) for key in sorted(DERIVED)]
+)
+def test_values_of_a_case_come_out_of_its_source_s_formulas(key: str) -> None:
+    """To half a unit of the last digit."""
     expected, found = printed(key), DERIVED[key]()
     assert expected.keys() == found.keys()
     for name, rows in expected.items():
         assert rows.keys() == found[name].keys()
         for row, value in rows.items():
-            assert found[name][row] == pytest.approx(float(value), rel=0, abs=half_a_digit(value)), (name, row)
-
-
-@pytest.mark.parametrize("key", sorted(DERIVED.keys() - SLOW))
-def test_values_of_a_case_come_out_of_its_source_s_formulas(key: str) -> None:
-    check(key)
-
-
-@pytest.mark.study
-@pytest.mark.parametrize("key", sorted(SLOW))
-def test_values_of_a_case_come_out_of_its_bisection(key: str) -> None:
-    check(key)
+            half = 0.501 * 10.0 ** int(value.as_tuple().exponent)
+            assert found[name][row] == pytest.approx(float(value), rel=0, abs=half), (name, row)
 
 
 @pytest.mark.parametrize(

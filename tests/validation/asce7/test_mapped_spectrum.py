@@ -36,34 +36,26 @@ def test_casa_grande_from_the_map(code):
 
 
 @pytest.mark.parametrize(
-    ("code", "site_class", "s_s", "f_a"),
+    ("code", "site_class", "given", "name", "value"),
     [
-        ("asce7-16", "D", 0.1, 1.6),
-        ("asce7-16", "D", 3.0, 1.0),
-        ("asce7-16", "D-default", 1.3, 1.2),
-        ("asce7-16", "B-unmeasured", 1.0, 1.0),
-        ("asce7-10", "C", 0.875, 1.05),
-        ("asce7-10", "E", 0.375, 2.1),
-        ("asce7-05", "D", 1.125, 1.05),
-        ("ibc2009", "A", 0.7, 0.8),
+        ("asce7-16", "D", {"s_s": 0.1}, "f_a", 1.6),
+        ("asce7-16", "D", {"s_s": 3.0}, "f_a", 1.0),
+        ("asce7-16", "D-default", {"s_s": 1.3}, "f_a", 1.2),
+        ("asce7-16", "B-unmeasured", {"s_s": 1.0}, "f_a", 1.0),
+        ("asce7-10", "C", {"s_s": 0.875}, "f_a", 1.05),
+        ("asce7-10", "E", {"s_s": 0.375}, "f_a", 2.1),
+        ("asce7-05", "D", {"s_s": 1.125}, "f_a", 1.05),
+        ("ibc2009", "A", {"s_s": 0.7}, "f_a", 0.8),
+        ("asce7-16", "D", {"s_1": 0.15}, "f_v", 2.3),
+        ("asce7-16", "B", {"s_1": 0.6}, "f_v", 0.8),
+        ("asce7-10", "D", {"s_1": 0.45}, "f_v", 1.55),
+        ("asce7-05", "E", {"s_1": 0.9}, "f_v", 2.4),
+        ("ibc2009", "C", {"s_1": 0.05}, "f_v", 1.7),
     ],
 )
-def test_f_a_between_the_columns_and_beyond_them(code, site_class, s_s, f_a):
-    assert made(code, s_s=s_s, s_1=0.1, site_class=site_class).parameters["f_a"] == pytest.approx(f_a, rel=1e-12)
-
-
-@pytest.mark.parametrize(
-    ("code", "site_class", "s_1", "f_v"),
-    [
-        ("asce7-16", "D", 0.15, 2.3),
-        ("asce7-16", "B", 0.6, 0.8),
-        ("asce7-10", "D", 0.45, 1.55),
-        ("asce7-05", "E", 0.9, 2.4),
-        ("ibc2009", "C", 0.05, 1.7),
-    ],
-)
-def test_f_v_between_the_columns_and_beyond_them(code, site_class, s_1, f_v):
-    assert made(code, s_1=s_1, site_class=site_class).parameters["f_v"] == pytest.approx(f_v, rel=1e-12)
+def test_coefficients_between_the_columns_and_beyond_them(code, site_class, given, name, value):
+    at = {"s_1": 0.1, **given} if name == "f_a" else given
+    assert made(code, site_class=site_class, **at).parameters[name] == pytest.approx(value, rel=1e-12)
 
 
 @pytest.mark.parametrize(

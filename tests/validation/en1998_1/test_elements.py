@@ -23,12 +23,12 @@ HOUSE = Building(height=10.0, storeys=3, period=0.4, damping=0.05)
 PARAPET = equivalent_block("parapet", p=3.0, uplift=0.2, radius=0.8).oscillator  # lambda = tan 0.2 = 0.20271
 
 
+ADMITTED = partial(apply_procedure, EC8_ELEMENT.name, partial(assess_element, options=Ec8Options()))
+"""The procedure where it may be asked."""
+
+
 def at(height: float = 0.0, building: Building | None = HOUSE, **more) -> Context:
     return Context(SPECTRUM, (0.3 * g,), 0.0, height, building, **more)
-
-
-def asked(context: Context):
-    return apply_procedure(EC8_ELEMENT.name, partial(assess_element, options=Ec8Options()), PARAPET, context)
 
 
 @pytest.mark.parametrize(
@@ -84,9 +84,9 @@ def test_an_element_that_vibrates_has_its_own_period() -> None:
 
 def test_above_ground_without_a_building_it_can_fail_but_not_pass() -> None:
     for level, verdict in ((0.1 * g, "not-answered"), (0.3 * g, "fail")):
-        (check,) = asked(dataclasses.replace(at(5.0, None), levels=(level,)))
+        (check,) = ADMITTED(PARAPET, dataclasses.replace(at(5.0, None), levels=(level,)))
         assert check.verdict == verdict
-    (above,) = asked(dataclasses.replace(at(11.0), levels=(0.01 * g,)))
+    (above,) = ADMITTED(PARAPET, dataclasses.replace(at(11.0), levels=(0.01 * g,)))
     assert (above.verdict, above.reason.key) == ("not-answered", Reason.ABOVE_BUILDING)
 
 
@@ -97,9 +97,9 @@ def test_on_a_spectrum_of_another_family_it_says_so() -> None:
 
 
 def test_a_wall_that_carries_floors_has_no_accepted_method() -> None:
-    (check,) = asked(dataclasses.replace(at(10.0), levels=(0.01 * g,), carries_floors=True))
+    (check,) = ADMITTED(PARAPET, dataclasses.replace(at(10.0), levels=(0.01 * g,), carries_floors=True))
     assert (check.verdict, check.reason.key) == ("not-answered", Reason.CARRIES_FLOORS)
-    (light,) = asked(dataclasses.replace(at(10.0), levels=(0.01 * g,)))
+    (light,) = ADMITTED(PARAPET, dataclasses.replace(at(10.0), levels=(0.01 * g,)))
     assert light.verdict == "pass"
 
 

@@ -14,41 +14,30 @@ import pytest
 from scipy.constants import g
 
 from assess.oscillator import multiplier, participation_ratio, restoring_moment
-from assess.project.build import build
-from assess.project.project_file import load
+from tests.support.projects import block, mechanism_of, tables_toml, wall
 
 B, H = 0.9, 5.4  # width and height of a column
 
 
 def portal(folder, gamma, *, span=4.0, x=0.0):
     """Two columns of density 2400 under a beam of gamma times their mass, in a project file."""
-    beam, length = 0.8, span + B
-    (folder / "project.toml").write_text(f"""
-[materials.column]
-density = 2400
-[materials.beam]
-density = {gamma * 2 * 2400 * B * H / (beam * length)!r}
-[bodies.left]
-material = "column"
-box = {{ thickness = {B}, length = 1.1, height = {H}, base = [{x}, 0, 0] }}
-[bodies.right]
-material = "column"
-box = {{ thickness = {B}, length = 1.1, height = {H}, base = [{x + span}, 0, 0] }}
-[bodies.beam]
-material = "beam"
-box = {{ thickness = {length}, length = 1.1, height = {beam}, base = [{x + span / 2}, 0, {H}] }}
-[mechanisms.p]
-kind = "four-hinge"
-blocks = ["left", "beam", "right"]
-hinges = {{ A = [{x + B / 2}, 0], B = [{x - B / 2}, {H}], C = [{x + span - B / 2}, {H}], D = [{x + span + B / 2}, 0] }}
-[mechanisms.p.hinges_negative]
-A = [{x - B / 2}, 0]
-B = [{x + B / 2}, {H}]
-C = [{x + span + B / 2}, {H}]
-D = [{x + span - B / 2}, 0]
-""")
-    (mechanism,) = build(load(folder)).mechanisms
-    return mechanism
+    beam, length, half = 0.8, span + B, B / 2
+    front = ((x + half, 0), (x - half, H), (x + span - half, H), (x + span + half, 0))
+    back = ((x - half, 0), (x + half, H), (x + span + half, H), (x + span - half, 0))
+    hinges = {"hinges": dict(zip("ABCD", front, strict=True)), "hinges_negative": dict(zip("ABCD", back, strict=True))}
+    text = tables_toml(
+        materials={
+            "column": {"density": 2400},
+            "beam": {"density": gamma * 2 * 2400 * B * H / (beam * length)},
+        },
+        bodies={
+            "left": wall(B, 1.1, H, base=[x, 0, 0], material="column"),
+            "right": wall(B, 1.1, H, base=[x + span, 0, 0], material="column"),
+            "beam": wall(length, 1.1, beam, base=[x + span / 2, 0, H], material="beam"),
+        },
+        mechanisms={"p": block("left", "beam", "right", kind="four-hinge", **hinges)},
+    )
+    return mechanism_of(folder, text)
 
 
 @pytest.mark.parametrize("gamma", [0.01, 0.6])

@@ -32,7 +32,7 @@ from assess.mechanisms.two_block import two_block
 from assess.study.checks import wall_of
 from spectra.nzs1170_5 import site_spectrum
 from spectra.table import table_spectrum
-from tests.support.bodies import planar_box
+from tests.support.bodies import free_wall, planar_box
 
 H, T = 4.0, 0.23
 WELLINGTON = site_spectrum(subsoil="C", z=0.4, r=1.0)  # C(0) = 0.532
@@ -60,10 +60,6 @@ def test_far_support_of_a_wall_stands_its_height_over_the_base() -> None:
     hinges = ((0.0, 0.0), (-T / 2, H / 2), (T / 2, H))
     spans = two_block("wall", planar_box(T, H / 2), planar_box(T, H / 2, base=H / 2), sides="one", hinges=hinges)
     assert (spans.rise, single_block("parapet", planar_box(T, H)).rise) == (H, 0.0)
-
-
-def free(height: float):
-    return single_block("parapet", planar_box(T, height)).oscillator
 
 
 def second_storey(*, level: float = WELLINGTON.pga, spectrum=WELLINGTON, size: Wall | None = None):
@@ -195,7 +191,7 @@ def test_score_and_pga_at_full_score_agree_with_the_ratio() -> None:
 @pytest.mark.parametrize("height", [1.0, 2.5])
 def test_a_wall_that_stands_free(height: float) -> None:
     """J = W (h^2 + t^2) / 3g, a = W h / 2; gamma = 1.5 / (1 + (t/h)^2); usable 0.3 of Delta_i = t, at the top."""
-    rocker, slender = free(height), (T / height) ** 2
+    rocker, slender = free_wall(T, height), (T / height) ** 2
     context = Context(WELLINGTON, (WELLINGTON.pga,), 0.0, 0.0, None, wall=Wall(height, T))
     (check,) = assess_face_loaded_wall(rocker, context, options=Nzsee2017Options())
     found = {step.symbol: step.value for step in check.steps}
@@ -236,7 +232,7 @@ def test_floor_factor(elevation: float, building: Building | None, factor: float
 
 def test_below_uplift_by_the_part_coefficient_nothing_rocks() -> None:
     """A stocky block: lambda = t/h, C_p(0) = 2 C(0) on the ground."""
-    rocker = free(0.3)
+    rocker = free_wall(T, 0.3)
     level = 0.999 * T / 0.3 / 2 * g
     (check,) = assess_face_loaded_wall(
         rocker, Context(WELLINGTON, (level,), 0.0, 0.0, None), options=Nzsee2017Options()

@@ -14,8 +14,7 @@ from assess.errors import ProjectError
 from assess.mechanisms.chain import RigidBlock, mirror_point
 from assess.mechanisms.four_hinge import weakest_hinges
 from assess.oscillator import multiplier
-from assess.project.build import build
-from assess.project.project_file import load
+from tests.support.projects import block, mechanism_of, project_toml
 from tests.validation.derive.arches import sectors as arch
 
 R, T, ANGLE = 10.0, 1.5, radians(157.5)
@@ -48,12 +47,9 @@ def test_choices_looked_at_in_portions_are_all_looked_at(monkeypatch):
 @pytest.mark.parametrize("count", [81, 10_000])
 def test_more_voussoirs_than_can_be_searched_are_refused(tmp_path, count):
     with pytest.raises(ProjectError, match=r"joints\.count: .*must be 80 or less"):
-        project(tmp_path, count, body=profile_of())
-    lines = [[[0, 0], [1, k]] for k in range(82)]
-    radial = f'{{ centre = [0, 0], first = "168.75 deg", last = "11.25 deg", count = {count} }}'
-    (tmp_path / "project.toml").write_text((tmp_path / "project.toml").read_text().replace(radial, str(lines)))
+        project(tmp_path, radial(count))
     with pytest.raises(ProjectError, match=r"joints: .*81"):
-        load(tmp_path)
+        project(tmp_path, [[[0, 0], [1, k]] for k in range(82)])
 
 
 def test_the_order_of_the_ends_of_joints_does_not_matter():
@@ -69,31 +65,22 @@ def ring(*, pieces=280):
     return [*outside, *((INNER * cos(a), INNER * sin(a)) for a in angles[::-1])]
 
 
-def project(folder, count, *, body, direction="[1, 0, 0]", centre="[0, 0]"):
-    (folder / "project.toml").write_text(f"""
-[materials.m]
-density = 2000
-[bodies.arch]
-material = "m"
-{body}
-[mechanisms.arch]
-kind = "four-hinge"
-blocks = ["arch"]
-hinges = "minimum"
-direction = {direction}
-joints = {{ centre = {centre}, first = "168.75 deg", last = "11.25 deg", count = {count} }}
-""")
-    (mechanism,) = build(load(folder)).mechanisms
-    return mechanism
+PROFILE = {"length": 2.0, "profile": [[float(x), float(z)] for x, z in ring()]}
 
 
-def profile_of():
-    return f"length = 2.0\nprofile = {[[float(x), float(z)] for x, z in ring()]!r}"
+def project(folder, joints, *, body=PROFILE, direction=(1, 0, 0)):
+    own = block("arch", kind="four-hinge", hinges="minimum", direction=direction, joints=joints)
+    text = project_toml(site=None, bodies={"arch": {"material": "brick", **body}}, mechanisms={"arch": own})
+    return mechanism_of(folder, text)
+
+
+def radial(count, *, centre=(0, 0)):
+    return {"centre": centre, "first": "168.75 deg", "last": "11.25 deg", "count": count}
 
 
 @pytest.mark.parametrize(("count", "published", "digits"), [(7, 0.370, 5e-4), (8, 0.3538, 1e-4)])
 def test_profile_of_a_project_file(tmp_path, count, published, digits):
-    mechanism = project(tmp_path, count, body=profile_of())
+    mechanism = project(tmp_path, radial(count))
     rocker = mechanism.oscillator
     analytic = weakest_hinges(*arch(count), name="arch")
     for side in rocker.branches:
@@ -120,8 +107,8 @@ def test_mesh_of_a_project_file_in_another_place_and_direction(tmp_path):
         lines += [f"f {a + 1} {d + 1} {c + 1}", f"f {a + 1} {c + 1} {b + 1}"]
         lines += [f"f {n + a + 1} {n + c + 1} {n + d + 1}", f"f {n + a + 1} {n + b + 1} {n + c + 1}"]
     (tmp_path / "arch.obj").write_text("\n".join(lines) + "\n")
-    body = 'mesh = "arch.obj"\nmesh_unit = "mm"'
-    mechanism = project(tmp_path, 7, body=body, direction="[0, 2, 0]", centre="[3.0, 1.5]")
+    body = {"mesh": "arch.obj", "mesh_unit": "mm"}
+    mechanism = project(tmp_path, radial(7, centre=(3.0, 1.5)), body=body, direction=(0, 2, 0))
     assert multiplier(mechanism.oscillator.positive)[0] == pytest.approx(0.370, abs=1e-3)
     expected = [(x + 3.0, z + 1.5) for x, z in weakest_hinges(*arch(7), name="arch").hinges]
     np.testing.assert_allclose(mechanism.positive.hinges, expected, rtol=0.0, atol=1e-5)
@@ -142,11 +129,11 @@ def test_the_weakest_mirrors_with_the_arch():
 
 def test_joints_of_a_wrong_centre_are_told_and_blamed(tmp_path):
     """Joints that do not point to the centre of the ring leave its feet behind and cut it askew."""
-    askew = project(tmp_path, 8, body=profile_of(), centre="[0, 5]")
+    askew = project(tmp_path, radial(8, centre=(0, 5)))
     assert "% of the arch lies beyond its first and last joint" in str(askew.warnings[0])
     assert askew.warnings[1].key == "joint-askew"
     assert any("stops at its first impact" in text for text in map(str, askew.warnings))
-    told = project(tmp_path, 8, body=profile_of(), centre="[0, 2]").warnings[0].text
+    told = project(tmp_path, radial(8, centre=(0, 2))).warnings[0].text
     left = asin(2 * cos(radians(11.25)) / 10) / radians(78.75)  # of each half, on the mean radius of 10 m
     assert float(told.split(" %")[0]) == pytest.approx(100 * left, rel=0.05)
-    assert all(text.startswith("hinges of") for text in map(str, project(tmp_path, 8, body=profile_of()).warnings))
+    assert all(text.startswith("hinges of") for text in map(str, project(tmp_path, radial(8)).warnings))

@@ -1,7 +1,5 @@
 """Real files of every format against an index made by an independent parser. The files are not part of the project."""
 
-import csv
-from collections.abc import Iterator
 from itertools import groupby
 
 import numpy as np
@@ -10,21 +8,12 @@ from scipy.constants import g
 
 from records.reading import read_records
 from records.record import Record
-from tests.support.places import REAL_RECORDS, needs_real_records
-
-INDEX = REAL_RECORDS / "INDEX.csv"
+from tests.support.places import REAL_RECORDS, index_rows, needs_real_records
 
 pytestmark = needs_real_records
 
+FILES = [(name, list(rows)) for name, rows in groupby(index_rows(), key=lambda row: row["file"])]
 IN_G = ("SortedEQFile", "ARL360")  # of the plain files, whose unit is not in the file; the others are in m/s2
-
-
-def files() -> Iterator[tuple[str, list[dict[str, str]]]]:
-    if INDEX.exists():
-        with INDEX.open(newline="", encoding="utf-8") as file:
-            rows = list(csv.DictReader(file))
-        for name, of_file in groupby(rows, key=lambda row: row["file"]):
-            yield name, list(of_file)
 
 
 def read_listed(name: str) -> tuple[Record, ...]:
@@ -36,11 +25,10 @@ def read_listed(name: str) -> tuple[Record, ...]:
 
 
 def test_the_index_lists_131_components_in_121_files() -> None:
-    listed = list(files())
-    assert (len(listed), sum(len(rows) for _, rows in listed)) == (121, 131)
+    assert (len(FILES), sum(len(rows) for _, rows in FILES)) == (121, 131)
 
 
-@pytest.mark.parametrize(("name", "rows"), list(files()), ids=lambda value: value if isinstance(value, str) else "")
+@pytest.mark.parametrize(("name", "rows"), FILES, ids=lambda value: value if isinstance(value, str) else "")
 def test_a_file_is_as_the_index_says(name: str, rows: list[dict[str, str]]) -> None:
     found = read_listed(name)
     assert len(found) == len(rows)
@@ -50,7 +38,7 @@ def test_a_file_is_as_the_index_says(name: str, rows: list[dict[str, str]]) -> N
         assert record.pga / g == pytest.approx(float(row["pga_g"]), rel=6e-6)  # six printed digits
 
 
-@pytest.mark.parametrize(("name", "rows"), list(files()), ids=lambda value: value if isinstance(value, str) else "")
+@pytest.mark.parametrize(("name", "rows"), FILES, ids=lambda value: value if isinstance(value, str) else "")
 def test_the_year_and_magnitude_of_a_header_are_those_of_the_index(name: str, rows: list[dict[str, str]]) -> None:
     for record, row in zip(read_listed(name), rows, strict=True):
         quake = record.earthquake
@@ -61,17 +49,12 @@ def test_the_year_and_magnitude_of_a_header_are_those_of_the_index(name: str, ro
             assert quake.magnitude == pytest.approx(float(row["magnitude"]), abs=scales[quake.scale])
 
 
-def same_motion(one: Record, other: Record, *, printed: float) -> None:
-    """Both to half a unit of the last digit `printed` [m/s2]."""
-    assert (one.npts, one.dt) == (other.npts, other.dt)
-    np.testing.assert_allclose(one.acceleration, other.acceleration, rtol=0, atol=printed)
-
-
 def test_el_centro_in_three_files_of_plain_numbers_is_one_motion() -> None:
     first, second = (read_records(REAL_RECORDS / "plain" / name)[0] for name in ("elCentro.AT2", "elCentro.at2"))
     (bare,) = read_records(REAL_RECORDS / "plain" / "ARL360.g3", unit="g", step=0.02)
-    same_motion(first, second, printed=1e-12)
-    same_motion(first, bare, printed=1e-12)
+    for other in (second, bare):
+        assert (first.npts, first.dt) == (other.npts, other.dt)
+        np.testing.assert_allclose(first.acceleration, other.acceleration, rtol=0, atol=1e-12)
 
 
 def test_two_columns_without_units_hold_the_same_motion_as_the_at2_file() -> None:

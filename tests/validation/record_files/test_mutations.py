@@ -13,7 +13,7 @@ import pytest
 from records.errors import RecordError
 from records.plausibility import record_warning
 from records.reading import read_records
-from records.record import Record
+from tests.support.files import write_file
 from tests.support.places import REAL_RECORDS, needs_real_records
 
 pytestmark = needs_real_records
@@ -39,18 +39,8 @@ FILES = {**TWICE, **ONCE}
 NUMBERS = re.compile(r"[\s0-9.eE+-]+")
 
 
-def text_of(name: str) -> str:
-    return (REAL_RECORDS / name).read_bytes().decode("latin-1")
-
-
-def mutated(folder: Path, name: str, text: str) -> tuple[Record, ...]:
-    path = folder / Path(name).name
-    path.write_bytes(text.encode("latin-1"))
-    return read_records(path)
-
-
 def with_step(name: str, factor: float) -> str:
-    text = text_of(name)
+    text = (REAL_RECORDS / name).read_text("latin-1")
     found = re.search(FILES[name], text)
     assert found is not None
     printed = f"{float(found[1]) * factor:.7E}" if "E" in found[1] else f"{float(found[1]) * factor:.6g}"
@@ -61,19 +51,22 @@ def with_step(name: str, factor: float) -> str:
 @pytest.mark.parametrize("name", TWICE)
 def test_another_step_is_refused_where_something_repeats_it(tmp_path: Path, name: str, factor: float) -> None:
     with pytest.raises(RecordError) as caught:
-        mutated(tmp_path, name, with_step(name, factor))
+        read_records(write_file(tmp_path / Path(name).name, with_step(name, factor), encoding="latin-1"))
     assert "\n" not in str(caught.value)
 
 
 @pytest.mark.parametrize("name", ONCE)
 def test_a_step_ten_times_too_long_is_doubted_where_it_stands_once(tmp_path: Path, name: str) -> None:
-    assert all("check the step" in record_warning(record) for record in mutated(tmp_path, name, with_step(name, 10.0)))
+    assert all(
+        "check the step" in record_warning(record)
+        for record in read_records(write_file(tmp_path / Path(name).name, with_step(name, 10.0), encoding="latin-1"))
+    )
 
 
 @pytest.mark.parametrize("name", FILES)
 def test_lines_that_lost_bytes_are_refused_or_doubted(tmp_path: Path, name: str) -> None:
     """But for minus signs of ESM's single column, which is aligned on the left."""
-    lines = text_of(name).split("\n")
+    lines = (REAL_RECORDS / name).read_text("latin-1").split("\n")
     chance = random.Random(name)
     numbers = [i for i, line in enumerate(lines) if line.strip() and NUMBERS.fullmatch(line)]
     first = next(i for i in numbers if all(j in numbers for j in range(i, i + 60)))
@@ -84,7 +77,11 @@ def test_lines_that_lost_bytes_are_refused_or_doubted(tmp_path: Path, name: str)
             continue
         damaged = lines[at][:start] + lines[at][start + lost :]
         try:
-            found = mutated(tmp_path, name, "\n".join([*lines[:at], damaged, *lines[at + 1 :]]))
+            found = read_records(
+                write_file(
+                    tmp_path / Path(name).name, "\n".join([*lines[:at], damaged, *lines[at + 1 :]]), encoding="latin-1"
+                )
+            )
         except RecordError:
             continue
         assert any(record_warning(record) for record in found), (at + 1, damaged)
@@ -93,7 +90,7 @@ def test_lines_that_lost_bytes_are_refused_or_doubted(tmp_path: Path, name: str)
 @pytest.mark.parametrize("name", [name for name in TWICE if not name.startswith("plain")])
 def test_no_digit_of_a_header_changes_step_size_peak_or_direction_unsaid(tmp_path: Path, name: str) -> None:
     """To a thousandth: a step that differs by less is within the rounding of what repeats it."""
-    text, chance = text_of(name), random.Random(name)
+    text, chance = (REAL_RECORDS / name).read_text("latin-1"), random.Random(name)
     whole = read_records(REAL_RECORDS / name)
     end = re.search(r"(?:^[-+ 0-9.eE\r]+\n){30}", text, re.MULTILINE)  # where samples begin
     assert end is not None
@@ -101,7 +98,9 @@ def test_no_digit_of_a_header_changes_step_size_peak_or_direction_unsaid(tmp_pat
     for at in chance.sample(digits, 12):
         other = chance.choice([each for each in "0123456789" if each != text[at]])
         try:
-            found = mutated(tmp_path, name, text[:at] + other + text[at + 1 :])
+            found = read_records(
+                write_file(tmp_path / Path(name).name, text[:at] + other + text[at + 1 :], encoding="latin-1")
+            )
         except RecordError:
             continue
         for record, before in zip(found, whole, strict=True):

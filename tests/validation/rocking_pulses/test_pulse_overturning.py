@@ -18,16 +18,9 @@ from assess.dynamics.history import Equation, Jobs, Peaks, peaks
 from assess.oscillator import Oscillator
 from records.record import Record, make_record
 from tests.support.blocks import block
+from tests.validation.rocking_pulses.printed import HALF_SINE, ONE_SINE
 
 P, ALPHA = 2.0, 0.2
-
-ONE_SINE = {
-    0.5: 1.118049951788, 1.0: 1.418315335579, 2.0: 2.349903126956, 3.0: 3.631149872445,
-    4.0: 5.238964357602, 5.0: 7.168128797071, 6.0: 9.416965707688, 8.0: 14.871352061270,
-}  # fmt: skip
-HALF_SINE = {
-    0.5: 1.109417823, 1.0: 1.322396598, 2.0: 1.800723931, 3.0: 2.293872313, 4.0: 2.790798012, 6.0: 3.788155166,
-}  # fmt: skip
 
 
 def pulse(omega: float, *, cycles: float = 1.0, n: int = 20_000) -> Record:
@@ -45,11 +38,8 @@ def run(body: Oscillator, motion: Record, amplitudes: np.ndarray, equation: Equa
 
 def threshold(body: Oscillator, motion: Record, below: float, above: float) -> float:
     """The amplitude between an outcome that stands and one that overturns."""
-
-    def outcome(amplitude: float) -> float:
-        return 1.0 if run(body, motion, np.array([amplitude])).overturned[0] else -1.0
-
-    return float(brentq(outcome, below, above, xtol=1e-13))
+    outcomes = lambda amplitude: run(body, motion, np.array([amplitude])).overturned  # noqa: E731
+    return float(brentq(lambda amplitude: 1.0 if outcomes(amplitude)[0] else -1.0, below, above, xtol=1e-13))
 
 
 @pytest.mark.parametrize("omega", ONE_SINE)
@@ -105,18 +95,15 @@ def test_beyond_overturning_under_load_and_back() -> None:
     assert math.isnan(found.overturning_time[0])
 
 
-def instant(y: float) -> float:
-    """x at which y is reached on the way of y + y' = 1: (cosh x - 1) / (e^x - 1) = y."""
-    return float(brentq(lambda x: (math.cosh(x) - 1) / math.expm1(x) - y, 1e-9, 30.0, xtol=1e-15))
-
-
 @pytest.mark.parametrize("excess", [-1e-12, 1e-12])
 @pytest.mark.parametrize("start", [0.1, 0.4])
 def test_free_motion_overturns_where_y_plus_rate_exceeds_one(start: float, excess: float) -> None:
     """A ground step whose end leaves y + y' = 1 + excess, by the closed form under constant acceleration."""
     form = block(P, ALPHA, 0.9).positive.linearised
     # at rest under A > 1: y = (A - 1)(cosh x - 1), y' = (A - 1) sinh x: y + y' = (A - 1)(e^x - 1), y = start
-    x = instant(start)
+    x = float(
+        brentq(lambda x: (math.cosh(x) - 1) / math.expm1(x) - start, 1e-9, 30.0, xtol=1e-15)
+    )  # where y is reached
     amplitude = 1 + (1 + excess) / math.expm1(x)
     motion = make_record("step", np.full(2, -g * form.multiplier), x / form.p)
     assert (amplitude - 1) * (math.cosh(x) - 1) == pytest.approx(start, rel=1e-9)

@@ -22,17 +22,11 @@ from assess.dynamics.pulses import PulseJobs, envelope, pulse_outcomes
 from assess.oscillator import Oscillator
 from records.pulses import PULSE_SHAPES
 from tests.support.blocks import tabulated_block
+from tests.validation.rocking_pulses.printed import HALF_SINE, ONE_SINE
 
 P, SAMPLED = 2.0, 1.0 / np.sinc(1 / 400) ** 2
 block_of = partial(tabulated_block, P)
 
-ONE_SINE = {
-    0.5: 1.118049951788, 1.0: 1.418315335579, 2.0: 2.349903126956, 3.0: 3.631149872445,
-    4.0: 5.238964357602, 5.0: 7.168128797071, 6.0: 9.416965707688, 8.0: 14.871352061270,
-}  # fmt: skip
-HALF_SINE = {
-    0.5: 1.109417823, 1.0: 1.322396598, 2.0: 1.800723931, 3.0: 2.293872313, 4.0: 2.790798012, 6.0: 3.788155166,
-}  # fmt: skip
 ISLANDS = {2.0: (1.2252, 2.34), 3.0: (1.40, 3.5), 4.0: (1.7955, 4.85), 5.0: (3.0, 6.3), 6.0: (5.164, 7.68)}
 """Restitution 0.9: where one impact begins to overturn, and ceases to (to a few hundredths)."""
 

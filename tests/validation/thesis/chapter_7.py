@@ -6,14 +6,13 @@ Dimensions of the frames of 7.4 are only in its Fig. 7.17, a picture: here are o
 from __future__ import annotations
 
 from dataclasses import replace
-from functools import cache
+from functools import cache, partial
 from math import atan2, cos, hypot, sin, sqrt
 
 import numpy as np
 from scipy.constants import g
 
 from assess.dynamics.history import peaks, product
-from assess.geometry.planar import planar_body_from_values
 from assess.interfaces.contact import JointLaw
 from assess.interfaces.section import rectangle
 from assess.loads.load import Force
@@ -22,7 +21,8 @@ from assess.mechanisms.chain import Joint, RigidBlock
 from assess.mechanisms.four_hinge import four_hinge
 from assess.mechanisms.single_block import single_block
 from assess.mechanisms.two_block import two_block
-from records.record import make_record
+from tests.support.bodies import body_of_block, rectangle_block
+from tests.support.motions import noise
 
 F_M = 1.28e6  # Pa
 MODELS = ("flexible", "semi-flexible", "rigid")
@@ -30,15 +30,6 @@ STIFFNESSES = (85e6, 170e6, 340e6, 680e6, 1350e6)  # Pa/m, of Fig. 7.3
 SLENDERNESSES = (0.12, 0.16, 0.20, 0.24, 0.28)  # rad, of Fig. 7.4
 RELEASE = 0.8  # of the slenderness
 SEEDS, SCALES = range(16), (1.6, 2.4)  # of the noise that frames are judged by, peak 1 m/s2 times the scale
-
-
-def block(x, z, width, height, *, length=1.0):
-    mass = 1800.0 * width * height * length
-    return RigidBlock(mass, (x + width / 2, z + height / 2), mass * (width**2 + height**2) / 12)
-
-
-def body(of):
-    return planar_body_from_values(mass=of.mass, centroid=of.centroid, inertia=of.inertia, name="b")
 
 
 def standing(rigid, beds, *, stiffness, model):
@@ -54,14 +45,19 @@ def wall(stiffness, model, *, slenderness=None):
     """1 x 2 x 6 m, or of its radius and another slenderness."""
     radius, alpha = hypot(0.5, 3.0), slenderness or atan2(0.5, 3.0)
     b, h = 2 * radius * sin(alpha), 2 * radius * cos(alpha)
-    rigid = single_block("w", body(block(-b / 2, 0.0, b, h, length=2.0)), hinge=(b / 2, 0), hinge_negative=(-b / 2, 0))
+    rigid = single_block(
+        "w", body_of_block(rectangle_block(-b / 2, 0.0, b, h, length=2.0)), hinge=(b / 2, 0), hinge_negative=(-b / 2, 0)
+    )
     return standing(rigid, [(-1, b, 2.0)], stiffness=stiffness, model=model)
 
 
 def storey(stiffness, model, *, over=2.0):
     """7.3: 0.4 x 1 x 3 m under `over` times its weight, cracked by 3.27 without tension, the load at the edge."""
     crack = 3.0 * (1 + (over - sqrt((2 + 2 * over) * over)) / (2 + over))
-    halves = body(block(-0.2, 0.0, 0.4, crack)), body(block(-0.2, crack, 0.4, 3.0 - crack))
+    halves = (
+        body_of_block(rectangle_block(-0.2, 0.0, 0.4, crack)),
+        body_of_block(rectangle_block(-0.2, crack, 0.4, 3.0 - crack)),
+    )
     rigid = two_block("w", *halves, hinges=((0.2, 0.0), (-0.2, crack), (0.2, 3.0)),
                       hinges_negative=((-0.2, 0.0), (0.2, crack), (-0.2, 3.0)))  # fmt: skip
     load = (Force("overburden", (0.0, -over * 1800 * 1.2 * g), (0.2, 3.0), 1),)
@@ -74,26 +70,31 @@ def storey(stiffness, model, *, over=2.0):
 def frame(stiffness, model, *, even=True):
     """Columns of 0.8 x 4 m under a beam, or of two heights on bases at two levels, with 0.90 as in the thesis."""
     if even:
-        blocks = block(0.0, 0.0, 0.8, 4.0), block(0.0, 4.0, 4.6, 0.7), block(3.8, 0.0, 0.8, 4.0)
+        blocks = (
+            rectangle_block(0.0, 0.0, 0.8, 4.0),
+            rectangle_block(0.0, 4.0, 4.6, 0.7),
+            rectangle_block(3.8, 0.0, 0.8, 4.0),
+        )
         front = ((0.8, 0.0), (0.0, 4.0), (3.8, 4.0), (4.6, 0.0))
         back = ((0.0, 0.0), (0.8, 4.0), (4.6, 4.0), (3.8, 0.0))
         depths, kept = (0.8,) * 4, "thesis"
     else:
-        blocks = block(0.0, 0.0, 0.8, 4.0), RigidBlock(7000.0, (2.4, 4.9), 15000.0), block(3.6, 1.2, 1.0, 3.4)
+        blocks = (
+            rectangle_block(0.0, 0.0, 0.8, 4.0),
+            RigidBlock(7000.0, (2.4, 4.9), 15000.0),
+            rectangle_block(3.6, 1.2, 1.0, 3.4),
+        )
         front = ((0.8, 0.0), (0.0, 4.0), (3.6, 4.6), (4.6, 1.2))
         back = ((0.0, 0.0), (0.8, 4.0), (4.6, 4.6), (3.6, 1.2))
         depths, kept = (0.8, 0.8, 1.0, 1.0), 0.90
-    rigid = four_hinge("f", [body(each) for each in blocks], hinges=front, hinges_negative=back,
+    rigid = four_hinge("f", [body_of_block(each) for each in blocks], hinges=front, hinges_negative=back,
                        restitution=(kept, kept))  # fmt: skip
     beds = [(w, d, 1.0) for w, d in zip((-1, 1, 1, -1), depths, strict=True)]
     return standing(rigid, beds, stiffness=stiffness, model=model)
 
 
-def noise(seed, *, npts=1200, dt=0.01):
-    """Smoothed noise under a half sine, peak 1 m/s2."""
-    raw = np.convolve(np.random.default_rng(seed).standard_normal(npts + 59), np.hanning(60), mode="valid")
-    raw *= np.sin(np.linspace(0.0, np.pi, npts))
-    return make_record(f"noise {seed}", raw / np.abs(raw).max(), dt)
+motion = partial(noise, peak=1.0, npts=1200, dt=0.01, smooth=60, bell=1.0)
+"""Smoothed noise under a half sine, peak 1 m/s2, by its seed."""
 
 
 def suites(motions, scales, *, even):

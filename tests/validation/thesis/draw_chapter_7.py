@@ -17,7 +17,7 @@ from pathlib import Path
 from textwrap import fill
 
 import numpy as np
-from chapter_7 import RELEASE, SCALES, SEEDS, SLENDERNESSES, STIFFNESSES, frame, noise, storey, suites, wall
+from chapter_7 import RELEASE, SCALES, SEEDS, SLENDERNESSES, STIFFNESSES, frame, motion, storey, suites, wall
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from scipy.constants import g
@@ -61,20 +61,10 @@ def wall_of(stiffness: float) -> Case:
     return Case(stiff(stiffness), partial(wall, stiffness), atan2(0.5, 3.0))
 
 
-def slender(alpha: float) -> Case:
-    """The wall of the same radius and another slenderness [rad]."""
-    return Case(f"α₀ = {alpha:.2f} rad", partial(wall, 340e6, slenderness=alpha), alpha)
-
-
 def storey_under(load: float) -> Case:
     """The wall of two blocks under a load over its weight."""
     alpha = storey(340e6, "rigid", over=load)[1]
     return Case(f"F = {load:g} W", lambda model: storey(340e6, model, over=load)[0], alpha)
-
-
-def frame_of(stiffness: float, *, even: bool) -> Case:
-    """A frame of equal or unequal columns, by the slenderness of the first."""
-    return Case(stiff(stiffness), partial(frame, stiffness, even=even), atan2(0.8, 4.0))
 
 
 def stiff(stiffness: float) -> str:
@@ -177,7 +167,7 @@ def of_walls() -> Iterator[tuple[str, Figure]]:
         "7-04-wall-released-by-slenderness",
         free_figure(
             f"As thesis Fig. 7.4: walls of one radius, 3.04 m, let go at 0.8 α₀, kₙ = 340 MPa/m, {BLOCKS}; {NEAR}.",
-            [slender(alpha) for alpha in SLENDERNESSES],
+            [Case(f"α₀ = {alpha:.2f} rad", partial(wall, 340e6, slenderness=alpha), alpha) for alpha in SLENDERNESSES],
             duration=25.0,
         ),
     )
@@ -222,7 +212,7 @@ def of_frames() -> Iterator[tuple[str, Figure]]:
         (20, True, "a frame of two columns of 0.8 × 1 × 4 m", NEAR),
         (22, False, "a frame of unlike columns on two levels, restitution 0.90,", UNLIKE),
     ):
-        cases = [frame_of(k, even=even) for k in HISTORY_STIFFNESSES]
+        cases = [Case(stiff(k), partial(frame, k, even=even), atan2(0.8, 4.0)) for k in HISTORY_STIFFNESSES]
         yield (
             f"7-{number}-frame-released",
             free_figure(
@@ -261,7 +251,7 @@ def of_suites() -> Iterator[tuple[str, Figure]]:
 
 def peaks_panel(axes: Axes, *, even: bool) -> str:
     """Semi-flexible over flexible peaks / phi_ov, and a summary in words."""
-    ratio, over = suites([noise(seed) for seed in SEEDS], SCALES, even=even)
+    ratio, over = suites([motion(seed) for seed in SEEDS], SCALES, even=even)
     stood = ~over.any(axis=0)
     axes.plot([0.0, 1.1], [0.0, 1.1], color=MUTED, linewidth=0.7)
     axes.plot(*ratio[:, stood], "o", color=PENS["semi-flexible"][0], markersize=3, alpha=0.7)

@@ -11,7 +11,7 @@ from math import atan2
 
 import numpy as np
 import pytest
-from chapter_7 import MODELS, RELEASE, SCALES, SEEDS, SLENDERNESSES, STIFFNESSES, noise, storey, suites, wall
+from chapter_7 import MODELS, RELEASE, SCALES, SEEDS, SLENDERNESSES, STIFFNESSES, motion, storey, suites, wall
 
 from assess.dynamics.history import free_rocking
 from records.reading import read_records
@@ -70,7 +70,7 @@ def test_figure_7_12_loads_make_it_come_to_rest_sooner():
 @pytest.mark.parametrize("even", [True, False])
 def test_histories_of_frames_by_their_statistics(even):
     """96 of each: medians within 3 %, nine in ten alike in overturning, whose number is within a fifth."""
-    ratio, over = suites([noise(seed) for seed in SEEDS], SCALES, even=even)
+    ratio, over = suites([motion(seed) for seed in SEEDS], SCALES, even=even)
     both = ~over.any(axis=0) & (ratio > 0.02).all(axis=0)
     assert both.sum() > 20
     assert over[0].sum() > 5

@@ -25,18 +25,7 @@ from assess.mechanisms.chain import Chain, RigidBlock, mirror_chain, virtual_wor
 from assess.project.build import build
 from assess.project.project_file import load
 from tests.support.bodies import rectangle_block
-
-STEP = 4e-3  # rad, of differences of eighth order
-FIRST = {1: 4 / 5, 2: -1 / 5, 3: 4 / 105, 4: -1 / 280}
-SECOND = {0: -205 / 72, 1: 8 / 5, 2: -1 / 5, 3: 8 / 315, 4: -1 / 560}
-
-
-def slope(f, x):
-    return sum(w * (f(x + k * STEP) - f(x - k * STEP)) for k, w in FIRST.items()) / STEP
-
-
-def bend(f, x):
-    return sum(w * (f(x + k * STEP) + f(x - k * STEP)) / (2 if k == 0 else 1) for k, w in SECOND.items()) / STEP**2
+from tests.support.differences import bend, slope
 
 
 @dataclass(frozen=True)

@@ -7,12 +7,12 @@ the support at the top; where supports and hinges may give impulses, much less i
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import partial
 from math import atan2, cos, hypot, sin, tan
 
 import numpy as np
 import pytest
 
-from assess.geometry.planar import PlanarBody
 from assess.mechanisms.chain import mirror_point
 from assess.mechanisms.four_hinge import four_hinge
 from assess.mechanisms.single_block import single_block
@@ -20,10 +20,7 @@ from assess.mechanisms.two_block import two_block
 from tests.support.bodies import planar_box
 
 BOTH = ("momentum", "momentum")
-
-
-def body(thickness, height, *, at=(0.0, 0.0), length=2.0, density=1800.0):
-    return planar_box(thickness, height, x=at[0], base=at[1], length=length, density=density)
+body = partial(planar_box, length=2.0)
 
 
 def after_impact(bodies, old, new, *, top="pinned"):
@@ -106,14 +103,10 @@ def printed_3_46(thickness, crack, height):
     return over / (shared + m2 * R1**2 * (2 + outer))
 
 
-def halves(crack, *, thickness=0.4, height=4.0):
-    return body(thickness, crack), body(thickness, height - crack, at=(0.0, crack))
-
-
 @pytest.mark.parametrize(("crack", "kept"), [(2.2, 0.77276), (2.4, 0.79630)])
 def test_two_blocks_3_46_and_what_impulses_at_the_top_leave(crack, kept):
     """Wall 0.4 x 4 m: the thesis' formula, and the projection onto the new mechanism."""
-    bodies = halves(crack)
+    bodies = (body(0.4, crack), body(0.4, 4.0 - crack, base=crack))
     printed = printed_3_46(0.4, crack, 4.0)
     assert two_block("w", *bodies).restitution == pytest.approx((printed, printed), rel=1e-12)
     assert two_block("w", *bodies, restitution=BOTH).restitution == pytest.approx((kept, kept), abs=5e-6)
@@ -125,7 +118,7 @@ def test_two_blocks_3_46_and_what_impulses_at_the_top_leave(crack, kept):
 
 def test_two_blocks_3_46_by_the_angular_momenta_about_the_new_base_hinge():
     """The sum over the blocks of J theta' + r x m v about (-0.2, 0), from velocities solved above."""
-    bodies = halves(2.6)
+    bodies = (body(0.4, 2.6), body(0.4, 4.0 - 2.6, base=2.6))
     old, new = ((0.2, 0.0), (-0.2, 2.6), (0.2, 4.0)), ((-0.2, 0.0), (0.2, 2.6), (-0.2, 4.0))
 
     def momentum(hinges):
@@ -140,7 +133,7 @@ def test_two_blocks_3_46_by_the_angular_momenta_about_the_new_base_hinge():
     assert printed_3_46(0.4, 2.6, 4.0) == pytest.approx(momentum(old) / momentum(new), rel=1e-12)
 
 
-PORTAL = (body(0.9, 4.0), body(5.0, 0.6, at=(2.3, 4.0), density=2200.0), body(0.7, 4.0, at=(4.4, 0.0)))
+PORTAL = (body(0.9, 4.0), body(5.0, 0.6, x=2.3, base=4.0, density=2200.0), body(0.7, 4.0, x=4.4))
 FRONT = ((0.45, 0.0), (-0.45, 4.0), (4.05, 4.0), (4.75, 0.0))
 BACK = ((-0.45, 0.0), (0.45, 4.0), (4.75, 4.0), (4.05, 0.0))
 
@@ -154,12 +147,8 @@ def test_four_hinges_by_impulses():
 
 
 def test_restitution_mirrors_with_the_mechanism():
-    flipped = tuple(flip(each) for each in PORTAL)
+    flipped = tuple(replace(each, centroid=mirror_point(each.centroid), outline=(), base=None) for each in PORTAL)
     ahead, behind = (tuple(mirror_point(hinge) for hinge in hinges) for hinges in (BACK, FRONT))
     one = four_hinge("p", PORTAL, hinges=FRONT, hinges_negative=BACK).restitution
     two = four_hinge("p", flipped, hinges=ahead, hinges_negative=behind).restitution
     assert one == pytest.approx(two[::-1], rel=1e-13)
-
-
-def flip(each: PlanarBody) -> PlanarBody:
-    return replace(each, centroid=mirror_point(each.centroid), outline=(), base=None)

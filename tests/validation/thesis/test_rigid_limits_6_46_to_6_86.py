@@ -24,16 +24,11 @@ from assess.mechanisms.single_block import single_block
 from assess.mechanisms.two_block import two_block
 from assess.oscillator import Branch, Oscillator
 from tests.support.bodies import body_of_block, rectangle_block
+from tests.support.differences import slope
 
-STEP = 4e-3  # rad, of differences of eighth order
 ROTATION = np.array([0.02, 0.06, 0.11])
 RHO = 1900.0
 block_of = partial(rectangle_block, density=RHO)
-
-
-def slope(f, x):
-    weights = {1: 4 / 5, 2: -1 / 5, 3: 4 / 105, 4: -1 / 280}
-    return sum(w * (f(x + k * STEP) - f(x - k * STEP)) for k, w in weights.items()) / STEP
 
 
 def polar(hinge, at, *, side=1.0):

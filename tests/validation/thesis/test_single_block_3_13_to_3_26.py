@@ -19,40 +19,24 @@ from assess.mechanisms.branch_table import rigid_branch
 from assess.mechanisms.chain import Chain, RigidBlock, virtual_work
 from assess.mechanisms.single_block import single_block
 from assess.oscillator import multiplier
-from assess.project.build import build
-from assess.project.project_file import load
+from tests.support.projects import block, mechanism_of, project_toml
 
 TABLE = 1e-8  # K is the slope of the branch's table
-
-
-def spire(folder, *, sides=8, radius=1.5, height=9.0):
-    """A pyramid over a regular polygon, as a mesh in millimetres, and its project."""
-    corners = [(radius * cos(pi * (2 * k + 1) / sides), radius * sin(pi * (2 * k + 1) / sides)) for k in range(sides)]
-    lines = [f"v {1000 * x!r} {1000 * y!r} 2000" for x, y in corners]
-    lines += ["v 0 0 2000", f"v 0 0 {1000 * (2.0 + height)!r}"]
-    for k in range(1, sides + 1):
-        following = k % sides + 1
-        lines += [f"f {following} {k} {sides + 1}", f"f {k} {following} {sides + 2}"]
-    (folder / "spire.obj").write_text("\n".join(lines) + "\n")
-    (folder / "project.toml").write_text("""
-[materials.m]
-density = 1800
-[bodies.spire]
-material = "m"
-mesh = "spire.obj"
-mesh_unit = "mm"
-[mechanisms.spire]
-kind = "single-block"
-direction = [1, 0, 0]
-blocks = ["spire"]
-""")
-    return folder
 
 
 def test_plain_block_3_13_to_3_16_for_a_spire_given_as_a_mesh(tmp_path):
     """Closed forms of a pyramid: centroid at h/4, M R^2 (2 + cos(2 pi/n)) / 20 + 3 M h^2 / 80 about it."""
     n, radius, height = 8, 1.5, 9.0
-    (mechanism,) = build(load(spire(tmp_path, sides=n, radius=radius, height=height))).mechanisms
+    corners = [(radius * cos(pi * (2 * k + 1) / n), radius * sin(pi * (2 * k + 1) / n)) for k in range(n)]
+    mesh = [f"v {1000 * x!r} {1000 * y!r} 2000" for x, y in corners]
+    mesh += ["v 0 0 2000", f"v 0 0 {1000 * (2.0 + height)!r}"]
+    for k, following in zip(range(1, n + 1), (*range(2, n + 1), 1), strict=True):
+        mesh += [f"f {following} {k} {n + 1}", f"f {k} {following} {n + 2}"]
+    (tmp_path / "spire.obj").write_text("\n".join(mesh) + "\n")
+    body = {"material": "brick", "mesh": "spire.obj", "mesh_unit": "mm"}
+    own = block("spire", direction=[1, 0, 0])
+    text = project_toml(site=None, bodies={"spire": body}, mechanisms={"spire": own})
+    mechanism = mechanism_of(tmp_path, text)
     edge = radius * cos(pi / n)
     M = 1800 * height / 3 * n / 2 * radius**2 * sin(2 * pi / n)
     R, alpha = hypot(edge, height / 4), atan2(edge, height / 4)
@@ -148,7 +132,9 @@ def test_excitation_3_23_is_exact_without_masses_that_do_not_bear():
 
 
 def test_a_project_file_gives_the_same_constants(tmp_path):
-    (tmp_path / "project.toml").write_text(f"""
+    mechanism = mechanism_of(
+        tmp_path,
+        f"""
 [materials.m]
 density = 1900
 [bodies.w]
@@ -165,8 +151,8 @@ loads = [
     {{ kind = "force", force = ["0.9 kN", 0], at = [-0.25, 3.0] }},
     {{ kind = "force", force = "500 N", direction = [2, 0, 0], at = [-0.2, 4.6] }},
 ]
-""")
-    (mechanism,) = build(load(tmp_path)).mechanisms
+""",
+    )
     ours, theirs = (each.linearised for each in (mechanism.oscillator.positive,
                                                  rigid_branch(CHAIN, restitution=0.9, name="w")))  # fmt: skip
     for name in ("inertia", "stiffness", "excitation", "moment", "critical"):

@@ -112,14 +112,10 @@ def mechanisms():
     assert set(names) < set(EXAMPLES)
     studies = {n: example_study(n) for n in names}
     found = {n: {m.name: m for m in study.mechanisms} for n, study in studies.items()}
-    return found | {"san_leonardo_spire": found["san_leonardo_spire"] | swept(studies["san_leonardo_spire"])}
-
-
-def swept(study):
-    """The spire's crack at H/2 at each angle of the sweep, by the names of the table."""
-    (sweep,) = study.sweeps
+    (sweep,) = studies["san_leonardo_spire"].sweeps  # the spire's crack at H/2 at each angle
     assert (sweep.key, sweep.unit) == ("mechanisms.spire-half.cut.angle", "deg")
-    return {f"spire-{case.value:.0f}": case.study.mechanisms[0] for case in sweep.cases}
+    found["san_leonardo_spire"] |= {f"spire-{case.value:.0f}": case.study.mechanisms[0] for case in sweep.cases}
+    return found
 
 
 def parameters(mechanism):

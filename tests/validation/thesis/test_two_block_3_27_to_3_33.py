@@ -21,8 +21,7 @@ from assess.mechanisms.branch_table import rigid_branch
 from assess.mechanisms.chain import Chain, RigidBlock
 from assess.model.walls import crack_ratio
 from assess.oscillator import multiplier
-from assess.project.build import build
-from assess.project.project_file import load
+from tests.support.projects import block, lines, mechanism_of, tables_toml, wall
 
 TABLE = 1e-8  # K is the slope of the branch's table
 B, L, H, RHO = 0.4, 3.0, 4.0, 1800.0
@@ -33,21 +32,10 @@ TAPERED = "profile = [[0.0, 0.0], [0.7, 0.0], [0.35, 6.0], [0.1, 6.0]]\nlength =
 
 def wall_of(folder, *, body=PLAIN, tensile="0 Pa", mechanism=""):
     """The one mechanism of a project with a wall that cracks."""
-    (folder / "project.toml").write_text(f"""
-[materials.m]
-density = {RHO}
-tensile_strength = "{tensile}"
-[bodies.w]
-material = "m"
-{body}
-[mechanisms.w]
-kind = "two-block"
-direction = [1, 0, 0]
-blocks = ["w"]
-{mechanism}
-""")
-    (mechanism,) = build(load(folder)).mechanisms
-    return mechanism
+    material = {"density": RHO, "tensile_strength": tensile}
+    own = lines(block("w", kind="two-block", direction=[1, 0, 0]), mechanism)
+    bodies = {"w": f'material = "m"\n{body}'}
+    return mechanism_of(folder, tables_toml(materials={"m": material}, bodies=bodies, mechanisms={"w": own}))
 
 
 def pressed(force, *, place, thickness=B):
@@ -235,22 +223,13 @@ def test_a_wall_of_a_project_has_the_constants_on_both_sides(tmp_path):
 
 def test_two_bodies_are_the_same_as_one_that_cracks(tmp_path):
     one = wall_of(tmp_path, mechanism=f"crack = 4.2\n{pressed(9000.0, place=0.3)}").oscillator
-    (tmp_path / "project.toml").write_text(f"""
-[materials.m]
-density = {RHO}
-[bodies.low]
-material = "m"
-box = {{ thickness = {B}, length = {L}, height = 2.2, base = [1.0, 0.0, 2.0] }}
-[bodies.high]
-material = "m"
-box = {{ thickness = {B}, length = {L}, height = 1.8, base = [1.0, 0.0, 4.2] }}
-[mechanisms.w]
-kind = "two-block"
-direction = [1, 0, 0]
-blocks = ["low", "high"]
-{pressed(9000.0, place=0.3)}
-""")
-    two = (build(load(tmp_path)).mechanisms[0]).oscillator
+    bodies = {
+        "low": wall(B, L, 2.2, base=[1.0, 0.0, 2.0], material="m"),
+        "high": wall(B, L, 1.8, base=[1.0, 0.0, 4.2], material="m"),
+    }
+    own = lines(block("low", "high", kind="two-block", direction=[1, 0, 0]), pressed(9000.0, place=0.3))
+    text = tables_toml(materials={"m": {"density": RHO}}, bodies=bodies, mechanisms={"w": own})
+    two = mechanism_of(tmp_path, text).oscillator
     for side in ("positive", "negative"):
         a, b = getattr(one, side), getattr(two, side)
         assert a.restitution == pytest.approx(b.restitution, rel=1e-12)

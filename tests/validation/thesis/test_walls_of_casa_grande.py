@@ -31,10 +31,6 @@ def published(name, table):
     return next(each.values for each in file.case.quantities if each.name == name)
 
 
-def mechanisms(project):
-    return {each.name: each for each in build(load(FOLDER / "projects" / project)).mechanisms}
-
-
 def capacity(name, oscillator, spectrum, *, options=None, **known):
     context = Context(spectrum, (0.3 * g,), 0.0, 0.0, None, **known)
     (check,) = with_options(name, options or CodeOptions())(oscillator, context)
@@ -96,10 +92,10 @@ def test_it_does_not_matter_how_inertia_is_taken(wall):
 
 def critical(frequency, method):
     """The wall of the least lower bound at each frequency, of the linearised equation, with the modes of Table 8.3."""
-    content = load(FOLDER / "projects" / "casa_grande_amplified.toml").content
+    project = load(FOLDER / "projects" / "casa_grande_amplified.toml")
     bounds, f = [], np.array(frequency)
-    for name, mechanism in mechanisms("casa_grande_amplified.toml").items():
-        section = content.mechanisms[name]
+    for mechanism in build(project).mechanisms:
+        section = project.content.mechanisms[mechanism.name]
         mode, above = section.amplification, Unamplified()
         if isinstance(mode, FirstModeAmplification):
             above = method(FirstMode(mode.natural_frequency, mode.effective_height), section.elevation)

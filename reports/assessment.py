@@ -334,9 +334,9 @@ def figure_names(document: Document, results: Results, mechanism: str | None) ->
         raise AssessError(f'there is no mechanism "{mechanism}"; known are {", ".join(stems)}')
     if mechanism is None and len(stems) > 1:
         return {each.name: each.name for each in document.figures if not each.name.startswith(tuple(stems.values()))}
-    wanted = tuple(stems.values()) if mechanism is None else (stems[mechanism],)
-    own = [each.name for each in document.figures if each.name.startswith(wanted)]
-    found = {name.removeprefix(next(stem for stem in wanted if name.startswith(stem))): name for name in own}
+    prefixes = tuple(stems.values()) if mechanism is None else (stems[mechanism],)
+    own = [each.name for each in document.figures if each.name.startswith(prefixes)]
+    found = {name.removeprefix(next(stem for stem in prefixes if name.startswith(stem))): name for name in own}
     if mechanism is None:
         found |= {each.name: each.name for each in document.figures if each.name not in own}
     return found

@@ -159,14 +159,14 @@ def _check(branch: Branch, name: BranchName, context: Context, options: Ec8Optio
 def _steps(branch: Branch, context: Context, demand: ElementDemand) -> tuple[Step, ...]:
     resistance, raised = linear_multiplier(branch), height_ratio(context)
     S_a = demand.alpha_s * demand.amplified
-    shaken = {"α S": demand.alpha_s, "z/H": raised, "T_a/T_1": demand.ratio}
+    given = {"α S": demand.alpha_s, "z/H": raised, "T_a/T_1": demand.ratio}
     forced = {"S_a": S_a, "γ_a": demand.gamma_a, "q_a": demand.q_a}
     held = {"F_a/W_a": demand.force, "λ": resistance}
     return (
         _period_step(branch, context, demand.ratio),
         _height_step(context),
         step("S_a", "seismic coefficient", CLAUSE, "α S max(1, 3 (1 + z/H) / (1 + (1 − T_a/T_1)²) − 0.5)", S_a,
-             given=shaken),
+             given=given),
         step("q_a", "behaviour factor", TABLE, "given", demand.q_a, remark=ELEMENTS[context.support]),
         step("γ_a", "importance factor", "EN 1998-1, 4.3.5.3", "given", demand.gamma_a),
         step("F_a/W_a", "force over weight", FORCE, "S_a γ_a / q_a", demand.force, given=forced),

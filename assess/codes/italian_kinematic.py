@@ -189,7 +189,7 @@ def displacement_check(
         branch=case.curves.name,
         limit_state=case.state,
         level_pga_g=case.level / g,
-        input_at="ground" if per_pga is None else per_pga.at,
+        input_at="ground" if per_pga is None else per_pga.input_at,
         damping=damping,
         damping_rule=rule,
         quantity="d*",
@@ -566,13 +566,13 @@ def curve_steps(
     at: Given = {argument: (moved, "m"), "M": (mass, "kg"), "e*": e}
     before = rotation * (1.0 - BEFORE_BREAK)
     moment = reading_step("R", "restoring moment there", clause, moment_column(branch), before, argument=phi)
-    shaken = reading_step("B", "excitation there", clause, excitation_column(branch), before, argument=phi)
-    ratio: Given = {"R": (moment.value or 0.0, "N m"), "B": (shaken.value or 0.0, "kg m")}
+    excitation = reading_step("B", "excitation there", clause, excitation_column(branch), before, argument=phi)
+    ratio: Given = {"R": (moment.value or 0.0, "N m"), "B": (excitation.value or 0.0, "kg m")}
     given = {"λ": lam, "e*": e, "FC": FC}
     return (
         step(phi, "rotation at which d* is reached", clause, "∫ B dφ = d* M e*", rotation, "rad", at=at),
         moment,
-        shaken,
+        excitation,
         step("λ", "multiplier there", clause, "R / (g · B)", lam, given=ratio),
         step(symbol, words, clause, "λ · g / (e* · FC)", a, "m/s2", given=given),
     )

@@ -276,7 +276,7 @@ def mark_for_comparison(check: Check, confidence: ConfidenceFactor) -> Check:
     if confidence.instead_of is None:
         return check
     values = {"given": Quantity(confidence.factor), "deciding": Quantity(confidence.instead_of)}
-    return replace(check, informs=True, remarks=(*check.remarks, message("lower-confidence-factor", values)))
+    return replace(check, informative=True, remarks=(*check.remarks, message("lower-confidence-factor", values)))
 
 
 @dataclass(frozen=True)
@@ -363,7 +363,7 @@ class Demands:
         return max(self.ground, self.floor)
 
     @property
-    def at(self) -> InputAt:
+    def input_at(self) -> InputAt:
         """Where the governing one acts."""
         return "mechanism base" if self.floor > self.ground else "ground"
 

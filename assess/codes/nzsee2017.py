@@ -98,7 +98,7 @@ def assess_face_loaded_wall(
     shown = _checks(oscillator, context, options)
     return (
         *_checks(oscillator, context, replace(options, usable=None)),
-        *(replace(check, informs=True, remarks=(*check.remarks, beyond)) for check in shown),
+        *(replace(check, informative=True, remarks=(*check.remarks, beyond)) for check in shown),
     )
 
 
@@ -493,7 +493,7 @@ def _thickness_steps(response: WallResponse) -> tuple[Step, ...]:
     moments = {"b0": (nominal.line.b, "N m"), "b_W": (gravity.own_moment, "N m"), "b_P": (gravity.moment, "N m")}
     slopes = {"a0": (nominal.line.a, "N m/rad"), "a_W": (gravity.own_slope, "N m/rad")}
     turned = {"J0": (nominal.J, "kg m2"), "J_W": (gravity.own_inertia, "kg m2"), "J_P": (gravity.inertia, "kg m2")}
-    shaken = {"B0": (nominal.B, "kg m"), "B_W": (gravity.own_excitation, "kg m")}
+    driven = {"B0": (nominal.B, "kg m"), "B_W": (gravity.own_excitation, "kg m")}
     unstable = {"b": (wall.line.b, "N m"), "a": (wall.line.a, "N m/rad")}
     words = "effective thickness over thickness; P presses on the wall, W is its own weight"
     return (
@@ -504,7 +504,7 @@ def _thickness_steps(response: WallResponse) -> tuple[Step, ...]:
              given={**slopes, **taken}),
         step("J", "inertia, the wall's by k, of P by k²", CLAUSE, "J0 − (1 − k) J_W − (1 − k²) J_P", wall.J, "kg m2",
              given={**turned, **taken}),
-        step("B", "excitation, the wall's by k", CLAUSE, "B0 − (1 − k) B_W", wall.B, "kg m", given={**shaken, **taken}),
+        step("B", "excitation, the wall's by k", CLAUSE, "B0 − (1 − k) B_W", wall.B, "kg m", given={**driven, **taken}),
         step("φ_i", "rotation at instability", CLAUSE, "b / a", response.instability, "rad", given=unstable),
     )  # fmt: skip
 

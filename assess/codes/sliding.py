@@ -466,12 +466,12 @@ def _distance_steps(
     f_es = 1.0 / period if period else None
     none = "the spectrum does not reach c_s" if period == 0.0 else "no such frequency"
     remark = none if f_es is None else ""
-    shaken = {"S_aV/S_aH": (context.vertical_ratio, "-"), "PGA": (level, "m/s2")}
+    at = {"S_aV/S_aH": (context.vertical_ratio, "-"), "PGA": (level, "m/s2")}
     slid = {"c_s": (c_s, "m/s2"), "f_es": (f_es or 0.0, "Hz")}
     at_f = "lowest frequency at which the spectrum of 10 % damping reaches c_s"
     estimate, formula = "best estimate of sliding (A-3, from memory)", "c_s / (2π f_es)²"
     steps = (
-        step("A_v", "peak vertical acceleration", A1, "S_aV/S_aH PGA", vertical, "m/s2", given=shaken),
+        step("A_v", "peak vertical acceleration", A1, "S_aV/S_aH PGA", vertical, "m/s2", given=at),
         step("μ_e", "effective coefficient of friction (A-1)", A1, "max(0, μ_M (1 − 0.4 A_v / g))", mu_e,
              given={"μ_M": (mu, "-"), "A_v": (vertical, "m/s2")}),
         step("c_s", "sliding coefficient (A-2)", A1, "2 μ_e g", c_s, "m/s2", given={"μ_e": mu_e}),

@@ -225,13 +225,13 @@ def _extremes(x: FloatArray) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
 def _horizontal(direction: Sequence[float]) -> FloatArray:
     """Return the unit vector [3] of a horizontal direction, or raise."""
     vector = np.asarray(direction, dtype=np.float64)
-    wanted = "give a horizontal vector such as [1, 0, 0]"
+    remedy = "give a horizontal vector such as [1, 0, 0]"
     if vector.shape != (3,) or not np.isfinite(vector).all():
-        raise GeometryError(f"direction is {list(direction)}, not three finite numbers; {wanted}")
+        raise GeometryError(f"direction is {list(direction)}, not three finite numbers; {remedy}")
     vector = vector / (np.abs(vector).max() or 1.0)  # first, so that neither tiny nor huge numbers lose the norm
     length = float(np.linalg.norm(vector))
     if length == 0.0 or abs(vector[2]) > 1e-9 * length:
-        raise GeometryError(f"direction is {list(direction)}, which is not horizontal; {wanted}")
+        raise GeometryError(f"direction is {list(direction)}, which is not horizontal; {remedy}")
     vector[2] = 0.0
     return np.asarray(vector / np.linalg.norm(vector), dtype=np.float64)
 

@@ -75,7 +75,7 @@ def box(*, thickness: float, length: float, height: float, base: Sequence[float]
     for quantity, value in sizes.items():
         _check_positive(value, quantity=quantity, unit="m", name=name)
     _check_positive(density, quantity="density", unit="kg/m3", name=name)
-    foot = _check_finite(base, shape=(3,), quantity="base", wanted="three finite numbers x, y, z", name=name)
+    foot = _check_finite(base, shape=(3,), quantity="base", remedy="three finite numbers x, y, z", name=name)
     mass = density * thickness * length * height
     x2, y2, z2 = (mass * size**2 / 12.0 for size in sizes.values())
     half = thickness / 2.0
@@ -201,8 +201,8 @@ def _extrude(corners: FloatArray, faces: IntArray, *, length: float) -> tuple[Fl
 
 def _check_corners(points: ArrayLike, *, name: str) -> FloatArray:
     """Return the polygon's corners, anticlockwise, without repeated points [n, 2] [m]."""
-    wanted = "corners [x, z] of finite numbers"
-    given = _check_finite(points, shape=(-1, 2), quantity="profile", wanted=wanted, name=name)
+    remedy = "corners [x, z] of finite numbers"
+    given = _check_finite(points, shape=(-1, 2), quantity="profile", remedy=remedy, name=name)
     corners = remove_repeats(given)
     if len(corners) < 3:
         found = f"{len(corners)} distinct corners" if len(corners) else "no corners"
@@ -279,7 +279,7 @@ def _check_positive(value: float, *, quantity: str, unit: str, name: str) -> Non
         raise GeometryError(f'body "{name}": {quantity} is {value:g} {unit}; give a positive finite number')
 
 
-def _check_finite(values: ArrayLike, *, shape: tuple[int, ...], quantity: str, wanted: str, name: str) -> FloatArray:
+def _check_finite(values: ArrayLike, *, shape: tuple[int, ...], quantity: str, remedy: str, name: str) -> FloatArray:
     """Return the values as floats of `shape` (-1: any number), or raise."""
     try:
         array = np.asarray(values, dtype=np.float64)
@@ -287,7 +287,7 @@ def _check_finite(values: ArrayLike, *, shape: tuple[int, ...], quantity: str, w
         array = np.full(shape, np.nan) if -1 not in shape else np.empty(0)
     fits = array.ndim == len(shape) and all(n in (-1, m) for n, m in zip(shape, array.shape, strict=True))
     if not fits or not np.isfinite(array).all():
-        raise GeometryError(f'body "{name}": {quantity} is {values!r:.100}; give {wanted}')
+        raise GeometryError(f'body "{name}": {quantity} is {values!r:.100}; give {remedy}')
     return array
 
 

@@ -273,22 +273,22 @@ NEAR = 0.01  # of the size of a block: a hinge this far outside it still touches
 def loose_hinges(hinges: Sequence[Point], outlines: Sequence[Outline], *, mark: str = "") -> Iterator[Message]:
     """Yield a warning for each hinge, counted from the base, that does not touch a block it joins."""
     areas = [shapely.union_all([shapely.Polygon(ring) for ring in rings]) for rings in outlines]
-    for number, (letter, hinge) in enumerate(zip("ABCD", hinges, strict=False)):
+    for number, (hinge_name, hinge) in enumerate(zip("ABCD", hinges, strict=False)):
         for block in (number - 1, number):
             if not 0 <= block < len(areas) or areas[block].is_empty:
                 continue
             gap = float(areas[block].distance(shapely.Point(hinge)))
             if gap > NEAR * float(areas[block].length) / 4.0:
                 away, number_of_block = Quantity(gap, "length", 3), whole_number(block)
-                named = f"{letter}{mark}"
+                named = f"{hinge_name}{mark}"
                 yield warning("loose-hinge", hinge=named, gap=away, block=number_of_block, **point_values(hinge))
 
 
 def supports_in_tension(chain: Chain, *, mark: str = "") -> Iterator[Message]:
     """Yield a warning for each hinge on the ground that would be in tension at incipient motion."""
-    for letter, force in zip(hinge_names(chain), hinge_compressions(chain), strict=True):
-        if letter in "AD" and force < 0.0:
-            yield warning("hinge-in-tension", hinge=f"{letter}{mark}", pull=Quantity(-force, "force"))
+    for hinge_name, force in zip(hinge_names(chain), hinge_compressions(chain), strict=True):
+        if hinge_name in "AD" and force < 0.0:
+            yield warning("hinge-in-tension", hinge=f"{hinge_name}{mark}", pull=Quantity(-force, "force"))
 
 
 ASKEW = "askew"

@@ -81,15 +81,18 @@ def staged_branch(stages: Stages, *, restitution: float, name: str) -> Branch:
     scanned = integrate_work(stages, scan, number)
     _require_numbers(scanned, reach, name=name)
 
-    def at(phi: float, node: int) -> Work:
+    def work_at(phi: float, node: int) -> Work:
         return virtual_work(
             stages[number[node]].chain, np.array([0.0, phi])
         )  # rest first: whether a tie is slack depends on it
 
-    overturning = first_downward_crossing(scanned.restoring, scan, lambda phi, node: float(at(phi, node).restoring[1]))
-    critical = first_downward_crossing(scanned.weight, scan, lambda phi, node: float(at(phi, node).weight[1]))
+    overturning = first_downward_crossing(
+        scanned.restoring, scan, lambda phi, node: float(work_at(phi, node).restoring[1])
+    )
+    critical = first_downward_crossing(scanned.weight, scan, lambda phi, node: float(work_at(phi, node).weight[1]))
     edge = (
-        first_downward_crossing(scanned.excitation, scan, lambda phi, node: float(at(phi, node).excitation[1])) or reach
+        first_downward_crossing(scanned.excitation, scan, lambda phi, node: float(work_at(phi, node).excitation[1]))
+        or reach
     )
     if overturning is None or critical is None or max(overturning, critical) >= edge:
         last = "the body lies level with its hinge" if len(chain.blocks) == 1 else "its blocks can turn no further"
@@ -173,12 +176,12 @@ def rigid_moments(chain: Chain, *, end: float) -> ActionMoments:
     """Return the moments of the actions as the blocks rotate about their hinges, up to the rotation `end` [rad]."""
     actions = chain.actions
 
-    def of(rotation: FloatArray) -> FloatArray:
+    def moments_at(rotation: FloatArray) -> FloatArray:
         motion = move(chain, np.concatenate([[0.0], rotation]))  # rest first: whether a tie is slack depends on it
         works = [generalised_moment(each, trace_point(motion, block=each.block, at=each.at)) for each in actions]
         return np.array(works).reshape(len(actions), -1)[:, 1:] + negligible_moments(chain)
 
-    return ActionMoments(np.linspace(0.0, end, STATIONS), of)
+    return ActionMoments(np.linspace(0.0, end, STATIONS), moments_at)
 
 
 def negligible_moments(chain: Chain) -> FloatArray:
@@ -242,10 +245,12 @@ def _sign_changes(number: int, moment: FloatArray, moments: ActionMoments, *, af
     scan = moments.scan
     changes = np.flatnonzero((moment[:-1] < 0.0) != (moment[1:] < 0.0))
 
-    def at(phi: float) -> float:
+    def moment_at(phi: float) -> float:
         return float(moments.at_rotations(np.array([phi]))[number, 0])
 
-    roots = (float(brentq(at, scan[k], scan[k + 1], xtol=1e-15, rtol=1e-14)) for k in changes if scan[k + 1] > after)
+    roots = (
+        float(brentq(moment_at, scan[k], scan[k + 1], xtol=1e-15, rtol=1e-14)) for k in changes if scan[k + 1] > after
+    )
     return {root for root in roots if root > after}
 
 

@@ -88,7 +88,8 @@ class Chain:
 
     def __repr__(self) -> str:
         hinges = ", ".join(
-            f"{letter} ({x:.4g}, {z:.4g})" for letter, (x, z) in zip(hinge_names(self), self.hinges, strict=True)
+            f"{hinge_name} ({x:.4g}, {z:.4g})"
+            for hinge_name, (x, z) in zip(hinge_names(self), self.hinges, strict=True)
         )
         blocks, loads = len(self.blocks), len(self.loads)
         return f"Chain({blocks} block{'s'[: blocks != 1]}, hinges {hinges} m, {loads} load{'s'[: loads != 1]})"
@@ -220,7 +221,9 @@ def require_movable(chain: Chain, *, name: str) -> None:
             "C slides on the vertical; move one"
         )
     if count == 3 and abs(_bend(*chain.hinges[1:])) <= STRAIGHT:
-        places = ", ".join(f"{letter} {point_text(at)}" for letter, at in zip("BCD", chain.hinges[1:], strict=True))
+        places = ", ".join(
+            f"{hinge_name} {point_text(at)}" for hinge_name, at in zip("BCD", chain.hinges[1:], strict=True)
+        )
         raise MechanismError(
             f'mechanism "{name}": hinges {places} lie on one line, so the loop is locked; '
             "put them at opposite faces of the blocks"

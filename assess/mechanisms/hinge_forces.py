@@ -53,13 +53,13 @@ def chain_hinge_forces(chain: Chain, faces: tuple[Face, ...], *, positive: bool)
     """Return the forces of the hinges of one branch in its own sign."""
     found, mark, single = incipient_motion(chain), "" if positive else "'", len(chain.blocks) == 1
     made = []
-    for number, (letter, face) in enumerate(zip(hinge_names(chain), faces, strict=True)):
+    for number, (hinge_name, face) in enumerate(zip(hinge_names(chain), faces, strict=True)):
         force = force_on_pressing_block(chain, found, number)
         starting = resolve_pressure(force, face.normal)
         resting = resolve_pressure(force_at_rest(chain), face.normal) if single else Pressure(starting.normal, 0.0)
         made.append(
             HingeForces(
-                hinge=f"{letter}{mark}",
+                hinge=f"{hinge_name}{mark}",
                 branch="positive" if positive else "negative",
                 single=single,
                 horizontal=force[0],
@@ -131,9 +131,9 @@ def incipient_motion(chain: Chain) -> IncipientMotion:
         rows[own, 2 * number : 2 * number + 2] = _moment_arms(chain.hinges[number])
         if number + 1 < hinges:
             rows[own, 2 * number + 2 : 2 * number + 4] = -_moment_arms(chain.hinges[number + 1])
-    for number, at, force, shaken in _loads(chain):
+    for number, at, force, inertia_force in _loads(chain):
         own = slice(3 * number, 3 * number + 3)
-        rows[own, -1] += _moment_arms(at) @ (shaken, 0.0)
+        rows[own, -1] += _moment_arms(at) @ (inertia_force, 0.0)
         right[own] -= _moment_arms(at) @ force
     known = [2 * hinges - 1] if count == 2 else []  # C slides: it has no vertical reaction
     free = [column for column in range(2 * hinges + 1) if column not in known]

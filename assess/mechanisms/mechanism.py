@@ -39,7 +39,7 @@ class BlockMechanism:
     direction : horizontal [3], positive rotation topples this way; None for the weakest, or "sweep"
     cut : only what lies above moves: an elevation [m], or an inclined crack
     sides : "one" where something behind stops negative rotation; None as bodies touch the mechanism
-    interface : what the hinges press on; interfaces : what single hinges press on, by letter
+    interface : what the hinges press on; interfaces : what single hinges press on, by their names
     hinges, hinges_negative : of positive and of negative rotation, from A on; None as the geometry shows
     """
 
@@ -84,9 +84,9 @@ class BlockMechanism:
         """The hinges of positive rotation where they are given as points."""
         return None if self.hinges == "minimum" else self.hinges
 
-    def interface_at(self, letter: str) -> Interface:
-        """Return what the hinge of this letter presses on."""
-        return self.interfaces.get(letter, self.interface)
+    def interface_at(self, hinge_name: str) -> Interface:
+        """Return what the hinge of this name presses on."""
+        return self.interfaces.get(hinge_name, self.interface)
 
     def keys_along(self) -> Iterator[tuple[str | int, ...]]:
         """Name what is given in the plane of motion: two numbers of loads and hinges, and the joints of an arch."""
@@ -124,7 +124,7 @@ def keys_along_direction(
     for place, load in enumerate(chained.loads):
         yield from (("loads", place, name) for name in direction_keys(load))
     for key, given in hinges.items():
-        yield from ((key, letter) for letter, at in zip("ABCD", given or (), strict=False) if len(at) == 2)
+        yield from ((key, hinge_name) for hinge_name, at in zip("ABCD", given or (), strict=False) if len(at) == 2)
     if getattr(chained, "joints", None) is not None:
         yield ("joints",)
 

@@ -71,7 +71,7 @@ def find_variants(pair: ChainPair, starting: Oscillator, acting: Sequence[ChainA
         tuple(stage_signature(single_stage(each.chain)) for each in acting): starting
     }
 
-    def of(sides: Sequence[Stages]) -> Oscillator | None:
+    def oscillator_of(sides: Sequence[Stages]) -> Oscillator | None:
         key = tuple(map(stage_signature, sides))
         if key not in known:
             known[key] = _oscillator_or_none(pair, sides)
@@ -79,7 +79,7 @@ def find_variants(pair: ChainPair, starting: Oscillator, acting: Sequence[ChainA
 
     def no_later(sides: Sequence[Stages]) -> Oscillator | None:
         """Keep actions that crush a joint by their weight: without them the mechanism would fall too late."""
-        made = of(sides)
+        made = oscillator_of(sides)
         later = (
             [False]
             if made is None
@@ -90,7 +90,9 @@ def find_variants(pair: ChainPair, starting: Oscillator, acting: Sequence[ChainA
         )
         if not any(later):
             return made
-        return of([single_stage(one.chain) if on else side for one, on, side in zip(acting, later, sides, strict=True)])
+        return oscillator_of(
+            [single_stage(one.chain) if on else side for one, on, side in zip(acting, later, sides, strict=True)]
+        )
 
     breaking = no_later([each.up_to(each.ends) for each in acting])
     ends = [each.lasting_ends for each in acting]

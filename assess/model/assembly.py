@@ -89,7 +89,7 @@ def place_on_joints(
     Raises GeometryError where a contact is not found, MechanismError or InterfaceError where one cannot carry its load.
     """
     chains = [chain for chain in (mechanism.positive, mechanism.negative) if chain is not None]
-    interfaces = [definition.interface_at(letter) for letter in hinge_names(mechanism.positive)]
+    interfaces = [definition.interface_at(hinge_name) for hinge_name in hinge_names(mechanism.positive)]
     found = [
         [
             joint_at(PressedHinge(number, chain, mechanism.name, definition, interface, tuple(pieces), sign), bodies)
@@ -143,14 +143,14 @@ class PressedHinge:
     sign: float
 
     @property
-    def letter(self) -> str:
+    def hinge_name(self) -> str:
         """The interface, as messages name it."""
         return hinge_names(self.chain)[self.number] + "'" * (self.sign < 0)
 
     @property
     def where(self) -> str:
         """The mechanism and the interface, as errors name them."""
-        return f'mechanism "{self.name}", interface {self.letter}'
+        return f'mechanism "{self.name}", interface {self.hinge_name}'
 
     @property
     def point(self) -> tuple[float, float]:
@@ -176,8 +176,8 @@ def joint_at(hinge: PressedHinge, bodies: Bodies) -> tuple[Joint | None, tuple[M
     if law is None:
         return None, ()
     endless = interface.model != "rigid" and law.strength == inf and interface.strength is None
-    letter = hinge_names(hinge.chain)[hinge.number]
-    warnings = (warning("never-crushes", interface=letter),) if endless else ()
+    hinge_name = hinge_names(hinge.chain)[hinge.number]
+    warnings = (warning("never-crushes", interface=hinge_name),) if endless else ()
     shape, sense = interface.shape, float(JointedChain(hinge.chain, hinge.name).sense[hinge.number])
     if isinstance(shape, Shape):
         joint, more = shaped_joint(hinge, law, shape, sense=sense)
@@ -195,7 +195,7 @@ def shaped_joint(
         normal = hinge.plane().normal
     except GeometryError:
         normal = DOWN if is_top_support(hinge.chain, hinge.number) else UP
-        warnings = (warning("joint-taken-level", interface=hinge.letter),)
+        warnings = (warning("joint-taken-level", interface=hinge.hinge_name),)
     return Joint(
         _inward(normal, sense), section_of_shape(shape, hinge.motion_plane), law, hinge.interface.model
     ), warnings
@@ -213,7 +213,7 @@ def outlined_joint(hinge: PressedHinge, law: JointLaw, *, sense: float) -> tuple
         return joint, ()
     key = "hinge-inside-contact" if aside > 0.0 else "hinge-outside-contact"
     distance, depth = (Quantity(each, "length", 3) for each in (abs(aside), found.depth))
-    return joint, (warning(key, interface=hinge.letter, distance=distance, depth=depth),)
+    return joint, (warning(key, interface=hinge.hinge_name, distance=distance, depth=depth),)
 
 
 def law_of(interface: Interface, material: Material | None, *, where: str) -> JointLaw | None:
@@ -257,11 +257,11 @@ def eccentricity_warnings(mechanism: Mechanism) -> Iterator[Message]:
         if chain is None:
             continue
         forces = FlexibleChain(chain, mechanism.name).solve_joints(np.zeros(1)).normal_force[:, 0]
-        for letter, joint, force in zip(hinge_names(chain), chain.joints, forces, strict=True):
+        for hinge_name, joint, force in zip(hinge_names(chain), chain.joints, forces, strict=True):
             if joint is None:
                 continue
             found = contact(joint.section, joint.law, normal_force=float(force), rotation=[0.0, TURNED])
-            warned = out_of_plane_warning(joint.section, found, interface=f"{letter}{mark}")
+            warned = out_of_plane_warning(joint.section, found, interface=f"{hinge_name}{mark}")
             if warned is not None:
                 yield warned
 

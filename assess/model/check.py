@@ -83,8 +83,9 @@ def _problems(definition: Definition, bodies: Bodies) -> Iterator[str]:
         yield from _crack_problems(definition)
     if isinstance(definition, FourHinge):
         yield from _arch_problems(definition)
-    for letter in set(definition.interfaces) - set("ABCD"[: HINGES[definition.number_of_blocks]]):
-        yield f"interfaces.{letter}: no such hinge; known: {', '.join('ABCD'[: HINGES[definition.number_of_blocks]])}"
+    hinge_names = "ABCD"[: HINGES[definition.number_of_blocks]]
+    for hinge_name in set(definition.interfaces) - set(hinge_names):
+        yield f"interfaces.{hinge_name}: no such hinge; known: {', '.join(hinge_names)}"
     for interface in (definition.interface, *definition.interfaces.values()):
         yield from _interface_problems(interface)
     for number, load in enumerate(definition.loads, start=1):
@@ -143,8 +144,8 @@ def _hinge_problems(definition: BlockMechanism) -> Iterator[str]:
         if isinstance(hinges, str) or len(hinges) != count:
             yield f"{key} = {hinges!r}: give {', '.join('ABCD'[:count])}, each a place"
             continue
-        for letter, place in zip("ABCD", hinges, strict=False):
-            yield from place_problems(f"{key}.{letter}", place)
+        for hinge_name, place in zip("ABCD", hinges, strict=False):
+            yield from place_problems(f"{key}.{hinge_name}", place)
 
 
 def _crack_problems(definition: TwoBlock) -> Iterator[str]:

@@ -87,7 +87,7 @@ def definition_of(section: Any, *, evidence: str = "") -> Any:
         loads=tuple(load_of(load, evidence=evidence) for load in section.loads),
         restitution=restitution_of(section),
         interface=interface_of(section.interface),
-        interfaces={str(letter): interface_of(each) for letter, each in section.interfaces.items()},
+        interfaces={str(hinge_name): interface_of(each) for hinge_name, each in section.interfaces.items()},
         hinges=hinges_of(section.hinges),
         hinges_negative=hinges_of(section.hinges_negative),
         **({"joints": joints_of(section.joints)} if isinstance(section, sections.FourHingeSection) else {}),

@@ -155,9 +155,9 @@ def joint_numbers(subject: VariedMechanism, section: sections.ChainSection) -> I
     name = next((body.material for body in bodies if not isinstance(body, sections.DirectBody)), None)
     material = None if name is None else content.materials[name]
     definition = definition_of(section)
-    for letter in hinge_names(subject.mechanism.positive):
-        joint = definition.interface_at(letter)
-        own = ("interfaces", letter) if letter in section.interfaces else ("interface",)
+    for hinge_name in hinge_names(subject.mechanism.positive):
+        joint = definition.interface_at(hinge_name)
+        own = ("interfaces", hinge_name) if hinge_name in section.interfaces else ("interface",)
         table = ("mechanisms", subject.name, *own)
         if joint.strength is not None and joint.strength < inf:
             yield VariedNumber("compressive_strength", (*table, "strength"), "Pa")
@@ -288,7 +288,7 @@ def fixed_thickness_reason(subject: VariedMechanism, section: sections.ChainSect
     if any(each is not None for each in hinges):
         return "its hinges are given as points, which do not move with the faces"
     definition: BlockMechanism = definition_of(section)
-    joints = (definition.interface_at(letter) for letter in hinge_names(subject.mechanism.positive))
+    joints = (definition.interface_at(hinge_name) for hinge_name in hinge_names(subject.mechanism.positive))
     if any(joint.shape != "outline" for joint in joints):
         return "the shape of a joint is given by its sizes, which do not follow"
     return ""
@@ -346,8 +346,8 @@ def _hinge_variables(subject: VariedMechanism, section: sections.ChainSection, t
         given = getattr(section, table, None)
         if not isinstance(given, sections.HingesSection):
             continue
-        for letter, place in given.entries().items():
-            path: KeyPath = ("mechanisms", subject.name, table, letter)
+        for hinge_name, place in given.entries().items():
+            path: KeyPath = ("mechanisms", subject.name, table, hinge_name)
             move = partial(_study_with_moved_hinge, subject, path, place, definition_of(section).towards)
             yield Variable(subject.name, "hinge", key_text(path), "m", 0.0, -tolerance, tolerance, move)
 

@@ -130,25 +130,25 @@ def read_cases(folder: Path = CASES) -> tuple[CaseFile, ...]:
     return tuple(_case_files(folder))
 
 
-def choose_cases(cases: Sequence[CaseFile], wanted: Sequence[str]) -> tuple[CaseFile, ...]:
-    """Return the cases of some keys, or of the sources that stand before the slash of keys; all where none is wanted.
+def choose_cases(cases: Sequence[CaseFile], names: Sequence[str]) -> tuple[CaseFile, ...]:
+    """Return the cases of some keys, or of the sources that stand before the slash of keys; all where none is named.
 
     Parameters
     ----------
     cases : all of them
-    wanted : keys or sources
+    names : keys or sources
 
     Raises
     ------
     AssessError : there is no such case
     """
     known = {each.key: each for each in cases}
-    for name in wanted:
+    for name in names:
         if not any(_matches(key, name) for key in known):
             near = get_close_matches(name, [*known, *{key.partition("/")[0] for key in known}], n=1)
             hint = f'did you mean "{near[0]}"?' if near else "list them with `assess verify --list`"
             raise AssessError(f'case "{name}" is not known; {hint}')
-    return tuple(each for each in cases if not wanted or any(_matches(each.key, name) for name in wanted))
+    return tuple(each for each in cases if not names or any(_matches(each.key, name) for name in names))
 
 
 def cases_for(cases: Sequence[CaseFile], uses: Collection[str]) -> tuple[CaseFile, ...]:

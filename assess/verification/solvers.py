@@ -60,7 +60,7 @@ def solve_parameters(folder: Path, given: Mapping[str, Any]) -> Mapping[str, Any
     Parameters
     ----------
     folder : of the case
-    given : `file` or `example` as for a project; `rotations` [rad], at which moments are wanted
+    given : `file` or `example` as for a project; `rotations` [rad], at which moments are given
 
     Returns
     -------

@@ -125,9 +125,9 @@ def _unanswered(answer: Answer) -> Text:
 
 def comparison_clause(check: Check) -> str:
     """Return the clause by which a check compares demand and capacity; empty without steps."""
-    wanted = [value for value in (check.ratio, check.demand, check.capacity) if value is not None]
+    shown = [value for value in (check.ratio, check.demand, check.capacity) if value is not None]
     steps = check.steps[::-1]
-    found = (step for value in wanted for step in steps if step.value is not None and isclose(step.value, value))
+    found = (step for value in shown for step in steps if step.value is not None and isclose(step.value, value))
     return next((step.clause for step in found), steps[0].clause if steps else "")
 
 

@@ -279,7 +279,7 @@ def table_scale(dimension: str, locale: Locale) -> Scale:
 def fitting_scale(dimension: str, values: Sequence[float], locale: Locale) -> Scale:
     """Return the scale in the unit in which the largest of the values is written."""
     largest = max((abs(value) for value in values if np.isfinite(value)), default=0.0)
-    return Scale(UNITS[locale.system][dimension].of(largest), locale)
+    return Scale(UNITS[locale.system][dimension].unit_for(largest), locale)
 
 
 Box = tuple[float, float, float, float]  # left, bottom, right, top [pt]

@@ -85,7 +85,7 @@ class Locale:
 
     @text.register
     def _(self, text: Quantity) -> str:
-        unit = UNITS[self.system][text.dimension].of(text.value)
+        unit = UNITS[self.system][text.dimension].unit_for(text.value)
         return self.with_unit(numeral(text.value / unit.size, figures=text.figures, point=self.point), unit)
 
     @text.register
@@ -197,7 +197,7 @@ class DimensionUnits:
     table: Unit
     single: tuple[Unit, ...]
 
-    def of(self, value: float) -> Unit:
+    def unit_for(self, value: float) -> Unit:
         """Return the unit of a single number: the largest of which there is at least one."""
         return next((unit for unit in reversed(self.single) if abs(value) >= unit.size), self.single[0])
 

@@ -107,8 +107,8 @@ def write_xlsx(document: Document, path: Path) -> Path:
 def worksheet_names(names: list[str], *, taken: Iterable[str] = ("contents", "calculation sheets")) -> list[str]:
     """Return valid worksheet names, no two alike nor `taken` in any case: at most 31 characters, no []:*?/\\."""
     used, made = {_RESERVED, *(name.lower() for name in taken)}, []
-    for wanted in names:
-        plain = _cut(re.sub(r"[\[\]:*?/\\']", "-", visible(wanted)), _LONGEST_NAME) or "table"
+    for given in names:
+        plain = _cut(re.sub(r"[\[\]:*?/\\']", "-", visible(given)), _LONGEST_NAME) or "table"
         name, number = plain, 2
         while name.lower() in used:
             name, number = f"{_cut(plain, _LONGEST_NAME - 1 - len(str(number)))}~{number}", number + 1

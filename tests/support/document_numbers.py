@@ -65,7 +65,7 @@ def quantities(node: object) -> Iterator[Quantity]:
 
 
 def _of_quantity(found: Quantity, locale: Locale, where: str) -> Shown:
-    unit = UNITS[locale.system][found.dimension].of(found.value)
+    unit = UNITS[locale.system][found.dimension].unit_for(found.value)
     return Shown(found.value, unit.size, locale.text(found), where)
 
 

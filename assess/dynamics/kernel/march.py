@@ -62,16 +62,16 @@ def make_march(advance_quiet: Advance, step: Step, potential: Potential) -> Marc
 
     @inlined
     def integrate_interval(flow: Any, branch: FloatArray, found: FloatArray, events: FloatArray, column: int,
-                           peaked: int, wanted: int, side: int, y: float, v: float, time: float, ground: Ground,
+                           peaked: int, sides_awaited: int, side: int, y: float, v: float, time: float, ground: Ground,
                            h: float) -> tuple[int, float, float, int]:  # fmt: skip
         """Integrate h [s] from `time` with all events; return side (-1 at rest), y, y' at the end, sides that peaked.
 
         ground: its acceleration from `time` on. column: the column of `branch` with the limit of overturning.
-        The integration ends early once all `wanted` sides have peaked (a bit for each side; 0: never).
+        The integration ends early once all `sides_awaited` sides have peaked (a bit for each side; 0: never).
 
         Each turn of the loop advances the time, or stops the velocity, or brings the body to rest.
         """
-        x, every_peak = 0.0, wanted > 0 or events.shape[0] > 1
+        x, every_peak = 0.0, sides_awaited > 0 or events.shape[0] > 1
         while x < h:
             a, left = shift(ground, x), h - x
             if side < 0:
@@ -125,7 +125,7 @@ def make_march(advance_quiet: Advance, step: Step, potential: Potential) -> Marc
                 found[OVERTURNED] = 1.0
                 keep_largest(found, y, side, time + x)
                 break
-            if wanted > 0 and peaked == wanted:
+            if sides_awaited > 0 and peaked == sides_awaited:
                 break
         return side, y, v, peaked
 
@@ -190,7 +190,7 @@ def make_march(advance_quiet: Advance, step: Step, potential: Potential) -> Marc
         lowest, highest = -branch[0, THRESHOLD], branch[1, THRESHOLD]
         last, tail = count_intervals(ground), TAIL_PIECE / max(branch[0, RATE], branch[1, RATE])
         both = 1 | (1 << int(branch[0, PARTNER]))
-        samples, peaked, wanted, column, h, time, i = last + 1, 0, 0, LIMIT, dt, 0.0, 0
+        samples, peaked, sides_awaited, column, h, time, i = last + 1, 0, 0, LIMIT, dt, 0.0, 0
         while i < last + TAIL_PIECES:
             a, begun, until = still_ground(ground), i, i + 1 if traced else last
             if i < last:
@@ -201,22 +201,22 @@ def make_march(advance_quiet: Advance, step: Step, potential: Potential) -> Marc
                     i, y, v = advance_quiet(flow, side, y, v, ground, scale, dt, i, until, top, branch[side, LIMIT])
                 if i < until:
                     a, time = ground_over(ground, scale, dt, i), i * dt
-            elif side < 0 or (wanted > 0 and peaked == wanted):
+            elif side < 0 or (sides_awaited > 0 and peaked == sides_awaited):
                 break
             else:
                 if ends:
                     found[OVERTURNED] = 1.0 if overturns_freely(flow, branch, side, y, v) else 0.0
                     return last + 1
-                if wanted == 0:
+                if sides_awaited == 0:
                     impacts = -1 if every_peak else count_last_impacts(flow, branch, found, both, side, y, v)
                     if impacts >= 0:
                         found[IMPACTS] += impacts
                         break
-                    peaked, wanted, column, h = 0, both, TAIL_LIMIT, tail
+                    peaked, sides_awaited, column, h = 0, both, TAIL_LIMIT, tail
                 time = last * dt + (i - last) * tail
             if begun >= last or i < until:
                 side, y, v, peaked = integrate_interval(
-                    flow, branch, found, events, column, peaked, wanted, side, y, v, time, a, h
+                    flow, branch, found, events, column, peaked, sides_awaited, side, y, v, time, a, h
                 )  # fmt: skip
                 i += 1
             if traced and begun < last:
@@ -224,7 +224,7 @@ def make_march(advance_quiet: Advance, step: Step, potential: Potential) -> Marc
             if found[OVERTURNED] > 0.0:
                 samples = min(samples, i + 1)
                 break
-        if side >= 0 and y >= 1.0 and peaked != wanted:
+        if side >= 0 and y >= 1.0 and peaked != sides_awaited:
             found[OVERTURNED] = 1.0  # falling, or balanced beyond 1
         if found[OVERTURNED] > 0.0:
             keep_largest(found, y, side, time + h)

@@ -190,7 +190,7 @@ def _shapes(model: Any, products: Sequence[Any]) -> Mapping[int, ElementMesh]:
     return found
 
 
-COMMAS = "{what} has {found} values where it has {wanted}; decimals take a point, not a comma"
+COMMAS = "{what} has {found} values where it has {expected}; decimals take a point, not a comma"
 
 SIZED = re.compile(
     rb"=\s*(IFC(?:\w+PROFILEDEF|\w+SOLID|\w+SOLIDTAPERED|CIRCLE|ELLIPSE|VECTOR|BLOCK|SPHERE|RECTANGULARPYRAMID|"
@@ -230,9 +230,9 @@ def refuse_commas(file: Path, attributes: Callable[[str], int | None]) -> None:
         for row in re.findall(rb"\(([^()]*)\)", rows):
             _coordinates(row.split(b","), {int(dimensions)})
     for name, arguments in SIZED.findall(text):
-        wanted, found = attributes(name.decode("latin-1")), _arguments(arguments)
-        if wanted not in (None, found):
-            raise ValueError(COMMAS.format(what=f"an {name.decode('latin-1')}", found=found, wanted=wanted))
+        expected, found = attributes(name.decode("latin-1")), _arguments(arguments)
+        if expected not in (None, found):
+            raise ValueError(COMMAS.format(what=f"an {name.decode('latin-1')}", found=found, expected=expected))
 
 
 def _is_finite(value: bytes) -> bool:
@@ -252,10 +252,10 @@ def _points(points: list[bytes]) -> None:
         raise ValueError(f"of the point ({shown:.40}) a number has no decimal point, as all others have")
 
 
-def _coordinates(row: list[bytes], wanted: set[int]) -> None:
+def _coordinates(row: list[bytes], expected: set[int]) -> None:
     found = sum(1 for value in row if value.strip())
-    if found != len(row) or found not in wanted:
-        raise ValueError(COMMAS.format(what="a point", found=len(row), wanted=max(wanted)))
+    if found != len(row) or found not in expected:
+        raise ValueError(COMMAS.format(what="a point", found=len(row), expected=max(expected)))
 
 
 def _arguments(text: bytes) -> int:

@@ -119,7 +119,7 @@ Cut = Annotated[
 def _crack(value: Any) -> float | str:
     if isinstance(value, str) and value in CRACKS:
         return value
-    if isinstance(value, str) and not any(letter.isdigit() for letter in value):
+    if isinstance(value, str) and not any(character.isdigit() for character in value):
         raise ValueError(f"not a crack; write an elevation, or one of {quote_names(CRACKS)}")
     return key_value(value, KINDS["length"])
 
@@ -434,9 +434,9 @@ class ChainSection(ProjectSection):
     @model_validator(mode="after")
     def _interfaces_are_at_hinges(self) -> Self:
         known = "ABCD"[: HINGES[self.number_of_blocks]]
-        for letter in self.interfaces:
-            if letter not in known:
-                raise error_at(("interfaces", letter), f"no such hinge; known: {', '.join(known)}")
+        for hinge_name in self.interfaces:
+            if hinge_name not in known:
+                raise error_at(("interfaces", hinge_name), f"no such hinge; known: {', '.join(known)}")
         return self
 
     def points(self) -> dict[str, tuple[tuple[float, ...], ...] | None]:

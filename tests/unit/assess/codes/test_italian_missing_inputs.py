@@ -45,16 +45,16 @@ def factor_of(check):
 @pytest.mark.parametrize("procedure", PROCEDURES)
 def test_without_crushing_the_factor_is_that_of_lc1_whatever_the_level(procedure, level):
     (check,) = asked(procedure, knowledge={} if level is None else {"ntc2018": level})
-    assert (factor_of(check), check.verdict, check.informs) == (1.35, Outcome.PASS, False)
+    assert (factor_of(check), check.verdict, check.informative) == (1.35, Outcome.PASS, False)
 
 
 def test_a_lower_factor_is_shown_and_never_decides_and_a_larger_one_does():
     deciding, informing = asked(factor=1.1)
-    assert (factor_of(deciding), deciding.informs) == (1.35, False)
-    assert (factor_of(informing), informing.informs) == (1.1, True)
+    assert (factor_of(deciding), deciding.informative) == (1.35, False)
+    assert (factor_of(informing), informing.informative) == (1.1, True)
     assert "lower-confidence-factor" in [each.key for each in informing.remarks]
     (larger,) = asked(factor=1.5)
-    assert (factor_of(larger), larger.informs) == (1.5, False)
+    assert (factor_of(larger), larger.informative) == (1.5, False)
     assert [factor_of(each) for each in asked(factor=1.35)] == [1.35]
 
 

@@ -4,10 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+import numpy as np
+from scipy.constants import g
+
 from assess.codes.bases import BASES
 from assess.codes.check import Check, Outcome, Reason, reason_message
+from assess.codes.histories import RecordRuns, SuiteResponse
 from assess.codes.question import Action, MechanismChecks, Missing, Question
 from assess.codes.verdict import Verdict, verdict
+from assess.oscillator import HingeForces, Pressure
 
 SITE = 0.2  # g
 RATIOS = {Outcome.PASS: 0.5, Outcome.FAIL: 2.0}
@@ -40,6 +45,41 @@ def check(procedure: str, outcome: Outcome | None, *, state: str = "SLV", ratio:
         reason=reason_message(reason, **values),
         **{**given, **more},
     )
+
+
+def rotation_check(
+    outcome: str = "pass",
+    ratio: float | None = None,
+    *,
+    procedure: str = "asce43-05-spectrum",
+    level: float = 0.1,
+    rated: bool = False,
+    **more,
+) -> Check:
+    """A check of ASCE 43-05 at a PGA [g]; where it is rated, its capacity is the level over the ratio."""
+    reason = reason_message(Reason.BEYOND if outcome == "fail" else Reason.WITHIN, capacity="the allowable")
+    given = {
+        "edition": "", "branch": "positive", "limit_state": "no overturning", "input_at": "ground", "damping": None,
+        "quantity": "rotation", "unit": "rad", "reason": reason,
+        "capacity_pga_g": level / ratio if rated and ratio else None,
+    }  # fmt: skip
+    return Check(
+        procedure=procedure, verdict=Outcome(outcome), ratio=ratio, level_pga_g=level, **{**given, **more}
+    )  # fmt: skip
+
+
+def suite_of_runs(pga: float, runs: np.ndarray) -> SuiteResponse:
+    """A suite of runs [9, records] at a PGA [m/s2], the records as they are first, then their twins."""
+    own = tuple(None if np.isinf(each) else float(each) for each in runs[0])
+    return SuiteResponse(pga, own, "positive", twins=RecordRuns(runs, np.zeros(runs.shape, dtype=bool)))
+
+
+HINGE = HingeForces(
+    hinge="A", branch="positive", single=True, horizontal=-400.0, vertical=1000.0, face=(0.0, 1.0), found=True,
+    starting=Pressure(1000.0, -400.0), resting=Pressure(1000.0, 0.0), acceleration=0.4 * g, friction=0.3,
+    remedy="give materials.stone.friction", held=False,
+)  # fmt: skip
+"""A hinge that carries 1000 N and starts to rock at 0.4 g."""
 
 
 def question(basis: str | None, *, state: str | None = "SLV", periods: bool = False, **more) -> Question:

@@ -14,7 +14,7 @@ from assess.codes.asce41_13 import Asce41Options
 from assess.codes.asce43_05 import Asce43Options
 from assess.codes.check import Check, branch_of
 from assess.codes.context import Building, Context, FreePeriod, LocalLimit, SiteHazard, StatedFirstMode
-from assess.codes.histories import RecordRuns, SuiteResponse
+from assess.codes.histories import SuiteResponse
 from assess.codes.ntc2018_clauses import free_period
 from assess.codes.procedures import CodeOptions, with_options
 from assess.interfaces.contact import JointLaw
@@ -31,6 +31,7 @@ from assess.study.checks import SUPPORTS, wall_of
 from spectra.asce7 import design_spectrum
 from spectra.ec8 import elastic_spectrum as ec8_spectrum
 from spectra.spectrum import Spectrum
+from tests.support.answered import suite_of_runs
 from tests.support.bodies import planar_box
 
 LEVELS = tuple(level * g for level in (0.05, 0.2, 0.6))
@@ -39,8 +40,7 @@ RUNS = np.array([1.0, 1.4, 0.9, 1.2, 0.7, 1.0, 1.1, 1.0, 0.95])  # of each recor
 
 def suite(level: float, *ratios: float | None) -> SuiteResponse:
     """Records with their twins, those of one that overturns overturn as well."""
-    ratio = RUNS[:, None] * np.array([inf if each is None else each for each in ratios])
-    return SuiteResponse(level, ratios, "positive", twins=RecordRuns(ratio, np.zeros(ratio.shape, dtype=bool)))
+    return suite_of_runs(level, RUNS[:, None] * np.array([inf if each is None else each for each in ratios]))
 
 
 SUITES = tuple(

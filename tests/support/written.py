@@ -35,3 +35,8 @@ def made_file(path: Path, content: str | bytes) -> Path:
     """Return a file that is made with this content."""
     path.write_bytes(content.encode() if isinstance(content, str) else content)
     return path
+
+
+def names(folder: Path) -> list[str]:
+    """What a folder holds, by name."""
+    return sorted(path.name for path in folder.iterdir())

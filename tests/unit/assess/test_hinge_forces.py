@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from math import atan, cos, sin, tan
 
 import pytest
 from scipy.constants import g
 
 from assess.oscillator import HingeForces, Pressure, required_friction
+from tests.support.answered import HINGE
 
 
 def on_a_plane(
@@ -16,25 +18,16 @@ def on_a_plane(
     """A block on a plane that falls by `slope` [rad] along the motion; thrust: a given force along the motion [N]."""
     n_x, n_z = sin(slope), cos(slope)
 
-    def pressed(acceleration: float) -> Pressure:
-        x, z = -weight * acceleration / g - thrust, weight
-        return Pressure(x * n_x + z * n_z, x * n_z - z * n_x)
-
-    start = pressed(activation)
-    return HingeForces(
-        hinge="A",
-        branch="positive",
-        single=True,
-        horizontal=-weight * activation / g - thrust,
+    x, start = -thrust, -weight * activation / g - thrust
+    return replace(
+        HINGE,
+        horizontal=start,
         vertical=weight,
         face=(n_x, n_z),
-        found=True,
-        starting=start,
-        resting=pressed(0.0),
+        starting=Pressure(start * n_x + weight * n_z, start * n_z - weight * n_x),
+        resting=Pressure(x * n_x + weight * n_z, x * n_z - weight * n_x),
         acceleration=activation,
         friction=friction,
-        remedy="",
-        held=False,
     )
 
 

@@ -5,15 +5,17 @@ import json
 import tomllib
 from collections.abc import Callable, Sequence
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 from typing import Any
+from unittest.mock import Mock
 
 import pytest
 from scipy.constants import g
 
 from assess.cli.tables.analysis import run_text
 from assess.codes.bases import BASES
-from assess.codes.check import Check, Outcome, Reason, reason_message
+from assess.codes.check import Check
 from assess.codes.question import Action, MechanismChecks, Missing, Question
 from assess.codes.verdict import verdict
 from assess.messages.message import Message, Severity
@@ -23,6 +25,7 @@ from assess.project.project_file import load
 from assess.results import ChecklistItem, Program, ReportMatter, ResolvedValue, Results
 from assess.results.json import dumps
 from assess.study.mechanism_results import parameters
+from tests.support.answered import rotation_check
 from tests.support.command import ended
 from tests.support.projects import block, project_toml, published
 
@@ -43,16 +46,8 @@ def project(tmp_path: Path) -> Path:
     return path
 
 
+rated = partial(rotation_check, rated=True)
 SPECTRUM, HISTORY = "asce43-05-spectrum", "asce43-05-history"
-
-
-def check(procedure: str, verdict: str, ratio: float | None, *, level: float = 0.1) -> Check:
-    reason = reason_message(Reason.BEYOND if verdict == "fail" else Reason.WITHIN, capacity="the allowable")
-    return Check(
-        procedure=procedure, edition="", branch="positive", limit_state="no overturning", level_pga_g=level,
-        input_at="ground", damping=None, quantity="rotation", unit="rad", ratio=ratio, verdict=Outcome(verdict),
-        reason=reason, capacity_pga_g=None if ratio is None else level / ratio,
-    )  # fmt: skip
 
 
 def results_of(path: Path, *checks: Check, missing: tuple[Missing, ...] = ()) -> Results:
@@ -176,8 +171,8 @@ def test_run_ends_with_the_verdict(
     outcome: str, code: int, project: Path, faked: Callable[..., None], capsys: pytest.CaptureFixture[str]
 ) -> None:
     """What stands for comparison does not decide, at whatever level."""
-    others = (check("x-thesis", "fail", 9.0), check(SPECTRUM, "fail", 9.0, level=0.3))
-    faked(check(SPECTRUM, outcome, 0.5), *others)
+    others = (rated("fail", 9.0, procedure="x-thesis"), rated("fail", 9.0, level=0.3))
+    faked(rated(outcome, 0.5), *others)
     assert ended("run", project) == code
     captured = capsys.readouterr()
     folder = project.parent / "walls-results"
@@ -190,7 +185,7 @@ def test_run_ends_with_the_verdict(
 def test_run_without_report_takes_the_old_one_away(
     project: Path, faked: Callable[..., None], tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    faked(check(SPECTRUM, "pass", 0.5))
+    faked(rated("pass", 0.5))
     out = tmp_path / "out"
     assert ended("run", project, "-o", out, "--jobs", "1") == 0
     assert ended("run", project, "-o", out, "--no-report") == 0
@@ -201,10 +196,10 @@ def test_run_without_report_takes_the_old_one_away(
 def test_failing_report_leaves_old_outputs(
     project: Path, faked: Callable[..., None], monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
-    faked(check(SPECTRUM, "pass", 0.5))
+    faked(rated("pass", 0.5))
     assert ended("run", project, "-o", tmp_path / "out") == 0
     before = {path.name: path.read_bytes() for path in (tmp_path / "out").iterdir()}
-    faked(check(SPECTRUM, "fail", 2.0))
+    faked(rated("fail", 2.0))
     monkeypatch.setattr("reports.assessment.write_all", failing_report)
     assert ended("run", project, "-o", tmp_path / "out") == 2
     assert {path.name: path.read_bytes() for path in (tmp_path / "out").iterdir()} == before
@@ -237,7 +232,7 @@ def test_an_unknown_language_in_results_is_one_line(
 def test_report_again_needs_no_analysis(
     project: Path, faked: Callable[..., None], monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
-    faked(check(SPECTRUM, "pass", 0.5))
+    faked(rated("pass", 0.5))
     out, other = tmp_path / "out", tmp_path / "other"
     assert ended("run", project, "-o", out) == 0
     before = {path.name: path.read_bytes() for path in out.iterdir()}
@@ -249,24 +244,19 @@ def test_report_again_needs_no_analysis(
 
 
 def test_report_is_as_detailed_as_asked(project: Path, faked: Callable[..., None], tmp_path: Path) -> None:
-    faked(check(SPECTRUM, "pass", 0.5))
-    out, seen = tmp_path / "out", list[str | None]()
-
-    def write(_: Results, folder: Path, *, detail: str | None, **__: Any) -> Path:
-        seen.append(detail)
-        return folder / "report.pdf"
-
+    faked(rated("pass", 0.5))
+    out, write = tmp_path / "out", Mock(side_effect=lambda _, folder, **__: folder / "report.pdf")
     assert ended("run", project, "-o", out) == 0
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr("reports.assessment.write_all", write)
         for option in ((), ("--detail", "main"), ("--detail", "full")):
             assert ended("report", out / "results.json", *option) == 0
-    assert seen == [None, "main", "full"]
+    assert [call.kwargs["detail"] for call in write.call_args_list] == [None, "main", "full"]
     assert ended("report", out / "results.json", "--detail", "most") == 2
 
 
 def test_summary_tells_the_verdict_and_what_it_rests_on(project: Path) -> None:
-    results = results_of(project, check(SPECTRUM, "fail", 1.25), check(HISTORY, "not-answered", None))
+    results = results_of(project, rated("fail", 1.25), rated("not-answered", None, procedure=HISTORY))
     assert [line.split() for line in run_text(results).splitlines()] == [
         ["mechanism", "verdict", "state", "decided", "by", "index", "holds", "up", "to"],
         ["=wall,", "1", "FAIL", "DBE", "asce43-05-spectrum", "D/C", "1.25", "0.0800", "g", "=", "0.800", "x"],
@@ -299,7 +289,7 @@ def test_summary_tells_the_verdict_and_what_it_rests_on(project: Path) -> None:
 
 
 def test_the_index_is_bounded_by_the_mechanisms_that_were_not_examined(project: Path) -> None:
-    results = results_of(project, check(SPECTRUM, "fail", 1.25))
+    results = results_of(project, rated("fail", 1.25))
     items = (
         ChecklistItem("gable", None, "examined", ("=wall, 1",)),
         ChecklistItem("corner", None, "absent"),
@@ -313,9 +303,9 @@ def test_the_index_is_bounded_by_the_mechanisms_that_were_not_examined(project: 
 
 
 def test_what_lies_at_the_limit_is_told(project: Path) -> None:
-    told = run_text(results_of(project, check(SPECTRUM, "pass", 0.97)))
+    told = run_text(results_of(project, rated("pass", 0.97)))
     assert "\nverdict: pass at the limit\n" in told
-    assert "verdict: pass\n" in run_text(results_of(project, check(SPECTRUM, "pass", 0.9)))
+    assert "verdict: pass\n" in run_text(results_of(project, rated("pass", 0.9)))
 
 
 def test_an_incomplete_verdict_ends_with_all_that_is_missing(project: Path) -> None:
@@ -325,7 +315,7 @@ def test_an_incomplete_verdict_ends_with_all_that_is_missing(project: Path) -> N
         Missing("materials.old stone.disintegration", "nobody says", 'disintegration = "excluded"'),
         Missing("site.limit_state", "what the spectrum stands for", 'limit_state = "DBE"'),
     )
-    lines = run_text(results_of(project, check(SPECTRUM, "pass", 0.9), missing=missing)).splitlines()
+    lines = run_text(results_of(project, rated("pass", 0.9), missing=missing)).splitlines()
     start = lines.index("verdict: incomplete")
     assert "missing: materials.brick.disintegration: nobody\\nsays" in lines[start:]
     assert "safe values where they exist, the verdict would be: pass" in " ".join(lines[start:])
@@ -342,7 +332,7 @@ def test_an_incomplete_verdict_ends_with_all_that_is_missing(project: Path) -> N
 
 
 def test_hostile_names_stay_on_their_line(project: Path) -> None:
-    results = results_of(project, check(SPECTRUM, "fail", 1.9))
+    results = results_of(project, rated("fail", 1.9))
     assert results.verdict is not None
     hostile = (replace(results.verdict.mechanisms[0], mechanism="x\n\x1b[2J" + "y" * 10_000),)
     text = run_text(replace(results, verdict=replace(results.verdict, mechanisms=hostile)))

@@ -95,24 +95,16 @@ def test_columns_of_unequal_length_are_refused(
     refused(path, capsys, str(steps[0]))
 
 
-def deep(text: str) -> str:
-    return '{"project": ' + "[" * 100_000 + "]" * 100_000 + "}"
-
-
-def with_number(number: str) -> Callable[[str], str]:
-    return lambda text: text.replace('"schema_version": 2', f'"schema_version": {number}', 1)
-
-
 DAMAGE: dict[str, Callable[[str], str | bytes]] = {
     "empty": lambda _: "",
     "cut": lambda text: text[: len(text) // 2],
-    "deep": deep,
+    "deep": lambda _: '{"project": ' + "[" * 100_000 + "]" * 100_000 + "}",
     "deep value": lambda t: t.replace('"given": false', '"given": false, "value": ' + "[" * 5000 + "]" * 5000, 1),
     "not UTF-8": lambda text: text.encode()[:50] + b"\xff" + text.encode()[50:],
     "a mark before it": lambda text: b"\xef\xbb\xbf" + text.encode("utf-16"),
     "nan": lambda text: text.replace('"dt_s": 0.', '"dt_s": NaN, "x": 0.', 1),
     "infinite": lambda text: text.replace('"dt_s": 0.', '"dt_s": 1e999, "x": 0.', 1),
-    "long number": with_number("2" * 5000),
+    "long number": lambda text: text.replace('"schema_version": 2', f'"schema_version": {"2" * 5000}', 1),
     "list": lambda _: "[]",
     "number": lambda _: "7",
     "text for a number": lambda text: text.replace('"dt_s": 0.', '"dt_s": "x", "y": 0.', 1),

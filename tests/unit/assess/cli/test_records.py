@@ -10,12 +10,11 @@ import numpy as np
 import pytest
 from scipy.constants import g
 
-from assess.cli import main
 from records.processing import at2_text, csv_text
 from records.reading import read_records
 from records.record import Earthquake, StationSite, make_record
 from tests.support.command import ended
-from tests.support.projects import ASCE7, published, tables_toml
+from tests.support.projects import ASCE7, published, tables_toml, write_project
 
 DT = 0.01
 TIME = DT * np.arange(2000)
@@ -182,20 +181,13 @@ def test_a_project_states_unit_and_step_of_files_that_do_not(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     (tmp_path / "bare.txt").write_text("\n".join(f"{a:.6f}" for a in SAMPLES))
-    path = tmp_path / "project.toml"
 
-    def check(more: str) -> int:
-        path.write_text(PROJECT + more)
-        with pytest.raises(SystemExit) as caught:
-            main(["check", str(path)])
-        return int(caught.value.code or 0)
-
-    assert check('unit = "m/s^2"') == 2
+    assert ended("check", write_project(tmp_path, PROJECT, 'unit = "m/s^2"')) == 2
     assert "does not state its time step" in capsys.readouterr().err
-    assert check('unit = "m/s^2"\nstep = "0.01 s"') == 0
-    assert check('unit = "m/s^2"\nstep = "-1 s"') == 2
+    assert ended("check", write_project(tmp_path, PROJECT, 'unit = "m/s^2"\nstep = "0.01 s"')) == 0
+    assert ended("check", write_project(tmp_path, PROJECT, 'unit = "m/s^2"\nstep = "-1 s"')) == 2
     assert "records.step" in capsys.readouterr().err
-    assert check('response = "absent.xml"') == 2
+    assert ended("check", write_project(tmp_path, PROJECT, 'response = "absent.xml"')) == 2
     assert "absent.xml" in capsys.readouterr().err
 
 

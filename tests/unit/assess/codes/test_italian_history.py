@@ -16,11 +16,9 @@ from assess.codes.histories import SuiteResponse
 from assess.codes.italian_histories import required_pga
 from assess.codes.italian_limit_states import ItalianOptions
 from assess.codes.procedures import apply_procedure
-from assess.mechanisms.single_block import equivalent_block
 from spectra.asce7 import design_spectrum
+from tests.support.slender import ALPHA, BLOCK, D0, RADIUS, displacement
 
-ALPHA, RADIUS = 0.1, 3.0
-BLOCK = equivalent_block("w", p=1.6, uplift=ALPHA, radius=RADIUS).oscillator
 LEVEL = 0.2 * g
 SEVEN = (0.1, 0.2, 0.3, 0.3, 0.4, 0.5, 0.6)
 
@@ -32,11 +30,6 @@ def context(*ratios, pga=LEVEL, levels=(LEVEL,), **more):
     return Context(spectrum, levels, 0.0, 0.0, None, suites=suites, crushing=True, knowledge=known, **more)
 
 
-def moved(ratio):
-    """d / d0 of a block: (sin alpha - sin(alpha - phi)) / sin alpha."""
-    return (sin(ALPHA) - sin(ALPHA * (1 - ratio))) / sin(ALPHA)
-
-
 def one(*ratios, state="SLV", **more):
     (check,) = ntc2018.assess_history(BLOCK, context(*ratios, **more), options=ItalianOptions(limit_states=(state,)))
     return check
@@ -44,7 +37,7 @@ def one(*ratios, state="SLV", **more):
 
 def test_mean_of_seven_in_displacement():
     check = one(*SEVEN)
-    mean = sum(moved(ratio) for ratio in SEVEN) / 7
+    mean = sum(displacement(ratio) / D0 for ratio in SEVEN) / 7
     assert check.ratio == pytest.approx(mean / 0.4, rel=1e-9)
     assert check.capacity == pytest.approx(0.4 * RADIUS * sin(ALPHA), rel=1e-9)
     assert check.demand == pytest.approx(mean * RADIUS * sin(ALPHA), rel=1e-9)
@@ -61,7 +54,7 @@ def test_collapse_limit_state_allows_six_tenths():
 def test_fewer_than_seven_records_are_judged_by_the_largest():
     check = one(0.0, 0.0, 0.0, 0.0, 0.0, 0.45)
     assert check.verdict == "fail"
-    assert check.ratio == pytest.approx(moved(0.45) / 0.4, rel=1e-9)
+    assert check.ratio == pytest.approx(displacement(0.45) / D0 / 0.4, rel=1e-9)
     assert one(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.45).verdict == "pass"
     assert one(0.45, 0.45).verdict == "not-answered"
 
@@ -88,8 +81,8 @@ def test_confidence_factor_goes_with_the_motion():
     (less,) = ntc2018.assess_history(
         BLOCK, dataclasses.replace(at, knowledge={"ntc2018": "LC2"}), options=ItalianOptions()
     )
-    assert plain.ratio == pytest.approx(moved(0.1) / 0.4, rel=1e-9)
-    assert less.ratio == pytest.approx(moved(0.3) / 0.4, rel=1e-9)
+    assert plain.ratio == pytest.approx(displacement(0.1) / D0 / 0.4, rel=1e-9)
+    assert less.ratio == pytest.approx(displacement(0.3) / D0 / 0.4, rel=1e-9)
     assert plain.capacity_pga_g == pytest.approx(0.24, rel=1e-9)
     assert less.capacity_pga_g == pytest.approx(0.2, rel=1e-9)
     assert less.safety_index == pytest.approx(1.0, rel=1e-9)
@@ -99,17 +92,17 @@ def test_without_crushing_the_suite_of_1_35_times_the_pga_decides_whatever_the_l
     beside = SuiteResponse(1.35 * LEVEL, (0.3,) * 7, "positive")
     at = dataclasses.replace(context(*(0.1,) * 7), crushing=False, extra_suites=(beside,))
     deciding, informing = ntc2018.assess_history(BLOCK, at, options=ItalianOptions(confidence_factor=1.0))
-    assert (deciding.ratio, deciding.informative) == (pytest.approx(moved(0.3) / 0.4, rel=1e-9), False)
-    assert (informing.ratio, informing.informative) == (pytest.approx(moved(0.1) / 0.4, rel=1e-9), True)
+    assert (deciding.ratio, deciding.informative) == (pytest.approx(displacement(0.3) / D0 / 0.4, rel=1e-9), False)
+    assert (informing.ratio, informing.informative) == (pytest.approx(displacement(0.1) / D0 / 0.4, rel=1e-9), True)
 
 
 def test_mean_is_within_the_seat_or_the_break_where_these_come_before_the_share_of_d0():
     """A seat lost at a quarter of the rotation that overturns: each record is measured by the d_SLV of its branch."""
     seat = LocalLimit("seat", "beam", "positive", 0.25 * ALPHA)
     check = one(*SEVEN, limits=(seat,))
-    mean = sum(moved(ratio) for ratio in SEVEN) / 7
-    assert check.capacity == pytest.approx(moved(0.25) * RADIUS * sin(ALPHA), rel=1e-9)
-    assert check.ratio == pytest.approx(mean / moved(0.25), rel=1e-9)
+    mean = sum(displacement(ratio) / D0 for ratio in SEVEN) / 7
+    assert check.capacity == pytest.approx(displacement(0.25), rel=1e-9)
+    assert check.ratio == pytest.approx(mean / (displacement(0.25) / D0), rel=1e-9)
     assert (check.verdict, one(*SEVEN).verdict) == ("fail", "pass")
     other = dataclasses.replace(seat, branch="negative")
     assert one(*SEVEN, limits=(other,)).ratio == pytest.approx(mean / 0.4, rel=1e-9)
@@ -128,16 +121,15 @@ def test_a_suite_that_fails_beside_the_levels_ends_the_scan():
 
 
 def test_histories_of_the_ground_cannot_pass_a_mechanism_above_it():
-    def admitted_at(at):
-        options = ItalianOptions()
-        (check,) = apply_procedure("ntc2018-history", partial(ntc2018.assess_history, options=options), BLOCK, at)
-        return check
 
+    procedure = partial(ntc2018.assess_history, options=ItalianOptions())
+    applied = partial(apply_procedure, "ntc2018-history", procedure)
     low = dataclasses.replace(context(*(0.1,) * 7), elevation=5.0)
-    assert (admitted_at(low).verdict, admitted_at(low).reason.key) == ("not-answered", Reason.GROUND_MOTION)
+    (check,) = applied(BLOCK, low)
+    assert (check.verdict, check.reason.key) == ("not-answered", Reason.GROUND_MOTION)
     filtered = dataclasses.replace(low, histories_at="mechanism base", transfer="by a filter")
-    assert admitted_at(filtered).verdict == "pass"
-    assert admitted_at(dataclasses.replace(context(*(0.9,) * 7), elevation=5.0)).verdict == "fail"
+    assert applied(BLOCK, filtered)[0].verdict == "pass"
+    assert applied(BLOCK, dataclasses.replace(context(*(0.9,) * 7), elevation=5.0))[0].verdict == "fail"
 
 
 def test_edition_of_2008_has_one_limit_state_and_the_same_share():

@@ -18,6 +18,7 @@ from assess.codes.procedures import apply_procedure
 from assess.mechanisms.single_block import equivalent_block
 from spectra import ntc
 from spectra.table import table_spectrum
+from tests.support.answered import step_values
 
 SPECTRA = {
     state: ntc.elastic_spectrum(ntc.Hazard(a_g * g, 2.4, 0.35), place=ntc.SoilAndTopography())
@@ -37,34 +38,30 @@ def asked(procedure="ntc2018-nonlinear", *, state="SLV", factor=None, spectrum=N
     return apply_procedure(procedure, partial(PROCEDURES[procedure], options=options), WALL, context)
 
 
-def factor_of(check):
-    return next(step.value for step in check.steps if step.symbol == "FC")
-
-
 @pytest.mark.parametrize("level", [None, "LC1", "LC2", "LC3"])
 @pytest.mark.parametrize("procedure", PROCEDURES)
 def test_without_crushing_the_factor_is_that_of_lc1_whatever_the_level(procedure, level):
     (check,) = asked(procedure, knowledge={} if level is None else {"ntc2018": level})
-    assert (factor_of(check), check.verdict, check.informative) == (1.35, Outcome.PASS, False)
+    assert (step_values(check)["FC"], check.verdict, check.informative) == (1.35, Outcome.PASS, False)
 
 
 def test_a_lower_factor_is_shown_and_never_decides_and_a_larger_one_does():
     deciding, informing = asked(factor=1.1)
-    assert (factor_of(deciding), deciding.informative) == (1.35, False)
-    assert (factor_of(informing), informing.informative) == (1.1, True)
+    assert (step_values(deciding)["FC"], deciding.informative) == (1.35, False)
+    assert (step_values(informing)["FC"], informing.informative) == (1.1, True)
     assert "lower-confidence-factor" in [each.key for each in informing.remarks]
     (larger,) = asked(factor=1.5)
-    assert (factor_of(larger), larger.informative) == (1.5, False)
-    assert [factor_of(each) for each in asked(factor=1.35)] == [1.35]
+    assert (step_values(larger)["FC"], larger.informative) == (1.5, False)
+    assert [step_values(each)["FC"] for each in asked(factor=1.35)] == [1.35]
 
 
 def test_crushing_without_a_level_is_not_answered_and_says_what_lc1_would():
     (check,) = asked(crushing=True)
     assert (check.verdict, check.provisional) == (Outcome.NOT_ANSWERED, Outcome.PASS)
     assert (check.reason.key, check.reason.where) == (Reason.KNOWLEDGE_UNKNOWN, "procedures.ntc2018.knowledge_level")
-    assert factor_of(check) == 1.35
+    assert step_values(check)["FC"] == 1.35
     (known,) = asked(crushing=True, knowledge={"ntc2018": "LC2"})
-    assert (known.verdict, factor_of(known)) == (Outcome.PASS, 1.2)
+    assert (known.verdict, step_values(known)["FC"]) == (Outcome.PASS, 1.2)
     (other,) = asked(crushing=True, knowledge={"dmi2008": "LC2"})
     assert other.verdict == Outcome.NOT_ANSWERED
 

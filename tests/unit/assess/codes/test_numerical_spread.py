@@ -21,8 +21,6 @@ from assess.codes.check import Outcome, Reason
 from assess.codes.context import Context
 from assess.codes.histories import (
     DRAWS,
-    RecordRuns,
-    SuiteResponse,
     draw_runs,
     draw_values,
     fails_below,
@@ -36,6 +34,7 @@ from assess.codes.italian_limit_states import ItalianOptions
 from assess.codes.verdict import Decision, Index, decide, index_of, is_near
 from assess.mechanisms.single_block import equivalent_block
 from spectra.asce7 import design_spectrum
+from tests.support.answered import suite_of_runs
 
 BLOCK = equivalent_block("w", p=1.6, uplift=0.1, radius=3.0).oscillator
 SPECTRUM = design_spectrum(s_ds=0.5 * g, s_d1=0.2 * g, t_l=6.0)
@@ -44,17 +43,10 @@ NTC = partial(ntc2018.assess_history, options=ItalianOptions())
 LEVEL = 0.2 * g
 
 
-def suite(runs, pga: float = LEVEL) -> SuiteResponse:
-    """Of runs [9][records], the records as they are first."""
-    ratio = np.array(runs, dtype=float)
-    own = tuple(None if each == inf else float(each) for each in ratio[0])
-    return SuiteResponse(pga, own, "positive", (), RecordRuns(ratio, np.zeros(ratio.shape, dtype=bool)))
-
-
 def check(assess, *runs, scan=()):
     known = {"ntc2018": "LC3"}  # FC is 1
-    at = Context(SPECTRUM, (LEVEL,), 0.0, 0.0, None, suites=(suite(runs),), incremental=scan, crushing=True,
-                 knowledge=known)  # fmt: skip
+    suites = (suite_of_runs(LEVEL, np.array(runs, dtype=float)),)
+    at = Context(SPECTRUM, (LEVEL,), 0.0, 0.0, None, suites=suites, incremental=scan, crushing=True, knowledge=known)
     (found,) = assess(BLOCK, at)
     return found
 
@@ -137,7 +129,7 @@ def test_every_level_has_the_same_draw_and_more_records_do_not_change_it():
 FALLS = (0, 1, 2, 0, 5, 8, 9)
 """p is 1, about 8/9, about 7/9 (below 0.84), 1, about 4/9, 1/9 and 0, at 0.1 to 0.7 g: the one record by itself."""
 SCAN = tuple(
-    suite(np.where((np.arange(9) >= 9 - falls)[:, None] & (np.arange(7) == 0), inf, 0.1), (place + 1) * 0.1 * g)
+    suite_of_runs((place + 1) * 0.1 * g, np.where((np.arange(9) >= 9 - falls)[:, None] & (np.arange(7) == 0), inf, 0.1))
     for place, falls in enumerate(FALLS)
 )
 
@@ -153,7 +145,7 @@ def test_capacities_are_the_last_levels_before_too_few_draws_hold():
 def test_a_level_that_the_records_as_they_are_fail_ends_the_capacity():
     runs = np.full((9, 7), 0.1)
     runs[0, 0] = inf
-    found = check(ASCE, *np.full((9, 7), 0.1), scan=(SCAN[0], suite(runs, 0.15 * g), *SCAN[1:]))
+    found = check(ASCE, *np.full((9, 7), 0.1), scan=(SCAN[0], suite_of_runs(0.15 * g, runs), *SCAN[1:]))
     assert found.capacity_pga_g == pytest.approx(0.1)
     assert found.numerical.capacity_half_pga_g == pytest.approx(0.4)
 
@@ -171,7 +163,7 @@ def test_an_index_is_at_the_limit_where_more_draws_would_reach_the_target():
 @pytest.mark.parametrize("basis", ["ntc2018", "asce43-05"])
 def test_a_level_that_passes_above_a_failure_of_the_scan_fails_at_the_limit(basis):
     """At 0.2 g all draws hold, at 0.15 g none: the margin is 0.1 / 0.2, which no target of one is reached with."""
-    fallen = suite(np.full((9, 7), 0.9), 0.15 * g)
+    fallen = suite_of_runs(0.15 * g, np.full((9, 7), 0.9))
     assess = NTC if basis == "ntc2018" else ASCE
     found = check(assess, *np.full((9, 7), 0.1), scan=(SCAN[0], fallen, *SCAN[1:]))
     assert (found.verdict, found.capacity_pga_g) == (Outcome.PASS, pytest.approx(0.1))
@@ -195,7 +187,7 @@ def test_the_last_level_that_passes_fails_nowhere_below():
 
 
 def test_without_twins_there_is_no_spread():
-    bare = replace(suite(np.full((9, 7), 0.2)), twins=None)
+    bare = replace(suite_of_runs(LEVEL, np.full((9, 7), 0.2)), twins=None)
     (found,) = ASCE(BLOCK, Context(SPECTRUM, (LEVEL,), 0.0, 0.0, None, suites=(bare,)))
     assert (found.numerical, found.verdict, is_between(found)) == (None, Outcome.PASS, False)
 

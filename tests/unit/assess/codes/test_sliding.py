@@ -16,6 +16,7 @@ from assess.codes.procedures import apply_procedure
 from assess.mechanisms.single_block import equivalent_block
 from assess.oscillator import HingeForces, Pressure
 from spectra.asce7 import design_spectrum
+from tests.support.answered import HINGE
 
 ROCKER = equivalent_block("w", p=1.8, uplift=0.18, radius=2.4).oscillator
 SPECTRUM = design_spectrum(s_ds=0.5 * g, s_d1=0.25 * g, t_l=6.0)
@@ -25,22 +26,9 @@ LEVELS = tuple(level * g for level in (0.05, 0.2, 0.35, 0.6))
 
 def hinge(needed: float, *, friction: float | None = 0.3, name: str = "A", **more) -> HingeForces:
     """A hinge that carries 1000 N and starts to rock at 0.4 g."""
-    plain = HingeForces(
-        hinge=name,
-        branch="negative" if "'" in name else "positive",
-        single=True,
-        horizontal=-1000.0 * needed,
-        vertical=1000.0,
-        face=(0.0, 1.0),
-        found=True,
-        starting=Pressure(1000.0, -1000.0 * needed),
-        resting=Pressure(1000.0, 0.0),
-        acceleration=0.4 * g,
-        friction=friction,
-        remedy="give materials.stone.friction",
-        held=False,
-    )
-    return replace(plain, **more)
+    branch, start = "negative" if "'" in name else "positive", Pressure(1000.0, -1000.0 * needed)
+    given = {"hinge": name, "branch": branch, "friction": friction, "horizontal": start.shear, "starting": start}
+    return replace(HINGE, **{**given, **more})
 
 
 def checks(*hinges: HingeForces, amplification: float = 1.0):

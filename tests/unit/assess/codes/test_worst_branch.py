@@ -4,27 +4,13 @@ from __future__ import annotations
 
 import pytest
 
-from assess.codes.check import Check, Outcome, Reason, reason_message, worst_branch_check, worst_check
+from assess.codes.check import Check, worst_branch_check, worst_check
+from tests.support.answered import rotation_check
 
 
 def check(branch: str, ratio: float | None, verdict: str = "fail", *, at: float | None = 0.2) -> Check:
     """One answer; ratio None: it overturns."""
-    return Check(
-        procedure="p",
-        edition="e",
-        branch=branch,
-        limit_state="s",
-        level_pga_g=0.3,
-        input_at="ground",
-        damping=None,
-        quantity="rotation",
-        unit="rad",
-        ratio=ratio,
-        verdict=Outcome(verdict),
-        reason=reason_message(Reason.OVERTURNS),
-        capacity_pga_g=at,
-        uplift_pga_g=at and at / 2,
-    )
+    return rotation_check(verdict, ratio, branch=branch, capacity_pga_g=at, uplift_pga_g=at and at / 2)
 
 
 @pytest.mark.parametrize(

@@ -21,10 +21,6 @@ def ring(*, parts=240, **form) -> Solid:
     return profile(barrel_section(parts=parts, **form), length=5.0, density=1800.0, name="vault")
 
 
-def groined(**form) -> Solid:
-    return polyhedron(*groined_vault(**form), density=1800.0, name="vault")
-
-
 def turned(solid: Solid, degrees: float) -> Solid:
     return moved_solid(solid, Rotation.from_euler("z", degrees, degrees=True), [500.0, -300.0, 40.0])
 
@@ -40,7 +36,7 @@ def test_the_axis_runs_across_the_ridge(covering, degrees):
 
 
 def test_a_groined_vault_and_a_hipped_roof_slope_both_ways():
-    assert roof_slope(turned(groined(), 20.0)).both_ways
+    assert roof_slope(turned(polyhedron(*groined_vault(), density=1800.0, name="vault"), 20.0)).both_ways
     x, y = np.meshgrid(np.linspace(-2, 2, 9), np.linspace(-2, 2, 9), indexing="ij")
     hipped = thicken(x, y, 2 - np.maximum(np.abs(x), np.abs(y)), thickness=0.2)
     assert roof_slope(polyhedron(*hipped, density=1800.0, name="roof")).both_ways
@@ -90,7 +86,7 @@ def test_intrados_of_a_semicircle_and_its_plan():
 
 def test_intrados_of_a_groined_vault():
     """Its plan is the bay; its surface that of the two crossing parabolas, one of which rules each quarter."""
-    area, plan = intrados_area(groined(cells=96))
+    area, plan = intrados_area(polyhedron(*groined_vault(cells=96), density=1800.0, name="vault"))
     assert plan == pytest.approx(36.0, rel=1e-9)
     s = np.linspace(0.0, 3.0, 20001)
     ring_of = 8 * (s[1] - s[0]) * np.sum((3.0 - s) * np.sqrt(1 + (2 * 2.0 * s / 9.0) ** 2))  # strips of length 3 - s

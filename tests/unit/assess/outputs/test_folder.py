@@ -10,7 +10,7 @@ import pytest
 from assess.errors import OutputError
 from assess.outputs.manifest import ENVELOPES, MANIFEST
 from assess.outputs.writing import output_folder
-from tests.support.written import content, run, write
+from tests.support.written import content, names, run, write
 
 FIRST = {"results.json": "1", "report.pdf": "1", "tables/old.csv": "1"}
 SECOND = {"results.json": "2", "report.pdf": "2", "figures/new.svg": "2"}
@@ -22,10 +22,6 @@ class Failing(dict[str, str]):
     def items(self) -> Any:
         yield from list(super().items())[:-1]
         raise RuntimeError("half-way")
-
-
-def names(folder: Path) -> list[str]:
-    return sorted(path.name for path in folder.iterdir())
 
 
 def test_new_folder_with_its_parents(tmp_path: Path) -> None:

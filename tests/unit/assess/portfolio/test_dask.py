@@ -16,7 +16,6 @@ import pytest
 from assess.errors import AssessError
 from assess.portfolio.batch import BatchOptions
 from assess.portfolio.executors import dask
-from assess.portfolio.projects import Task
 from tests.support.places import SOURCES
 from tests.support.portfolios import assess, table, task
 
@@ -49,14 +48,10 @@ def _address(file: Path) -> str:
     raise TimeoutError(file)
 
 
-def killing(seen: Path) -> list[Task]:
-    """Tasks one of which ends its worker when it is first computed."""
-    tasks = [task(str(n), "sleep 0.01") for n in range(30)]
-    return [*tasks[:9], task("once", f"once {seen}"), *tasks[9:], task("wrong", "wrong")]
-
-
 def test_a_killed_worker_changes_no_byte_of_the_table(tmp_path: Path) -> None:
-    tasks = killing(tmp_path / "seen")
+    tasks = [task(str(n), "sleep 0.01") for n in range(30)]
+    tasks.insert(9, task("once", f"once {tmp_path / 'seen'}"))  # ends its worker when it is first computed
+    tasks.append(task("wrong", "wrong"))
     with cluster(tmp_path) as address:
         found = assess(tasks, BatchOptions(tmp_path / "dask", "rows"), engine=dask(address))
     assert (tmp_path / "seen").exists()  # so no thread of this process ends it

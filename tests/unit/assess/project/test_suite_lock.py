@@ -4,6 +4,7 @@ import hashlib
 import json
 import re
 from pathlib import Path
+from unittest.mock import Mock
 
 import numpy as np
 import pytest
@@ -177,17 +178,11 @@ def test_artificial_records_are_made_again_and_compared(folder: Path) -> None:
 
 def test_files_are_read_once_in_a_process(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     lock(folder)
-    read: list[Path] = []
-
-    def counted(path: Path, overrides: object) -> object:
-        read.append(path)
-        return original(path, overrides)  # type: ignore[arg-type]
-
-    original = record_set.read_with_overrides
-    monkeypatch.setattr(record_set, "read_with_overrides", counted)
+    read = Mock(wraps=record_set.read_with_overrides)
+    monkeypatch.setattr(record_set, "read_with_overrides", read)
     for _ in range(3):
         study_of(folder, project(LOCKED))
-    assert len(read) == 3
+    assert read.call_count == 3
 
 
 def test_a_sweep_of_the_pga_scales_a_locked_suite_and_one_of_the_shape_is_refused(folder: Path) -> None:

@@ -18,8 +18,10 @@ from assess.project.project_file import load
 from assess.study.block import answers
 from assess.study.run import run_study
 from assess.study.study import Study
+from tests.support import projects
 from tests.support.command import ended
 from tests.support.motions import write_record
+from tests.support.projects import EC8, block, project_toml, wall
 
 BUILDING = Building(height=9.0, storeys=3, period=0.4, damping=0.05)
 PROCEDURES_OF_WALLS = [name for name in PROCEDURES if "sliding" not in name]
@@ -33,40 +35,20 @@ def write_project(
     for number in range(records):
         noise = np.random.default_rng(number).normal(size=800) * np.hanning(800)
         write_record(folder / f"noise-{number}.csv", 0.01 * np.arange(800), noise)
-    knowledge = f'knowledge_level = "{level}"' if level else ""
-    structure = (
-        f"height = {BUILDING.height}\nstoreys = {BUILDING.storeys}\nperiod = {BUILDING.period}" if building else ""
+    knowledge = {"knowledge_level": level} if level else {}
+    structure = {"height": BUILDING.height, "storeys": BUILDING.storeys, "period": BUILDING.period} if building else {}
+    suite = {"files": ["noise-*.csv"]} if records else {"synthetic": {"count": 1, "seed": 1, "duration": "20 s"}}
+    text = project_toml(
+        site={"spectrum": EC8 | {"ground_type": "C"}},
+        building={"ground_elevation": 0.0, **structure},
+        materials={"stone": {"density": 2000, "compressive_strength": "1 MPa"}},
+        bodies={"wall": wall(0.6, 4.0, 4.5, material="stone", base=[0.0, 0.0, base])},
+        mechanisms={"wall": block(interface={"model": "rigid", "strength": "1 MPa"})},
+        records={"scale_to": "none", **suite},
+        analysis={"procedures": [name for name in PROCEDURES_OF_WALLS if records or name not in HISTORIES]},
+        procedures={"dmi2008": knowledge, "ntc2018": knowledge},
     )
-    file = folder / "project.toml"
-    file.write_text(f"""
-[site.spectrum]
-code = "ec8"
-a_g = "0.25 g"
-ground_type = "C"
-[building]
-ground_elevation = 0.0
-{structure}
-[materials.stone]
-density = 2000
-compressive_strength = "1 MPa"
-[bodies.wall]
-material = "stone"
-box = {{ thickness = 0.6, length = 4.0, height = 4.5, base = [0.0, 0.0, {base}] }}
-[mechanisms.wall]
-kind = "single-block"
-blocks = ["wall"]
-interface = {{ model = "rigid", strength = "1 MPa" }}
-[records]
-scale_to = "none"
-{'files = ["noise-*.csv"]' if records else "synthetic = { count = 1, seed = 1, duration = '20 s' }"}
-[analysis]
-procedures = {PROCEDURES_OF_WALLS if records else [name for name in PROCEDURES_OF_WALLS if name not in HISTORIES]}
-[procedures.dmi2008]
-{knowledge}
-[procedures.ntc2018]
-{knowledge}
-""")
-    return file
+    return projects.write_project(folder, text)
 
 
 def compare(file: Path, procedures: list[str], **given: object) -> tuple[list[Check], list[Check], Study]:

@@ -18,7 +18,7 @@ from assess.mechanisms.mechanism import Face, Mechanism
 from assess.mechanisms.single_block import single_block
 from assess.mechanisms.two_block import two_block
 from assess.oscillator import Branch, HingeForces, Oscillator
-from assess.results import Control, HistoryResult, Results
+from assess.results import HistoryResult, Results
 from assess.results.json import dumps
 from assess.study.controls import (
     CONTROL_TOLERANCE,
@@ -297,10 +297,6 @@ MECHANISMS = {
 }
 
 
-def kinds_of(controls: tuple[Control, ...], mechanism: str) -> list[tuple[str, bool | None]]:
-    return [(each.kind, each.met) for each in controls if each.mechanism == mechanism]
-
-
 def test_a_wrong_multiplier_of_moved_hinges_shows_in_their_reactions(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -330,7 +326,9 @@ def test_a_run_controls_every_mechanism_whatever_the_number_of_jobs(tmp_path: Pa
     }
     order = ["equilibrium", "equilibrium", "energy", "hand-multiplier", "convergence"]
     for name, met in expected.items():
-        assert kinds_of(found.controls, name) == list(zip(order, met, strict=True)), name
+        assert [(each.kind, each.met) for each in found.controls if each.mechanism == name] == list(
+            zip(order, met, strict=True)
+        ), name
     assert [each.mechanism for each in found.controls] == [name for name in MECHANISMS for _ in order]
     assert not [each for each in found.warnings if each.key in ("control-energy-lost", "control-not-in-equilibrium")]
     assert dumps(results_of(tmp_path, mechanisms=MECHANISMS, jobs=2)) == dumps(found)

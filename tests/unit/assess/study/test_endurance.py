@@ -43,13 +43,9 @@ def study_of(folder, *loads, top="", sides="two"):
     return projects.study_of(folder, f"{top}\n{text}")
 
 
-def loads_of(study):
-    return parameters(study)[0].loads
-
-
 def test_a_tie_with_all_its_proofs_lasts_and_holds_the_wall_at_its_height(tmp_path):
     study = study_of(tmp_path, tie(PROOF, force="5 kN"), top=SOURCE)
-    (found,) = loads_of(study)
+    (found,) = parameters(study)[0].loads
     assert (found.lasting, found.missing) == ("to collapse", ())
     assert found.end_rad == pytest.approx(asin(0.2 * 8.0 / 4.5), rel=1e-12)  # by its fracture strain, beyond collapse
     assert "lasts to collapse" in duration_text(found)
@@ -74,7 +70,7 @@ def test_a_tie_with_all_its_proofs_lasts_and_holds_the_wall_at_its_height(tmp_pa
 )  # fmt: skip
 def test_what_a_tie_lacks_is_told(tmp_path, more, top, missing):
     study = study_of(tmp_path, tie(more), top=top)
-    (found,) = loads_of(study)
+    (found,) = parameters(study)[0].loads
     assert (found.lasting, found.missing) == ("not shown", missing)
     (told,) = [notice for notice in study.messages if notice.key == "not-lasting"]
     assert f"give {', '.join(missing)} (" in told.text
@@ -94,7 +90,7 @@ def test_a_pretension_above_the_strength_gets_a_warning(tmp_path, force, told):
 
 def test_a_tie_with_an_end_gives_a_local_limit_where_its_point_has_moved_so_far(tmp_path):
     study = study_of(tmp_path, tie(', until = "0.15 m"'))
-    (found,), at = loads_of(study), 2 * asin(0.15 / (2 * 4.5))
+    (found,), at = parameters(study)[0].loads, 2 * asin(0.15 / (2 * 4.5))
     assert (found.lasting, found.end_m) == ("to its end", pytest.approx(0.15, rel=1e-12))
     assert found.end_rad == pytest.approx(at, rel=1e-12)
     context = context_of(study, study.spectrum, study.mechanisms[0], RockingHistories((), ()), (), ())
@@ -114,7 +110,7 @@ def test_seats_are_local_limits_and_printed(tmp_path):
     first = context.limits[0]
     assert (first.kind, first.what, first.branch) == ("seat", "mass 1", "positive")
     assert first.rotation == pytest.approx(asin(0.12 / 4.0), rel=1e-12)
-    assert [duration_text(each) for each in loads_of(study)] == ["; seat 0.12 m", "; seat not given"]
+    assert [duration_text(each) for each in parameters(study)[0].loads] == ["; seat 0.12 m", "; seat not given"]
 
 
 @pytest.mark.parametrize(("seat", "told"), [("2.0 m", False), ("2.1 m", True), ("20", True)])

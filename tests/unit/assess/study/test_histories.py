@@ -32,14 +32,15 @@ PGA = 1.0  # of the target [m/s2]
 ALONE = {"twin_ratios": (), "twin_times_s": (), "twin_impacts": ()}
 
 
-def noise(seed: int) -> ScaledRecord:
-    made = np.random.default_rng(seed).normal(size=900)
-    smooth = np.convolve(made, np.hanning(15), mode="same") * np.hanning(900)
-    record = make_record(f"noise {seed}", smooth / np.abs(smooth).max(), 0.01)
-    return ScaledRecord(record, Scaling(1.0 + 0.1 * seed, 0.0))
+LONG = np.minimum(1.0, 8.0 * np.hanning(2500))
 
 
-MOTIONS = tuple(noise(seed) for seed in range(4))
+def noise(seed: int, envelope: np.ndarray, factor: float = 1.0) -> ScaledRecord:
+    smooth = np.convolve(np.random.default_rng(seed).normal(size=envelope.size), np.hanning(15), mode="same") * envelope
+    return ScaledRecord(make_record(f"noise {seed}", smooth / np.abs(smooth).max(), 0.01), Scaling(factor, 0.0))
+
+
+MOTIONS = tuple(noise(seed, np.hanning(900), 1.0 + 0.1 * seed) for seed in range(4))
 ONE = plain_branch(RockingBlock(1.0, 2.0, 0.2, 16.0 / 3.0), restitution=0.9)
 OTHER = plain_branch(RockingBlock(1.0, 2.0, 0.25, 16.0 / 3.0), restitution=0.9)
 SYMMETRIC, UNLIKE = Oscillator(ONE, ONE, 1.0), Oscillator(ONE, OTHER, 1.0)
@@ -49,7 +50,7 @@ def shaken(oscillator: Oscillator) -> RockingCase:
     return RockingCase("m", oscillator, "exact", tuple(base_motion(Unamplified(), motion.record) for motion in MOTIONS))
 
 
-def asked(oscillator: Oscillator, levels: tuple[float, ...], besides: tuple[float, ...] = ()):
+def levels_of(oscillator: Oscillator, levels: tuple[float, ...], besides: tuple[float, ...] = ()):
     return run_levels(shaken(oscillator), MOTIONS, levels=levels, further=besides, site_pga=PGA, threads=1)
 
 
@@ -63,7 +64,7 @@ def test_a_body_that_is_the_same_both_ways_needs_one_polarity():
     assert SYMMETRIC.symmetric
     assert not twice.symmetric
     levels = (2.2, 3.0, 5.0, 9.0)
-    assert asked(SYMMETRIC, levels) == asked(twice, levels)
+    assert levels_of(SYMMETRIC, levels) == levels_of(twice, levels)
     assert scanned(SYMMETRIC) == scanned(twice)
 
 
@@ -73,7 +74,7 @@ def test_of_the_range_of_a_rebound_the_worst_stands():
     one_sided = Oscillator(replace(ONE, restitution=0.4), None, 1.0)
     ranged = replace(shaken(one_sided), rebounds=factors)
     found = run_levels(ranged, MOTIONS, levels=levels, further=(4.0,), site_pga=PGA, threads=1)
-    alone = {f: asked(Oscillator(replace(ONE, restitution=0.4 * f), None, 1.0), levels, (4.0,)) for f in factors}
+    alone = {f: levels_of(Oscillator(replace(ONE, restitution=0.4 * f), None, 1.0), levels, (4.0,)) for f in factors}
     chosen = set()
     for i, histories in enumerate(found.histories):
         for j, one in enumerate(histories):
@@ -99,7 +100,7 @@ def test_a_rebound_is_never_above_one():
 
 def test_of_two_polarities_the_worse_stands():
     levels = (2.5, 3.0, 3.5, 6.0)
-    found = asked(UNLIKE, levels)
+    found = levels_of(UNLIKE, levels)
     assert {one.polarity for level in found.histories for one in level} == {1, -1}
     for level, histories in zip(levels, found.histories, strict=True):
         for number, (motion, one) in enumerate(zip(MOTIONS, histories, strict=True)):
@@ -113,14 +114,14 @@ def test_of_two_polarities_the_worse_stands():
 
 
 def test_suites_are_of_their_histories():
-    found = asked(UNLIKE, (2.5, 3.5), besides=(3.0, 6.0))
+    found = levels_of(UNLIKE, (2.5, 3.5), besides=(3.0, 6.0))
     assert [suite.pga for suite in (*found.suites, *found.further_suites)] == [2.5, 3.5, 3.0, 6.0]
     for suite, histories in zip(found.suites, found.histories, strict=True):
         assert suite.ratio == tuple(one.max_rotation_ratio for one in histories)
         assert suite.branches == tuple(one.branch for one in histories)
         worst = max(histories, key=lambda one: inf if one.max_rotation_ratio is None else one.max_rotation_ratio)
         assert suite.branch == worst.branch
-    assert found.further_suites == asked(UNLIKE, (3.0, 6.0)).suites
+    assert found.further_suites == levels_of(UNLIKE, (3.0, 6.0)).suites
 
 
 @pytest.mark.parametrize("body", [SYMMETRIC, UNLIKE], ids=["symmetric", "unlike"])
@@ -131,14 +132,14 @@ def test_the_scan_asks_level_by_level_and_ends_where_no_rule_can_hold(body):
     assert [share_upright(suite) < 0.16 for suite in scan] == [False] * (len(scan) - 1) + [True]
     assert scan[0].mean == 0.0  # short of uplift
     assert len(scan) > 40
-    assert asked(body, level).suites == scan
+    assert levels_of(body, level).suites == scan
 
 
 @pytest.mark.parametrize("body", [SYMMETRIC, UNLIKE], ids=["symmetric", "unlike"])
 def test_twins_that_a_scan_leaves_out_change_no_share(body):
     """With all twins at all levels, p of the rule of ASCE 43-05 is the same, and so is where the scan ends."""
     scan = scan_levels(shaken(body), MOTIONS, site_pga=PGA, threads=1)
-    full = asked(body, tuple(suite.pga for suite in scan)).suites
+    full = levels_of(body, tuple(suite.pga for suite in scan)).suites
     saved = sum(int((one.twins.ratio != other.twins.ratio).sum()) for one, other in zip(scan, full, strict=True))
     assert saved > 100
     for one, other in zip(scan, full, strict=True):
@@ -149,7 +150,7 @@ def test_twins_that_a_scan_leaves_out_change_no_share(body):
 def test_a_scan_runs_the_twins_of_records_that_hardly_rock():
     """Under 25 s of noise: a history of less than a tenth of overturning, with a twin of more than four times that."""
     side = plain_branch(RockingBlock(1.0, 2.0, 0.2, 16.0 / 3.0), restitution=0.98)
-    motions = tuple(long_noise(seed) for seed in range(40, 60))
+    motions = tuple(noise(seed, LONG) for seed in range(40, 60))
     base = tuple(base_motion(Unamplified(), motion.record) for motion in motions)
     scan = scan_levels(RockingCase("m", Oscillator(side, side, 1.0), "exact", base), motions, site_pga=PGA, threads=1)
     ratio = np.concatenate([suite.runs.ratio for suite in scan], axis=1)
@@ -159,10 +160,10 @@ def test_a_scan_runs_the_twins_of_records_that_hardly_rock():
 
 def test_a_twin_is_the_same_record_with_its_pga_times_one_and_a_little():
     """Each twin run by itself, as a record scaled by its factor."""
-    (histories,) = asked(UNLIKE, (3.5,)).histories
+    (histories,) = levels_of(UNLIKE, (3.5,)).histories
     for place, one in enumerate(histories):
         for factor, ratio in zip(TWIN_FACTORS, one.twin_ratios, strict=True):
-            alone = asked(UNLIKE, (3.5 * factor,)).histories[0][place].max_rotation_ratio
+            alone = levels_of(UNLIKE, (3.5 * factor,)).histories[0][place].max_rotation_ratio
             assert ratio == (None if alone is None else pytest.approx(alone, rel=1e-6))
     assert sorted(np.round(np.log10(np.abs(TWIN_FACTORS[1:] - 1.0)))) == [-6, -6, -5, -5, -4, -4, -3, -3]
 
@@ -171,7 +172,7 @@ def test_a_twin_is_the_same_record_with_its_pga_times_one_and_a_little():
 def test_a_chaotic_capacity_is_told_as_an_interval_that_covers_its_twins(restitution, first):
     """Bodies that lose little at impacts, under 25 s of noise: each twin of all records, scanned by itself."""
     side = plain_branch(RockingBlock(1.0, 2.0, 0.2, 16.0 / 3.0), restitution=restitution)
-    motions = tuple(long_noise(seed) for seed in range(first, first + 5))
+    motions = tuple(noise(seed, LONG) for seed in range(first, first + 5))
     base = tuple(base_motion(Unamplified(), motion.record) for motion in motions)
     case = RockingCase("m", Oscillator(side, side, 1.0), "exact", base)
     scan = scan_levels(case, motions, site_pga=PGA, threads=1)
@@ -183,12 +184,6 @@ def test_a_chaotic_capacity_is_told_as_an_interval_that_covers_its_twins(restitu
         ends.add(scan[next(n for n, mean in enumerate(means) if mean is None or mean > 0.5) - 1].pga)
     assert len(ends) > 1
     assert sure <= min(ends) <= max(ends) <= low
-
-
-def long_noise(seed: int) -> ScaledRecord:
-    smooth = np.convolve(np.random.default_rng(seed).normal(size=2500), np.hanning(15), mode="same")
-    smooth *= np.minimum(1.0, 8.0 * np.hanning(2500))
-    return ScaledRecord(make_record(f"noise {seed}", smooth / np.abs(smooth).max(), 0.01), Scaling(1.0, 0.0))
 
 
 def last_before(scan, share: float) -> float:

@@ -21,6 +21,7 @@ from assess.study.study import Study
 from assess.study.suites import motions_of
 from records.response import response_spectrum
 from tests.support import projects
+from tests.support.answered import step_values
 from tests.support.motions import write_noise
 from tests.support.projects import block, lines, project_toml, wall
 
@@ -376,7 +377,7 @@ def test_joints_that_answer_at_once_have_no_pga_at_uplift_by_any_procedure(tmp_p
         check.procedure for check in rigid.checks
     )
     assert len(soft.checks) >= 6
-    own = [check.uplift_pga_g * factor_of(check) for check in rigid.checks]
+    own = [check.uplift_pga_g * step_values(check).get("FC", 1.0) for check in rigid.checks]
     assert own == pytest.approx([0.6 / 4.5] * len(rigid.checks), rel=1e-9)
     for check in soft.checks:
         assert "lift" not in check.reason.text
@@ -389,13 +390,8 @@ def test_one_sided_joints_that_lean_on_their_support_keep_their_small_threshold(
     found = run_study(study_of(tmp_path, records=SUITE, mechanism=leaning, tail=shown)).mechanisms[0]
     at_rest = found.oscillator.uplift_multiplier
     assert 0.0 < at_rest < 0.6 / 4.5
-    own = [check.uplift_pga_g * factor_of(check) for check in found.checks]
+    own = [check.uplift_pga_g * step_values(check).get("FC", 1.0) for check in found.checks]
     assert own == pytest.approx([at_rest] * len(found.checks), rel=1e-9)
-
-
-def factor_of(check):
-    """FC of an Italian check, LC1's as crushing is not modelled; 1 of others and of the thesis."""
-    return next((step.value for step in check.steps if step.symbol == "FC"), 1.0)
 
 
 @pytest.mark.parametrize(

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
@@ -12,7 +11,7 @@ import trimesh
 from scipy.constants import g
 
 from assess.codes.bases import BASES
-from assess.codes.check import Check, Outcome, Reason, reason_message
+from assess.codes.check import Check
 from assess.codes.question import Action, MechanismChecks, Question
 from assess.codes.verdict import mark_deciding, verdict
 from assess.results import MechanismResult
@@ -20,6 +19,7 @@ from assess.results.json import dumps
 from assess.study.mechanism_results import case_parameters, parameters
 from assess.study.run import run_study
 from assess.study.variations import MechanismInCase, controlling_index
+from tests.support.answered import rotation_check
 from tests.support.motions import write_noise
 from tests.support.projects import ASCE7, block, project_toml, study_of, wall
 
@@ -44,15 +44,6 @@ def folder(tmp_path: Path) -> Path:
     return tmp_path
 
 
-def check(verdict: str = "pass", **changes: Any) -> Check:
-    given: dict[str, Any] = {
-        "procedure": "asce43-05-spectrum", "edition": "", "branch": "positive", "limit_state": "no overturning",
-        "level_pga_g": 0.1, "input_at": "ground", "damping": None, "quantity": "rotation", "unit": "rad",
-        "verdict": Outcome(verdict), "reason": reason_message(Reason.WITHIN, capacity="the allowable"),
-    }  # fmt: skip
-    return Check(**{**given, **changes})
-
-
 @pytest.fixture
 def result(folder: Path) -> MechanismResult:
     return parameters(study_of(folder, PROJECT))[0]
@@ -75,53 +66,53 @@ def test_a_failing_case_controls_before_an_incomplete_one_and_that_before_one_th
 ) -> None:
     """A larger ratio for comparison, or at another level, does not make a case control."""
     cases = [
-        case(result, check(ratio=0.9), check("fail", ratio=7.0, procedure="dmi2008-linear")),
-        case(result, check(ratio=0.8), check("fail", ratio=9.0, level_pga_g=0.3)),
-        case(result, check("not-answered")),
+        case(result, rotation_check(ratio=0.9), rotation_check("fail", ratio=7.0, procedure="dmi2008-linear")),
+        case(result, rotation_check(ratio=0.8), rotation_check("fail", ratio=9.0, level=0.3)),
+        case(result, rotation_check("not-answered")),
     ]
     assert [each.verdict.outcome for each in cases] == ["pass", "pass", "incomplete"]
     assert controlling_index(cases) == 2
     assert controlling_index(cases[:2]) == 0
-    assert controlling_index([*cases, case(result, check("fail", ratio=1.01))]) == 3
+    assert controlling_index([*cases, case(result, rotation_check("fail", ratio=1.01))]) == 3
 
 
 def test_of_equal_verdicts_the_least_margin_controls_then_the_ratio(result: MechanismResult) -> None:
     cases = [
-        case(result, check("fail", ratio=1.5, capacity_pga_g=0.08)),
-        case(result, check("fail", ratio=1.2, capacity_pga_g=0.07)),
+        case(result, rotation_check("fail", ratio=1.5, capacity_pga_g=0.08)),
+        case(result, rotation_check("fail", ratio=1.2, capacity_pga_g=0.07)),
     ]
     assert controlling_index(cases) == 1
-    fallen = case(result, check("fail"))  # it overturns, and at which PGA it would not is unknown
-    assert controlling_index([*cases, fallen, case(result, check("fail", ratio=3.0))]) == 2
-    passing = [case(result, check(ratio=0.4)), case(result, check(ratio=0.5, capacity_pga_g=0.2))]
+    fallen = case(result, rotation_check("fail"))  # it overturns, and at which PGA it would not is unknown
+    assert controlling_index([*cases, fallen, case(result, rotation_check("fail", ratio=3.0))]) == 2
+    passing = [case(result, rotation_check(ratio=0.4)), case(result, rotation_check(ratio=0.5, capacity_pga_g=0.2))]
     assert controlling_index(passing) == 1
 
 
 def test_without_a_basis_all_checks_of_codes_tell_which_case_controls(result: MechanismResult) -> None:
     none = {"basis": None}
     cases = [
-        case(result, check(ratio=0.5), check(ratio=1.2, level_pga_g=0.2), **none),
-        case(result, check(ratio=1.3, reading="thesis"), check(ratio=0.4), **none),
-        case(result, check("not-applicable", ratio=9.0), check(ratio=0.3), **none),
-        case(result, check("fail", ratio=1.25), **none),
+        case(result, rotation_check(ratio=0.5), rotation_check(ratio=1.2, level=0.2), **none),
+        case(result, rotation_check(ratio=1.3, reading="thesis"), rotation_check(ratio=0.4), **none),
+        case(result, rotation_check("not-applicable", ratio=9.0), rotation_check(ratio=0.3), **none),
+        case(result, rotation_check("fail", ratio=1.25), **none),
     ]
     assert controlling_index(cases) == 3
-    assert controlling_index([*cases, case(result, check("fail"), check(ratio=0.1), **none)]) == 4
+    assert controlling_index([*cases, case(result, rotation_check("fail"), rotation_check(ratio=0.1), **none)]) == 4
 
 
 def test_where_nothing_is_answered_the_least_capacity_controls_then_the_multiplier(result: MechanismResult) -> None:
-    silent = {"verdict": "not-answered", "ratio": 2.0}
+    silent = {"outcome": "not-answered", "ratio": 2.0}
     cases = [
-        case(result, check(capacity_pga_g=0.4, **silent), uplift=0.05),
-        case(result, check(capacity_pga_g=0.3, **silent)),
-        case(result, check(**silent), uplift=0.01),
+        case(result, rotation_check(capacity_pga_g=0.4, **silent), uplift=0.05),
+        case(result, rotation_check(capacity_pga_g=0.3, **silent)),
+        case(result, rotation_check(**silent), uplift=0.01),
     ]
     assert controlling_index(cases) == 1
     assert controlling_index([case(result, uplift=u) for u in (0.2, 0.15, 0.15 + 1e-13, 0.3)]) == 1
 
 
 def test_equals_leave_the_first(result: MechanismResult) -> None:
-    cases = [case(result, check(ratio=ratio)) for ratio in (0.7, 0.7 * (1 + 1e-12), 0.7)]
+    cases = [case(result, rotation_check(ratio=ratio)) for ratio in (0.7, 0.7 * (1 + 1e-12), 0.7)]
     assert controlling_index(cases) == 0
 
 

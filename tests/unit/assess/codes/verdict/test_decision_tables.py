@@ -322,14 +322,12 @@ def test_the_building_is_the_worst_of_its_mechanisms_and_its_index_the_least():
         "b": check(NONLINEAR, FAIL, ratio=1.25),
         "c": check(NONLINEAR, SILENT),
     }
-
-    def found(*names):
-        return verdict(asked, [MechanismChecks(name, (walls[name],)) for name in names])
-
-    assert [found(*names).outcome for names in (("a",), ("a", "b"), ("a", "c"), ("a", "b", "c"))] == [YES, NO, OPEN, NO]
-    assert found("a", "b").index.value == pytest.approx(0.8)
-    assert found("a", "c").index is None
-    assert [one.margin for one in found("a", "b").mechanisms] == pytest.approx([2.5, 0.8])
+    judged = {name: MechanismChecks(name, (wall,)) for name, wall in walls.items()}
+    found = {names: verdict(asked, [judged[name] for name in names]) for names in ("a", "ab", "ac", "abc")}
+    assert [each.outcome for each in found.values()] == [YES, NO, OPEN, NO]
+    assert found["ab"].index.value == pytest.approx(0.8)
+    assert found["ac"].index is None
+    assert [one.margin for one in found["ab"].mechanisms] == pytest.approx([2.5, 0.8])
 
 
 def test_every_basis_has_its_clauses_and_says_what_was_not_compared():

@@ -7,7 +7,6 @@ from pathlib import Path
 
 import pytest
 
-from assess.mechanisms.mechanism import Mechanism
 from assess.project.build import build
 from assess.project.project_file import load
 from assess.study.study import Study
@@ -24,10 +23,6 @@ def study(tmp_path_factory: pytest.TempPathFactory) -> Study:
     return build(load(path))
 
 
-def named(study: Study, name: str) -> Mechanism:
-    return next(mechanism for mechanism in study.mechanisms if mechanism.name == name)
-
-
 def test_every_mechanism_is_read_and_nothing_is_doubtful(study: Study) -> None:
     assert [mechanism.name for mechanism in study.mechanisms] == re.findall(
         r"^\[mechanisms\.(\w+)\]", TEXT, re.MULTILINE
@@ -37,7 +32,7 @@ def test_every_mechanism_is_read_and_nothing_is_doubtful(study: Study) -> None:
 
 
 def test_the_crack_slopes_down_towards_the_direction(study: Study) -> None:
-    crack = named(study, "crack")
+    crack = next(each for each in study.mechanisms if each.name == "crack")
     assert crack.negative is not None
     assert crack.positive.hinges[0][1] < 8.0 < crack.negative.hinges[0][1]
     (sweep,) = study.sweeps
@@ -45,10 +40,10 @@ def test_the_crack_slopes_down_towards_the_direction(study: Study) -> None:
 
 
 def test_an_eccentricity_counts_towards_the_direction(study: Study) -> None:
-    assert named(study, "held").positive.loads[0].at == (-0.1, 4.0)
+    assert next(each for each in study.mechanisms if each.name == "held").positive.loads[0].at == (-0.1, 4.0)
 
 
 def test_angles_of_joints_begin_at_the_springing_behind(study: Study) -> None:
-    x = [at[0] for at in named(study, "arch").positive.hinges]
+    x = [at[0] for at in next(each for each in study.mechanisms if each.name == "arch").positive.hinges]
     assert x == sorted(x)
     assert x[0] < 0.0 < x[-1]

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import partial
 from itertools import pairwise
-from math import inf
 
 import numpy as np
 import pytest
@@ -13,14 +13,16 @@ from hypothesis import strategies as st
 from scipy.constants import g
 
 from assess.codes import dmi2008, ntc2018
-from assess.codes.context import Building, Context, StatedFirstMode
+from assess.codes.context import Building, StatedFirstMode
 from assess.codes.italian_limit_states import ItalianOptions
 from assess.mechanisms.single_block import equivalent_block
 from spectra import ntc
+from tests.support.answered import context_at, ratio_of
 from tests.support.curved import both, pulled
 
 SPECTRUM = ntc.elastic_spectrum(ntc.Hazard(0.25 * g, 2.4, 0.35), place=ntc.SoilAndTopography("C"))
 HOUSE = Building(9.0, 3, 0.3, 0.05)
+site = partial(context_at, SPECTRUM, levels=(0.25 * g,), building=HOUSE)
 EVERY = pytest.mark.parametrize(
     "procedure", [ntc2018.assess_linear, ntc2018.assess_nonlinear, dmi2008.assess_linear, dmi2008.assess_nonlinear]
 )
@@ -32,20 +34,12 @@ def wall(slender, radius):
     return equivalent_block("w", p=np.sqrt(0.75 * g / radius), uplift=slender, radius=radius).oscillator
 
 
-def site(*, elevation=0.0, levels=(0.25 * g,), **more):
-    return Context(SPECTRUM, levels, 0.0, elevation, HOUSE, **more)
-
-
-def ratio(check):
-    return inf if check.ratio is None else check.ratio
-
-
 @EVERY
 @given(elevation=st.sampled_from([0.0, 4.0, 9.0]), slender=SLENDER, radius=RADIUS)
 def test_a_lower_action_never_worsens(procedure, elevation, slender, radius):
     levels = tuple((np.linspace(0.02, 1.5, 25) * g).tolist())
     checks = procedure(wall(slender, radius), site(elevation=elevation, levels=levels), options=ItalianOptions())
-    assert [ratio(check) for check in checks] == sorted(ratio(check) for check in checks)
+    assert [ratio_of(check) for check in checks] == sorted(ratio_of(check) for check in checks)
     for check in checks:
         assert (check.verdict == "pass") is (check.level_pga_g <= check.capacity_pga_g * (1 + 1e-9))
 
@@ -55,7 +49,7 @@ def test_a_larger_d0_at_the_ground_never_worsens(procedure):
     """Walls of one slenderness, larger and larger: periods beyond T_B, where S_e does not rise."""
     for slender in (0.06, 0.15, 0.3):
         ratios = [
-            ratio(procedure(wall(slender, radius), site(), options=ItalianOptions())[0])
+            ratio_of(procedure(wall(slender, radius), site(), options=ItalianOptions())[0])
             for radius in np.geomspace(0.5, 12.0, 12)
         ]
         assert all(after <= before * (1 + 1e-9) for before, after in pairwise(ratios))

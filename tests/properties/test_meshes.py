@@ -77,11 +77,6 @@ def alike(found: Oscillator, wanted: Oscillator, *, rtol: float = 1e-9) -> None:
             np.testing.assert_allclose(getattr(one, name), column, rtol=0.0, atol=rtol * size, err_msg=name)
 
 
-def of_g(branch: Branch) -> np.ndarray:
-    """lambda = restoring / (g B) at every node."""
-    return branch.restoring / (g * branch.excitation)
-
-
 @EVERY
 def test_a_finer_mesh_changes_nothing(body: Solid) -> None:
     alike(rocking(meshed(*loose(refine_mesh(body, 3)))), rocking(body))
@@ -103,8 +98,8 @@ def test_lengths_times_s_divide_p_squared_by_s_and_leave_lambda(body: Solid, s: 
         assert one is not None
         assert other is not None
         np.testing.assert_allclose(one.rotation, other.rotation, rtol=0.0, atol=1e-9)
-        size = float(np.max(np.abs(of_g(other))))
-        np.testing.assert_allclose(of_g(one), of_g(other), rtol=0.0, atol=1e-9 * size)
+        ours, theirs = (each.restoring / (g * each.excitation) for each in (one, other))  # lambda at every node
+        np.testing.assert_allclose(ours, theirs, rtol=0.0, atol=1e-9 * float(np.max(np.abs(theirs))))
         squares = one.restoring / one.inertia * s, other.restoring / other.inertia
         np.testing.assert_allclose(squares[0], squares[1], rtol=0.0, atol=1e-9 * float(np.max(np.abs(squares[1]))))
 

@@ -72,19 +72,14 @@ def commands(command: Any, name: str = "") -> Iterator[tuple[str, Any]]:
         yield from commands(inner, f"{name} {each}".strip())
 
 
-def numeric(parameter: Any) -> bool:
-    """Whether an option takes numbers or the unit of numbers."""
-    annotation = parameter.type_descriptor.annotation
-    numbers = {annotation, *get_args(annotation)} & {int, float}
-    return parameter.opts[-1].startswith("--") and (bool(numbers) or parameter.opts[-1] in ("--unit", "--to-unit"))
-
-
 OPTIONS = [
     (name, one.opts[-1], one.nargs)
     for name, command in commands(typer.main.get_command(app))
     if name != "spectrum"
     for one in command.params
-    if numeric(one)
+    for annotation in [one.type_descriptor.annotation]
+    if one.opts[-1].startswith("--")  # an option that takes numbers, or the unit of numbers
+    and (({annotation, *get_args(annotation)} & {int, float}) or one.opts[-1] in ("--unit", "--to-unit"))
 ]
 
 

@@ -3,16 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from math import inf
+from typing import Any
 
 import numpy as np
 from scipy.constants import g
 
 from assess.codes.bases import BASES
 from assess.codes.check import Check, Outcome, Reason, reason_message
+from assess.codes.context import Building, Context
 from assess.codes.histories import RecordRuns, SuiteResponse
 from assess.codes.question import Action, MechanismChecks, Missing, Question
 from assess.codes.verdict import Verdict, verdict
 from assess.oscillator import HingeForces, Pressure
+from spectra.spectrum import Spectrum
 
 SITE = 0.2  # g
 RATIOS = {Outcome.PASS: 0.5, Outcome.FAIL: 2.0}
@@ -95,3 +99,15 @@ def decide(asked: Question, checks: Iterable[Check], *, missing: Iterable[Missin
 def step_values(check: Check) -> dict[str, float]:
     """The value of each line of a calculation sheet, by its symbol."""
     return {step.symbol: step.value for step in check.steps}
+
+
+def context_at(
+    spectrum: Spectrum, levels: tuple[float, ...], elevation: float = 0.0, building: Building | None = None, **more: Any
+) -> Context:
+    """Return a place [m] under a spectrum at levels of PGA [m/s2], without vertical motion."""
+    return Context(spectrum, levels, 0.0, elevation, building, **more)
+
+
+def ratio_of(check: Check) -> float:
+    """Return demand over capacity, without end where there is none."""
+    return inf if check.ratio is None else check.ratio

@@ -52,6 +52,7 @@ from reports.language.texts import (
     say,
     say_count,
 )
+from reports.render.table_text import PlainCell, plain_cell
 
 HOSTILE = "=cmd|'/c calc'!A0 <b>&amp;</p> <script>alert(1)</script> ]]> $x$ {gap} %s ../../etc \u202e \x07"
 """What a user may write: a formula of spreadsheets, markup, gaps of templates, a path, characters that are not seen."""
@@ -233,3 +234,8 @@ def _read() -> Step:
 
 def _unknown() -> Step:
     return step("q", "behaviour factor", "", "none", None, "-")
+
+
+def plain_rows(table: Table, locale: Locale) -> list[list[PlainCell]]:
+    """Return the cells of a table as files hold them."""
+    return [[plain_cell(*each, locale) for each in zip(row, table.columns, strict=True)] for row in table.rows]

@@ -141,10 +141,7 @@ def test_records_that_are_not_usable_far_enough_are_replaced(
     noise: tuple[Candidate, ...], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     short = {one.path for one in noise[:4]}
-
-    def filtered(one: Candidate) -> Record:
-        return replace(read(one), longest_period=1.0 if one.path in short else 5.0)
-
+    filtered = lambda one: replace(read(one), longest_period=1.0 if one.path in short else 5.0)  # noqa: E731
     goal = SuiteTarget(SMOOTH, SMOOTH, 0.5, 1.5)
     criteria = SuiteCriteria(count=6, band=band_for(SELECTION_RULES["asce43-05"], goal), scale_limits=(1e-6, 1e6))
     found = select_for(noise, SELECTION_RULES["asce43-05"], goal, criteria, read=filtered)

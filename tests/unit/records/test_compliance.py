@@ -1,6 +1,7 @@
 """Requirements of codes on suites whose numbers are known in advance: multiples of the target, and steps in it."""
 
 from dataclasses import replace
+from functools import partial
 from math import log10
 
 import numpy as np
@@ -158,14 +159,12 @@ def test_records_must_be_usable_up_to_the_longest_period_where_their_source_says
 
 
 def test_the_factor_that_does_lifts_what_is_low_and_lowers_what_is_high_or_does_not_exist() -> None:
-    def factor(of: Suite) -> float | None:
-        return common_factor(ntc2018.requirements(of, shortest=T_EQ, longest=T_EQ))
-
-    assert factor(suite(1.0, 1.0, 1.0)) == 1.0
-    assert factor(suite(0.8, 0.8, 0.8)) == pytest.approx(0.9 / 0.8)
-    assert factor(suite(1.5, 1.5, 1.5)) == pytest.approx(1.3 / 1.5)
-    assert factor(dented(suite(1.2, 1.2, 1.2), 0.5, 0.7)) == pytest.approx(0.9 / 0.84)
-    assert factor(dented(suite(1.2, 1.2, 1.2), 0.5, 0.6)) is None
+    suites = [suite(level, level, level) for level in (1.0, 0.8, 1.5)]
+    suites += [dented(suite(1.2, 1.2, 1.2), 0.5, share) for share in (0.7, 0.6)]
+    found = [common_factor(ntc2018.requirements(each, shortest=T_EQ, longest=T_EQ)) for each in suites]
+    assert found[0] == 1.0
+    assert found[1:4] == pytest.approx([0.9 / 0.8, 1.3 / 1.5, 0.9 / 0.84])
+    assert found[4] is None
 
 
 def test_ec8_asks_for_the_mean_peak() -> None:
@@ -220,15 +219,13 @@ def test_nzs_takes_no_period_below_0_4_s() -> None:
 
 
 def test_asce_43_counts_points_side_by_side_steps_and_durations_of_artificial_records() -> None:
-    def asked(of: Suite) -> tuple[Requirement, ...]:
-        return asce43_05.requirements(of, shortest=T_EQ, longest=T_EQ)
-
+    requirements = partial(asce43_05.requirements, shortest=T_EQ, longest=T_EQ)
     what, perfect = "points side by side below the target", suite(*[1.0] * 7, made=True)
     for width, verdict in ((9, "met"), (10, "not met")):
-        found = asked(dented(perfect, 1.0, 0.95, width=width))
+        found = requirements(dented(perfect, 1.0, 0.95, width=width))
         assert (named(found, what).value, named(found, what).verdict) == (width, verdict)
-    assert common_factor(asked(dented(perfect, 1.0, 0.95, width=10))) == pytest.approx(1.0 / 0.95)
-    coarse = asked(suite(*[1.0] * 7, made=True, dt=0.02, duration=19.0))
+    assert common_factor(requirements(dented(perfect, 1.0, 0.95, width=10))) == pytest.approx(1.0 / 0.95)
+    coarse = requirements(suite(*[1.0] * 7, made=True, dt=0.02, duration=19.0))
     assert named(coarse, "largest time step").verdict == "not met"
     assert named(coarse, "shortest duration").verdict == "not met"
 

@@ -19,15 +19,10 @@ EVERY = [*PULSE_SHAPES.values(), *FAMILY]
 CONTINUOUS = [one for one in EVERY if one.name != "cosine"]
 
 
-def inside(one: PulseShape, n: int) -> np.ndarray:
-    """Phases within the shape where it is not yet negligible."""
-    margin = 0.3 * (one.end - one.start) if "ricker" in one.name else 0.01
-    return np.linspace(one.start + margin, one.end - margin, n)
-
-
 @pytest.mark.parametrize("one", EVERY, ids=pulse_id)
 def test_each_derivative_is_that_of_the_one_before(one: PulseShape) -> None:
-    theta, h = inside(one, 101), 2e-3
+    margin = 0.3 * (one.end - one.start) if "ricker" in one.name else 0.01  # beyond it a Ricker is negligible
+    theta, h = np.linspace(one.start + margin, one.end - margin, 101), 2e-3
     ahead = [one.derivatives(theta + k * h) for k in (-2, -1, 1, 2)]
     slope = (ahead[0] - 8 * ahead[1] + 8 * ahead[2] - ahead[3]) / (12 * h)  # of fourth order in h
     np.testing.assert_allclose(slope[:5], one.derivatives(theta)[1:], rtol=0, atol=2e-9)

@@ -37,9 +37,9 @@ def test_a_figure_of_the_run_needs_no_mechanism(results: Results) -> None:
     assert "target" in letters(report_figure("spectrum", results))
 
 
-def test_the_only_mechanism_need_not_be_named(alone: Results) -> None:
-    assert "rotation φ [rad]" in letters(report_figure("capacity", alone))
-    assert "target" in letters(report_figure("spectrum", alone))
+def test_the_only_mechanism_need_not_be_named(one_mechanism: Results) -> None:
+    assert "rotation φ [rad]" in letters(report_figure("capacity", one_mechanism))
+    assert "target" in letters(report_figure("spectrum", one_mechanism))
 
 
 def test_a_figure_has_the_units_and_language_of_the_report(results: Results) -> None:

@@ -64,10 +64,10 @@ def test_figures_are_whole_svg_without_dates(written: Path) -> None:
         assert "<dc:date>" not in path.read_text(encoding="utf-8")
 
 
-def test_figures_are_pictures_too_where_that_is_asked(alone: Results, tmp_path: Path) -> None:
-    write_all(alone, tmp_path, figures=("png",))
+def test_figures_are_pictures_too_where_that_is_asked(one_mechanism: Results, tmp_path: Path) -> None:
+    write_all(one_mechanism, tmp_path, figures=("png",))
     made = sorted((tmp_path / "figures").iterdir())
-    assert [path.stem for path in made] == sorted(figure.name for figure in assessment(alone).figures)
+    assert [path.stem for path in made] == sorted(figure.name for figure in assessment(one_mechanism).figures)
     for content in (path.read_bytes() for path in made):
         assert content.startswith(b"\x89PNG")
         assert int.from_bytes(content[content.index(b"pHYs") + 4 :][:4], "big") == round(200 / 0.0254)

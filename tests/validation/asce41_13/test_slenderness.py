@@ -31,10 +31,6 @@ AT = Context(SPECTRUM, (0.4 * g,), 0.0, 0.0, None, support="spanning", wall=WALL
 BLOCK = equivalent_block("w", p=1.8, uplift=0.08, radius=2.1).oscillator
 
 
-def building(storeys: int | None, height: float = 8.4) -> Building:
-    return Building(height, storeys, 0.24, 0.05)
-
-
 @pytest.mark.parametrize(
     ("position", "most", "verdict"),
     [
@@ -84,11 +80,11 @@ def test_pga_at_capacity_is_where_the_column_ends() -> None:
     ],
 )
 def test_place_by_storeys_and_elevation(elevation, storeys, place) -> None:
-    assert position_of(WALL, elevation, building(storeys)) == place
+    assert position_of(WALL, elevation, Building(8.4, storeys, 0.24, 0.05)) == place
 
 
 def test_a_wall_as_high_as_the_building_is_in_the_top_storey() -> None:
-    assert position_of(Wall(8.4, 0.5), 0.0, building(2)) == "top-storey"
+    assert position_of(Wall(8.4, 0.5), 0.0, Building(8.4, 2, 0.24, 0.05)) == "top-storey"
 
 
 @pytest.mark.parametrize(
@@ -138,7 +134,7 @@ def test_what_is_missing_is_said(change, verdict, reason) -> None:
 def parapet(height: float, *, base: float = 8.4) -> Context:
     """A parapet 0.33 m thick on a building of 8.4 m."""
     return dataclasses.replace(
-        AT, support="free", wall=Wall(height, 0.33), elevation=base, building=building(2), rise=0.0
+        AT, support="free", wall=Wall(height, 0.33), elevation=base, building=Building(8.4, 2, 0.24, 0.05), rise=0.0
     )
 
 

@@ -6,6 +6,7 @@ The model's own curve is tan(alpha - phi), 0.2 % from the straight line here; wi
 from __future__ import annotations
 
 import dataclasses
+from functools import partial
 
 import numpy as np
 import pytest
@@ -21,6 +22,7 @@ from assess.geometry.solid import box
 from assess.mechanisms.single_block import single_block
 from spectra.asce7 import design_spectrum
 from spectra.ec8 import elastic_spectrum
+from tests.support.answered import context_at
 from tests.support.bodies import free_wall
 
 
@@ -29,11 +31,7 @@ def rocker():
     return free_wall()
 
 
-def context(*, elevation=0.0, building=None, levels=(0.15 * g,)):
-    spectrum = design_spectrum(s_ds=0.5 * g, s_d1=0.2 * g, t_l=6.0)
-    return Context(spectrum, levels, 0.0, elevation, building)
-
-
+context = partial(context_at, design_spectrum(s_ds=0.5 * g, s_d1=0.2 * g, t_l=6.0), levels=(0.15 * g,))
 HOUSE = Building(height=9.0, storeys=3, period=0.26, damping=0.05)
 LC1 = 1.35
 

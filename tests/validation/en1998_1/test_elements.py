@@ -10,13 +10,14 @@ import pytest
 from scipy.constants import g
 
 from assess.codes.check import Reason
-from assess.codes.context import Building, Context, Wall
+from assess.codes.context import Building, Wall
 from assess.codes.en1998_1 import EC8_ELEMENT, Ec8Options, amplification, assess_element, element_period
 from assess.codes.procedures import apply_procedure
 from assess.mechanisms.single_block import equivalent_block
 from spectra.asce7 import design_spectrum
 from spectra.ec8 import elastic_spectrum
 from spectra.table import table_spectrum
+from tests.support.answered import context_at
 
 SPECTRUM = elastic_spectrum(a_g=0.25 * g, ground_type="B")
 HOUSE = Building(height=10.0, storeys=3, period=0.4, damping=0.05)
@@ -25,10 +26,7 @@ PARAPET = equivalent_block("parapet", p=3.0, uplift=0.2, radius=0.8).oscillator 
 
 ADMITTED = partial(apply_procedure, EC8_ELEMENT.name, partial(assess_element, options=Ec8Options()))
 """The procedure where it may be asked."""
-
-
-def at(height: float = 0.0, building: Building | None = HOUSE, **more) -> Context:
-    return Context(SPECTRUM, (0.3 * g,), 0.0, height, building, **more)
+at = partial(context_at, SPECTRUM, (0.3 * g,), building=HOUSE)
 
 
 @pytest.mark.parametrize(
@@ -75,16 +73,16 @@ def test_an_element_that_vibrates_has_its_own_period() -> None:
     by_hand = 2 * np.pi * np.sqrt(branch.inertia[0] / stiffness)
     assert element_period(branch) == pytest.approx(by_hand, rel=1e-4)
     house = dataclasses.replace(HOUSE, period=4.0 * element_period(branch))
-    (check,) = assess_element(soft(), at(10.0, house), options=Ec8Options())
+    (check,) = assess_element(soft(), at(10.0, building=house), options=Ec8Options())
     assert check.demand == pytest.approx(0.3 * 3.34, rel=1e-9)
     assert check.uplift_pga_g is None
-    (unknown,) = assess_element(soft(), at(0.0, None), options=Ec8Options())
+    (unknown,) = assess_element(soft(), at(0.0, building=None), options=Ec8Options())
     assert unknown.demand == pytest.approx(0.3 * 2.5, rel=1e-12)
 
 
 def test_above_ground_without_a_building_it_can_fail_but_not_pass() -> None:
     for level, verdict in ((0.1 * g, "not-answered"), (0.3 * g, "fail")):
-        (check,) = ADMITTED(PARAPET, dataclasses.replace(at(5.0, None), levels=(level,)))
+        (check,) = ADMITTED(PARAPET, dataclasses.replace(at(5.0, building=None), levels=(level,)))
         assert check.verdict == verdict
     (above,) = ADMITTED(PARAPET, dataclasses.replace(at(11.0), levels=(0.01 * g,)))
     assert (above.verdict, above.reason.key) == ("not-answered", Reason.ABOVE_BUILDING)

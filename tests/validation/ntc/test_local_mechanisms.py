@@ -7,6 +7,7 @@ T_C = 0.4717 s, T_D = 2.644 s. The model's own curve is tan(alpha - phi), up to 
 from __future__ import annotations
 
 import dataclasses
+from functools import partial
 from math import pi, sqrt
 
 import numpy as np
@@ -24,7 +25,7 @@ from assess.mechanisms.single_block import equivalent_block, single_block
 from spectra import ntc
 from spectra.asce7 import design_spectrum
 from spectra.table import table_spectrum
-from tests.support.answered import step_values
+from tests.support.answered import context_at, step_values
 from tests.support.bodies import free_wall
 
 A_G, F_0, S, T_C, T_D = 0.261 * g, 2.364, 1.1532, 0.4717, 2.644
@@ -39,9 +40,8 @@ def rocker():
     return free_wall(0.6)
 
 
-def ground(*, levels=(PGA,), **more):
-    spectrum = ntc.elastic_spectrum(ntc.Hazard(A_G, F_0, 0.347), place=ntc.SoilAndTopography("B"))
-    return Context(spectrum, levels, 0.0, 0.0, None, **more)
+SITE = ntc.elastic_spectrum(ntc.Hazard(A_G, F_0, 0.347), place=ntc.SoilAndTopography("B"))
+ground = partial(context_at, SITE, levels=(PGA,))
 
 
 def top(*, levels=(0.2 * g,), modes=None, **more):

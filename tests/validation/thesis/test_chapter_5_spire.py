@@ -13,11 +13,12 @@ import pytest
 import trimesh
 from scipy.constants import g
 
-from assess.results import MechanismResult
 from assess.study.mechanism_results import case_parameters
 from tests.support.projects import study_of
 
 RADIUS, HEIGHT, SIDES = 2.0, 9.0, 32
+ANGLES = 2.0 * np.pi * np.arange(SIDES) / SIDES
+BASE = RADIUS * np.column_stack([np.cos(ANGLES), np.sin(ANGLES), np.zeros(SIDES)])
 PROJECT = """
 [materials.stone]
 density = 1800
@@ -35,27 +36,18 @@ cut = {{ point = [0, 0, {crack}], angle = "45 deg" }}
 """
 
 
-def corners() -> np.ndarray:
-    at = 2.0 * np.pi * np.arange(SIDES) / SIDES
-    return RADIUS * np.column_stack([np.cos(at), np.sin(at), np.zeros(SIDES)])
-
-
 @pytest.fixture
 def folder(tmp_path: Path) -> Path:
-    points = np.concatenate([corners(), [[0.0, 0.0, HEIGHT]]])
+    points = np.concatenate([BASE, [[0.0, 0.0, HEIGHT]]])
     trimesh.convex.convex_hull(points).export(tmp_path / "spire.obj", digits=17)
     return tmp_path
-
-
-def swept(folder: Path, sweep: str, *, crack: float) -> tuple[MechanismResult, ...]:
-    return case_parameters(study_of(folder, PROJECT.format(sweep=sweep, crack=crack)))
 
 
 def oblique(angle: float, *, crack: float) -> tuple[float, float]:
     """lambda [-] and p [1/s] of the apex over the section by a plane at `angle` [rad] through (0, 0, crack)."""
     apex = np.array([0.0, 0.0, HEIGHT])
     normal = np.array([np.sin(angle), 0.0, np.cos(angle)])
-    edges = corners() - apex
+    edges = BASE - apex
     along = (np.array([0.0, 0.0, crack]) - apex) @ normal / (edges @ normal)
     section = apex + along[:, None] * edges
     assert section[:, 2].min() > 0.0  # the crack leaves the cone above its base
@@ -68,7 +60,7 @@ def oblique(angle: float, *, crack: float) -> tuple[float, float]:
 
 def test_lambda_falls_as_the_crack_grows_steeper(folder: Path) -> None:
     sweep = 'key = "mechanisms.spire.cut.angle"\nvalues = ["45 deg", "60 deg", "75 deg"]'
-    found = swept(folder, sweep, crack=7.6)
+    found = case_parameters(study_of(folder, PROJECT.format(sweep=sweep, crack=7.6)))
     expected = [oblique(angle, crack=7.6) for angle in np.radians([45, 60, 75])]
     multiplier = [m.oscillator.uplift_multiplier or 0.0 for m in found]
     np.testing.assert_allclose(multiplier, [pair[0] for pair in expected], rtol=1e-8)
@@ -79,7 +71,7 @@ def test_lambda_falls_as_the_crack_grows_steeper(folder: Path) -> None:
 
 def test_height_at_one_angle_is_scale(folder: Path) -> None:
     sweep = 'key = "mechanisms.spire.cut.point.2"\nvalues = [5.0, 6.0, 7.0]'
-    found = swept(folder, sweep, crack=5.0)
+    found = case_parameters(study_of(folder, PROJECT.format(sweep=sweep, crack=5.0)))
     multiplier = [m.oscillator.uplift_multiplier for m in found]
     np.testing.assert_allclose(multiplier, multiplier[0], rtol=1e-9)  # Table 5.1: 0.40 to 0.43
     scaled = np.array([m.oscillator.p_eq_per_s for m in found]) ** 2 * (HEIGHT - np.array([5.0, 6.0, 7.0]))

@@ -151,11 +151,9 @@ def test_restitution_and_slenderness_are_those_of_a_body(name):
 def test_rebound_and_slenderness_are_those_of_a_body(name, k):
     """3.45 solved for k."""
     _, slenderness, restitution = TABLE_4_1[name]
-
-    def excess(k: float) -> float:
-        return (1 - 2 / k * sin(slenderness) ** 2) ** 2 * (1 - 2 / k * cos(slenderness) ** 2) - restitution
-
-    assert brentq(excess, 1.0, 1.9) == pytest.approx(k, abs=OFF)
+    s, c = sin(slenderness) ** 2, cos(slenderness) ** 2
+    found = brentq(lambda k: (1 - 2 / k * s) ** 2 * (1 - 2 / k * c) - restitution, 1.0, 1.9)
+    assert found == pytest.approx(k, abs=OFF)
 
 
 @pytest.mark.parametrize("name", ["corner-midpoint", "corner-window"])

@@ -11,19 +11,19 @@ from assess.results import Results
 from assess.results.run import GroundMotionResult, RequirementResult
 from reports.figures import spectrum
 from reports.language.locale import Locale
+from tests.support.changed_results import with_verdict
 
 PERIOD = tuple(np.geomspace(0.02, 5.0, 60).tolist())
 
 
-def rule(code: str, what: str, sense: str, limit: float) -> RequirementResult:
-    return RequirementResult(code, "2.4", what, 1.0, sense, limit, "-", "met", 0.1, 2.0, "", "")  # type: ignore[arg-type]
-
-
-RULES = (
-    rule("ASCE 43-05", "least ratio of mean spectrum to target", ">=", 0.9),
-    rule("ASCE 43-05", "largest ratio of mean spectrum to target", "<=", 1.3),
-    rule("ASCE 43-05", "points side by side below the target", "<=", 9.0),
-    rule("NTC 2018", "least ratio of mean spectrum to target", ">=", 0.9),
+RULES = tuple(
+    RequirementResult(code, "2.4", what, 1.0, sense, limit, "-", "met", 0.1, 2.0, "", "")  # type: ignore[arg-type]
+    for code, what, sense, limit in (
+        ("ASCE 43-05", "least ratio of mean spectrum to target", ">=", 0.9),
+        ("ASCE 43-05", "largest ratio of mean spectrum to target", "<=", 1.3),
+        ("ASCE 43-05", "points side by side below the target", "<=", 9.0),
+        ("NTC 2018", "least ratio of mean spectrum to target", ">=", 0.9),
+    )
 )
 
 
@@ -36,16 +36,14 @@ def chosen(results: Results) -> Results:
 
 @pytest.mark.parametrize(("basis", "count"), [("asce43-05", 2), ("ntc2018", 1), ("ec8", 0), ("own", 0)])
 def test_the_limits_are_those_of_the_basis(chosen: Results, basis: str, count: int) -> None:
-    assert chosen.verdict is not None
-    asked = replace(chosen, verdict=replace(chosen.verdict, basis=basis))
-    assert len(spectrum.mean_limits(asked)) == count
-    assert spectrum.mean_limits(replace(asked, verdict=None)) == ()
+    judged = with_verdict(chosen, basis=basis)
+    assert len(spectrum.mean_limits(judged)) == count
+    assert spectrum.mean_limits(replace(judged, verdict=None)) == ()
 
 
 def test_a_limit_is_drawn_over_its_periods_at_its_share_of_the_target(chosen: Results) -> None:
-    assert chosen.verdict is not None
-    asked = replace(chosen, verdict=replace(chosen.verdict, basis="asce43-05"))
-    lines = spectrum.draw_suite(asked, Locale()).axes[0].get_lines()
+    judged = with_verdict(chosen, basis="asce43-05")
+    lines = spectrum.draw_suite(judged, Locale()).axes[0].get_lines()
     most = next(line for line in lines if "130" in str(line.get_label()))
     np.testing.assert_allclose(most.get_ydata(), 0.52, rtol=1e-12)
     assert 0.1 <= np.min(most.get_xdata()) < np.max(most.get_xdata()) <= 2.0

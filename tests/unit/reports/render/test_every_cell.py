@@ -16,20 +16,15 @@ from reports.render.table_text import (
     PlainCell,
     column_texts,
     csv_field,
-    plain_cell,
     sheet_as_table,
     sheet_rows,
     write_csv,
 )
 from tests.support.letters import without_spaces
-from tests.support.sample_document import sample_document
+from tests.support.sample_document import plain_rows, sample_document
 from tests.support.sample_page import write_page
 
 LOCALES = pytest.mark.parametrize("locale", [Locale(), Locale("it"), Locale("en", "US")], ids=str)
-
-
-def plain(table: Table, locale: Locale) -> list[list[PlainCell]]:
-    return [[plain_cell(*each, locale) for each in zip(row, table.columns, strict=True)] for row in table.rows]
 
 
 @LOCALES
@@ -40,7 +35,7 @@ def test_csv(tmp_path: Path, locale: Locale) -> None:
         with (tmp_path / f"{table.name}.csv").open(encoding="utf-8", newline="") as stream:
             _, *rows = csv.reader(stream)
         assert [row[:-1] for row in rows] == [
-            [csv_field(cell) for cell in row] for row in plain(table, document.writer)
+            [csv_field(cell) for cell in row] for row in plain_rows(table, document.writer)
         ]
 
 
@@ -50,10 +45,10 @@ def test_workbook(tmp_path: Path, locale: Locale) -> None:
     book = load_workbook(write_xlsx(document, tmp_path / "t.xlsx"))
     for table in document.tables:
         rows = list(book[table.name].iter_rows(min_row=3, values_only=True))
-        assert [list(map(read_as, row)) for row in plain(table, document.writer)] == list(map(list, rows))
+        assert [list(map(read_as, row)) for row in plain_rows(table, document.writer)] == list(map(list, rows))
     (sheet,) = document.sheets
     rows = list(book[book.sheetnames[-1]].iter_rows(min_row=3, values_only=True))
-    assert [list(map(read_as, row)) for row in plain(sheet_as_table(sheet, document.writer), document.writer)] == [
+    assert [list(map(read_as, row)) for row in plain_rows(sheet_as_table(sheet, document.writer), document.writer)] == [
         list(row) for row in rows
     ]
 

@@ -65,6 +65,13 @@ ALONE = (
     "window-size=1280,900",
 )
 SCRIPT = "const s = document.createElement('script'); s.text = 'window.ran = 1'; document.body.append(s)"
+REDS = (
+    "const c = document.querySelector('canvas'); let found = 0;"
+    "const all = c.getContext('2d').getImageData(0, 0, c.width, c.height).data;"
+    "for (let k = 0; k < all.length; k += 4) if (all[k] > 200 && all[k + 1] < 60) found++;"
+    "return found"
+)
+"""How many pixels of the canvas are red."""
 RED, BLUE = (255, 0, 0), (0, 0, 255)
 PHONE, DESK = 390, 1400  # width of the window [px]
 
@@ -322,21 +329,9 @@ def test_names_of_wires_are_drawn_apart_at_their_ends(browser: webdriver.Chrome,
         browser.get(shown(model, tmp_path / str(number)).as_uri())
         turning(browser)
         painted(browser)
-        counts.append(reds(browser))
+        counts.append(int(browser.execute_script(REDS)))
     assert counts[0] > 30
     assert counts[1] > 1.5 * counts[0]
-
-
-def reds(driver: webdriver.Chrome) -> int:
-    """How many pixels of the canvas are red."""
-    return int(
-        driver.execute_script(
-            "const c = document.querySelector('canvas'); let found = 0;"
-            "const all = c.getContext('2d').getImageData(0, 0, c.width, c.height).data;"
-            "for (let k = 0; k < all.length; k += 4) if (all[k] > 200 && all[k + 1] < 60) found++;"
-            "return found"
-        )
-    )
 
 
 @pytest.mark.parametrize("width", [PHONE, DESK])

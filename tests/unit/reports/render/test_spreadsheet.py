@@ -11,8 +11,7 @@ from reports.document import NOTHING, Cell, Column, Document, OutcomeCell, Secti
 from reports.language.locale import Locale
 from reports.language.texts import Verbatim, quantity, say
 from reports.render.spreadsheet import worksheet_names, write_xlsx
-from reports.render.table_text import plain_cell
-from tests.support.sample_document import HOSTILE, sample_document
+from tests.support.sample_document import HOSTILE, plain_rows, sample_document
 
 
 def with_table(table: Table, *more: Table, title: str = "t") -> Document:
@@ -32,8 +31,7 @@ def test_a_sheet_for_each_table_with_its_numbers(tmp_path: Path, locale: Locale)
     for table in document.tables:
         rows = list(book[table.name].values)
         assert len(rows) == len(table.rows) + 2
-        for read, row in zip(rows[2:], table.rows, strict=True):  # the file holds 16 digits
-            plain = [plain_cell(*each, document.writer) for each in zip(row, table.columns, strict=True)]
+        for read, plain in zip(rows[2:], plain_rows(table, document.writer), strict=True):  # the file holds 16 digits
             numbers = [(a, b) for a, b in zip(read, plain, strict=True) if isinstance(b, float)]
             assert all(a == pytest.approx(b, rel=1e-15) for a, b in numbers)
             assert len(numbers) == sum(column.dimension != "" for column in table.columns)

@@ -6,15 +6,12 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 from enum import StrEnum
 from math import inf
-from typing import TYPE_CHECKING, Literal, TypedDict
+from typing import Literal, TypedDict
 
 from assess.codes.calculation_sheet import Bound, Step
 from assess.messages.message import Message, Severity, Term, Value, message
 from assess.oscillator import Branch, Oscillator
 from assess.short_repr import ShortRepr
-
-if TYPE_CHECKING:
-    from assess.codes.italian_histories import HistoryRule
 
 Role = Literal["deciding", "comparison"]
 Reading = Literal["letter", "thesis"]
@@ -75,7 +72,8 @@ class CodeProcedure:
     spectra : codes of the site spectra it is written for; empty for any
     only_on_request : whether the project must name it, even where it is written for the site's spectrum
     suite_rules : the code whose rules its suite of records must meet; empty where it uses none
-    history_rule : of a procedure that needs suites at a PGA of its own; else None
+    required_pga : gives the PGA [m/s2] of the suites it needs, from the levels, hazard and spectrum of the site, its
+        options, crushing and the level of knowledge; None where suites at the levels are enough
     damped_by_impacts : whether its damping is that of impacts on both hinges, so that the body must rebound on both
     """
 
@@ -91,7 +89,7 @@ class CodeProcedure:
     spectra: tuple[str, ...] = ()
     only_on_request: bool = False
     suite_rules: str = ""
-    history_rule: HistoryRule | None = None
+    required_pga: Callable[..., tuple[float, ...]] | None = None
     damped_by_impacts: bool = False
 
     @property

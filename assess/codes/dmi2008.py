@@ -15,6 +15,7 @@ its period has d_u under the root where the clause has d_s, on the linearised ri
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 from scipy.constants import g
@@ -23,7 +24,7 @@ from assess.codes import italian_kinematic as kinematic
 from assess.codes.calculation_sheet import Given, Step, excitation_column, instability_step, integral_step, step
 from assess.codes.check import BranchName, Check, CodeProcedure, Family, branch_of, caveats_of, check_worst_branch
 from assess.codes.context import Context
-from assess.codes.italian_histories import HistoryRule, assess_histories
+from assess.codes.italian_histories import HistoryRule, assess_histories, required_pga
 from assess.codes.italian_limit_states import (
     BranchCurves,
     Demands,
@@ -397,7 +398,7 @@ DMI2008_HISTORY = CodeProcedure(
     options="dmi2008",
     limit_states=tuple(HISTORY_RULE.limits),
     suite_rules="ntc2018",
-    history_rule=HISTORY_RULE,
+    required_pga=partial(required_pga, rule=HISTORY_RULE),
 )
 
 

@@ -128,7 +128,8 @@ def required_pga(
     *,
     rule: HistoryRule,
     options: ItalianOptions,
-    factors: Sequence[float],
+    crushing: bool,
+    knowledge: Mapping[str, str],
 ) -> tuple[float, ...]:
     """Return the PGA at which `assess` needs suites, some of which may be those of the levels.
 
@@ -138,15 +139,17 @@ def required_pga(
     hazard : of the site over return periods; None where it has one spectrum
     spectrum : the site's
     rule : of the edition
-    options : the limit states requested
-    factors : confidence factors FC [-]
+    options : the limit states requested, and the confidence factor FC given, if any
+    crushing : whether the mechanism models crushing of the masonry
+    knowledge : its level of knowledge by code, where given
 
     Returns
     -------
     tuple of float [m/s2]
     """
     states = options.requested_states(rule.limits)
-    shares = [pga_ratio(hazard, spectrum, state) * factor for factor in dict.fromkeys(factors) for state in states]
+    factors = confidence_factors(options, crushing=crushing, level=knowledge.get(rule.edition.code))
+    shares = [pga_ratio(hazard, spectrum, state) * each.factor for each in factors for state in states]
     return tuple(level * each for each in shares for level in levels)
 
 

@@ -8,6 +8,7 @@ at SLV or SLC (C8.7.1.2.1.6, .8). Non-linear dynamic: no record beyond d0*, the 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 
@@ -16,7 +17,7 @@ from assess.codes import ntc2018_clauses as clauses
 from assess.codes.calculation_sheet import Given, Step, step
 from assess.codes.check import Check, CodeProcedure, Family
 from assess.codes.context import Context
-from assess.codes.italian_histories import HistoryRule, assess_histories
+from assess.codes.italian_histories import HistoryRule, assess_histories, required_pga
 from assess.codes.italian_limit_states import (
     Demands,
     ItalianOptions,
@@ -362,7 +363,7 @@ NTC2018_HISTORY = CodeProcedure(
     options="ntc2018",
     limit_states=tuple(HISTORY_RULE.limits),
     suite_rules="ntc2018",
-    history_rule=HISTORY_RULE,
+    required_pga=partial(required_pga, rule=HISTORY_RULE),
 )
 
 

@@ -23,7 +23,6 @@ from assess.codes.check import Check, CodeProcedure, Family, Outcome, Reason, re
 from assess.codes.context import Context
 from assess.codes.dmi2008 import DMI2008_HISTORY, DMI2008_LINEAR, DMI2008_NONLINEAR, DMI2008_NONLINEAR_THESIS
 from assess.codes.en1998_1 import EC8_ELEMENT, Ec8Options
-from assess.codes.italian_histories import HistoryRule
 from assess.codes.italian_limit_states import ItalianOptions, floor_of
 from assess.codes.ntc2018 import NTC2018_HISTORY, NTC2018_LINEAR, NTC2018_NONLINEAR
 from assess.codes.nzsee2017 import NZSEE2017_FACE_LOADED, Nzsee2017Options
@@ -110,10 +109,13 @@ def procedures_of_site(spectrum_code: str) -> tuple[str, ...]:
     )
 
 
-def history_rules(options: CodeOptions) -> dict[str, tuple[HistoryRule, ItalianOptions]]:
-    """Return the Italian procedures that need suites of time histories at a PGA of their own, with their options."""
-    ruled = ((name, each, each.history_rule) for name, each in PROCEDURES.items())
-    return {name: (rule, getattr(options, each.options)) for name, each, rule in ruled if rule is not None}
+def pga_rules(options: CodeOptions) -> dict[str, Callable[..., tuple[float, ...]]]:
+    """Return, by procedure, what gives the PGA of the suites of its own: for those that need such suites."""
+    return {
+        name: partial(each.required_pga, options=getattr(options, each.options))
+        for name, each in PROCEDURES.items()
+        if each.required_pga is not None
+    }
 
 
 SUITE_OF_A2 = "asce43-05"  # whose rules the suite must meet that a floor spectrum is made of

@@ -26,9 +26,7 @@ from scipy.constants import g
 from assess.amplification import BaseMotion, base_motion
 from assess.codes.check import BranchName
 from assess.codes.histories import LOW_SHARE, RecordRuns, SuiteResponse, share_upright
-from assess.codes.italian_histories import required_pga
-from assess.codes.italian_limit_states import confidence_factors
-from assess.codes.procedures import history_rules, uses_histories
+from assess.codes.procedures import pga_rules, uses_histories
 from assess.dynamics import pulses
 from assess.dynamics.history import Jobs, Peaks, make_solver, peaks, trace
 from assess.dynamics.packing import Equation
@@ -86,11 +84,11 @@ def rule_levels(study: Study, spectrum: Spectrum, mechanism: Mechanism) -> tuple
     """Return the PGA [m/s2] at which procedures with a rule of their own need suites, each once."""
     levels: list[float] = []
     knowledge = study.knowledge.get(mechanism.name, {})
-    for name, (rule, options) in history_rules(study.options).items():
+    for name, required_pga in pga_rules(study.options).items():
         if name in study.procedures:
-            level = knowledge.get(rule.edition.code)
-            factors = [each.factor for each in confidence_factors(options, crushing=mechanism.crushing, level=level)]
-            levels += required_pga(study.levels, study.hazard, spectrum, rule=rule, options=options, factors=factors)
+            levels += required_pga(
+                study.levels, study.hazard, spectrum, crushing=mechanism.crushing, knowledge=knowledge
+            )
     return tuple(dict.fromkeys(levels))
 
 

@@ -19,7 +19,7 @@ from scipy.constants import g
 
 from assess.amplification import pulse_factor
 from assess.codes.check import Check
-from assess.codes.procedures import history_rules, uses_histories
+from assess.codes.procedures import pga_rules, uses_histories
 from assess.codes.question import Question, methods_of
 from assess.codes.verdict import Verdict
 from assess.dynamics.packing import Equation
@@ -259,7 +259,7 @@ def _histories_that_decide(
     by_histories = set(filter(uses_histories, study.procedures))
     if not by_histories:
         return NO_HISTORIES
-    if study.scan or not by_histories <= set(history_rules(study.options)):
+    if study.scan or not by_histories <= set(pga_rules(study.options)):
         return mechanism_histories(study, spectrum, motions, mechanism, case, threads=jobs)
     levels = rule_levels(study, spectrum, mechanism)
     return run_levels(case, motions, levels=(), further=levels, site_pga=spectrum.pga, threads=jobs)

@@ -12,6 +12,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
+CUBE = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [0, 0, 1], [1, 0, 1], [1, 1, 1], [0, 1, 1]], dtype=float)
+"""Corners of the unit cube."""
+QUADS = [(0, 3, 2, 1), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7)]
+"""Its faces by their corners, anticlockwise seen from outside."""
+
 
 def obj(vertices: ArrayLike, triangles: ArrayLike, *, name: str = "body", before: int = 0) -> bytes:
     """Return Wavefront OBJ; before: vertices of the elements that stand before this one in the file."""
@@ -76,6 +81,30 @@ def glb(header: Mapping[str, Any], content: bytes = b"") -> bytes:
     return struct.pack("<4sII", b"glTF", 2, 12 + len(chunks)) + chunks
 
 
+def gltf(
+    vertices: ArrayLike, triangles: ArrayLike, nodes: list[dict], *, roots: list[int] | None = None
+) -> tuple[dict, bytes]:
+    """Return the header of glTF 2.0 and its buffer: one mesh, placed by nodes."""
+    places, faces = np.asarray(vertices, dtype="<f4"), np.asarray(triangles, dtype="<u4")
+    content = places.tobytes() + faces.tobytes()
+    return {
+        "asset": {"version": "2.0"},
+        "scene": 0,
+        "scenes": [{"nodes": list(range(len(nodes))) if roots is None else roots}],
+        "nodes": nodes,
+        "meshes": [{"name": "shape", "primitives": [{"attributes": {"POSITION": 0}, "indices": 1}]}],
+        "accessors": [
+            {"bufferView": 0, "componentType": 5126, "count": len(places), "type": "VEC3"},
+            {"bufferView": 1, "componentType": 5125, "count": faces.size, "type": "SCALAR"},
+        ],
+        "bufferViews": [
+            {"buffer": 0, "byteOffset": 0, "byteLength": places.nbytes},
+            {"buffer": 0, "byteOffset": places.nbytes, "byteLength": faces.nbytes},
+        ],
+        "buffers": [{"byteLength": len(content)}],
+    }, content
+
+
 def package(*parts: tuple[str, bytes | str]) -> bytes:
     """Return an archive of these files, as 3MF is one."""
     archive = io.BytesIO()
@@ -83,3 +112,17 @@ def package(*parts: tuple[str, bytes | str]) -> bytes:
         for name, data in parts:
             content.writestr(name, data)
     return archive.getvalue()
+
+
+def mf3(vertices: ArrayLike, triangles: ArrayLike, *, unit: str | None, items: str, resources: str = "") -> bytes:
+    """Return 3MF, whose object 1 is the mesh and whose `items` are built."""
+    corners = "".join(f'<vertex x="{x!r}" y="{y!r}" z="{z!r}"/>' for x, y, z in np.asarray(vertices).tolist())
+    faces = "".join(f'<triangle v1="{a}" v2="{b}" v3="{c}"/>' for a, b, c in np.asarray(triangles).tolist())
+    mesh = f"<mesh><vertices>{corners}</vertices><triangles>{faces}</triangles></mesh>"
+    stated = f' unit="{unit}"' if unit else ""
+    space = "http://schemas.microsoft.com/3dmanufacturing/core/2015/02"
+    model = (
+        f'<?xml version="1.0"?><model xmlns="{space}"{stated}><resources><object id="1" name="pier" type="model">{mesh}'
+        f"</object>{resources}</resources><build>{items}</build></model>"
+    )
+    return package(("3D/3dmodel.model", model))

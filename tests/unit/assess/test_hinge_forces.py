@@ -19,16 +19,12 @@ def on_a_plane(
     n_x, n_z = sin(slope), cos(slope)
 
     x, start = -thrust, -weight * activation / g - thrust
-    return replace(
-        HINGE,
-        horizontal=start,
-        vertical=weight,
-        face=(n_x, n_z),
-        starting=Pressure(start * n_x + weight * n_z, start * n_z - weight * n_x),
-        resting=Pressure(x * n_x + weight * n_z, x * n_z - weight * n_x),
-        acceleration=activation,
-        friction=friction,
-    )
+    pressed = {
+        name: Pressure(along * n_x + weight * n_z, along * n_z - weight * n_x)
+        for name, along in (("starting", start), ("resting", x))
+    }
+    return replace(HINGE, horizontal=start, vertical=weight, face=(n_x, n_z), acceleration=activation,
+                   friction=friction, **pressed)  # fmt: skip
 
 
 @pytest.mark.parametrize("mu", [0.05, 0.2, 0.399])

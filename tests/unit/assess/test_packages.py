@@ -33,8 +33,8 @@ def test_packages_say_that_they_are_typed(name):
 def test_every_package_that_is_imported_is_declared_and_no_other():
     """Each dependency of a plain installation is imported somewhere; what only an extra brings is declared by one."""
     declared = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
-    plain = {name_of(line) for line in declared["dependencies"]}
-    extra = {name_of(line) for lines in declared["optional-dependencies"].values() for line in lines}
+    plain = {re.match(r"[\w-]+", line)[0] for line in declared["dependencies"]}
+    extra = {re.match(r"[\w-]+", line)[0] for lines in declared["optional-dependencies"].values() for line in lines}
     found = {name for package in PACKAGES for path in (SOURCES / package).rglob("*.py") for name in imports_of(path)}
     third = found - set(sys.stdlib_module_names) - set(PACKAGES) - {"pydantic_core", "llvmlite"}  # of pydantic, numba
     assert third == {IMPORTED_AS.get(name, name) for name in plain | extra - {"rocking-assess"}}
@@ -44,11 +44,6 @@ def test_what_builds_the_program_is_pinned():
     """A build without a network finds what `[build-system]` asks for: the lock is made of the group."""
     found = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
     assert found["dependency-groups"]["build"] == found["build-system"]["requires"]
-
-
-def name_of(requirement: str) -> str:
-    """Return the name of a requirement, `reportlab` of `reportlab[accel]>=4.2`."""
-    return re.match(r"[\w-]+", requirement)[0]
 
 
 def imports_of(path: Path) -> Iterator[str]:

@@ -11,9 +11,7 @@ import pytest
 
 from tests.support import mesh_files
 from tests.support.command import ended
-
-CUBE = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [0, 0, 1], [1, 0, 1], [1, 1, 1], [0, 1, 1]], dtype=float)
-QUADS = [(0, 3, 2, 1), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7)]
+from tests.support.mesh_files import CUBE, QUADS
 
 
 def obj(folder: Path, **boxes: tuple[tuple[float, float, float], tuple[float, float, float], float]) -> Path:

@@ -3,24 +3,19 @@
 from __future__ import annotations
 
 from types import SimpleNamespace
-from typing import Any
 
 import pytest
 
 from assess.codes.verdict import building_index_text, number_text, target_text
 
 
-def verdict(**known: Any) -> Any:
-    return SimpleNamespace(**known)
-
-
 @pytest.mark.parametrize(("target", "text"), [(None, ""), (0.65, "0.65"), (1.0, "1"), (0.12345, "0.123")])
 def test_the_target_of_an_index(target: float | None, text: str) -> None:
-    assert target_text(verdict(target=target)) == text
+    assert target_text(SimpleNamespace(target=target)) == text
 
 
 def test_an_index_that_is_not_known_has_no_text() -> None:
-    assert building_index_text(verdict(index=None)) == ""
+    assert building_index_text(SimpleNamespace(index=None)) == ""
 
 
 @pytest.mark.parametrize(

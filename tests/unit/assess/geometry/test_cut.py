@@ -12,11 +12,12 @@ from assess.geometry.boolean import intersect, shortest_distance
 from assess.geometry.cut import Division, divide, inclined_plane, level_plane, split_upright
 from assess.geometry.planar import base_of_section, lowest_corners, planar_body, slope_across, turns_about_a_corner
 from assess.geometry.solid import Solid, box, join, polyhedron, profile
-from tests.support.solids import assert_same_mass, inside_out, irregular_tower, surfaces_of
+from tests.support.solids import assert_same_mass, inside_out, irregular_tower, moved_solid, surfaces_of
 
 DENSITY = 1900.0
 TOWER = irregular_tower(density=DENSITY)
 WALL = {"thickness": 1.0, "length": 3.0, "height": 8.2, "base": (0.0, 0.0, 0.0), "density": DENSITY, "name": "wall"}
+HALF_TURN = Rotation.from_matrix(np.diag([-1.0, 1.0, -1.0]))  # what lay below a plane lies above its image
 TAPERED = [[-1.0, 0.0], [1.0, 0.0], [0.4, 9.0], [-0.4, 9.0]]
 T_SHAPE = [[0.0, 0], [1, 0], [1, 2], [1.5, 2], [1.5, 4], [-0.5, 4], [-0.5, 2], [0, 2]]
 L_SHAPE = [[0.0, 0], [2, 0], [2, 1], [1, 1], [1, 3], [0, 3]]
@@ -47,11 +48,6 @@ def plane_of(point, normal):
 def upper_part(solid: Solid, plane) -> Solid:
     (part,) = cut(solid, plane).above
     return part
-
-
-def upside_down(solid: Solid) -> Solid:
-    """Turned half round the y axis: what lay below a plane lies above its image."""
-    return polyhedron(solid.vertices * [-1.0, 1.0, -1.0], solid.triangles, density=DENSITY, name=solid.name)
 
 
 def test_level_cut_of_a_box_is_a_lower_box() -> None:
@@ -106,8 +102,11 @@ def test_length_of_the_normal_and_place_of_the_point_do_not_count() -> None:
 def test_what_lies_above_and_below_is_the_whole(solid: Solid, normal: tuple[float, ...]) -> None:
     point = solid.centroid + np.array([0.01, 0.02, 0.03])
     upper = upper_part(solid, plane_of(point, normal))
-    turned = upper_part(upside_down(solid), plane_of(point * [-1.0, 1.0, -1.0], np.array(normal) * [1.0, -1.0, 1.0]))
-    assert_same_mass(join([upper, upside_down(turned)], name=solid.name), solid, rtol=1e-11)
+    turned = upper_part(
+        moved_solid(solid, HALF_TURN, density=DENSITY),
+        plane_of(point * [-1.0, 1.0, -1.0], np.array(normal) * [1.0, -1.0, 1.0]),
+    )
+    assert_same_mass(join([upper, moved_solid(turned, HALF_TURN, density=DENSITY)], name=solid.name), solid, rtol=1e-11)
     assert np.all((upper.vertices - point) @ normal > -1e-11)
 
 

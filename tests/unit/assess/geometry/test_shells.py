@@ -27,20 +27,16 @@ def placed(rng: np.random.Generator) -> tuple[np.ndarray, np.ndarray, np.ndarray
     )
 
 
-def depth(A: np.ndarray, b: np.ndarray) -> float:
-    """Radius of the largest ball in A x <= b (rows of A of unit length), negative where there is none."""
-    found = linprog(
-        [0.0, 0.0, 0.0, -1.0], A_ub=np.column_stack([A, np.ones(len(A))]), b_ub=b, bounds=[(None, None)] * 4
-    )
-    return float(found.x[3])
-
-
 def test_boxes_anywhere_overlap_when_linear_programming_finds_a_common_ball() -> None:
     rng = np.random.default_rng(8)
     overlapping = 0
     for _ in range(80):
         (one, A, b), (other, C, d) = placed(rng), placed(rng)
-        wanted = depth(np.vstack([A, C]), np.concatenate([b, d])) > 0.0
+        ball = linprog(  # the largest in A x <= b, whose rows are of unit length: its centre and its radius
+            [0.0, 0.0, 0.0, -1.0], A_ub=np.column_stack([np.vstack([A, C]), np.ones(len(A) + len(C))]),
+            b_ub=np.concatenate([b, d]), bounds=[(None, None)] * 4,
+        )  # fmt: skip
+        wanted = bool(ball.x[3] > 0.0)
         overlapping += wanted
         surface, told = unify_shells(pair(one, other), where="pair")
         assert bool(told) == wanted

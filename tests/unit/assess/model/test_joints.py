@@ -48,11 +48,6 @@ hinges_negative = { A = [-0.3, 0], B = [0.3, 3], C = [4.9, 3], D = [4.3, 0] }
 """
 
 
-def towards(x, y):
-    """The project with the wall's direction turned."""
-    return (STONE + SINGLE).replace("direction = [1, 0, 0]", f"direction = [{x}, {y}, 0]")
-
-
 # ------------------------------------------------------------------------------------------------------------- sections
 
 
@@ -72,7 +67,7 @@ def test_outline_of_a_box_is_its_rectangle(tmp_path):
 def test_direction_that_is_oblique_to_the_box(tmp_path, turn):
     """The rotated rectangle is deep b |cos| + l |sin|; its corner is the hinge."""
     c, s = cos(radians(turn)), sin(radians(turn))
-    found = mechanism_of(tmp_path, towards(c, s), SOFT)
+    found = mechanism_of(tmp_path, (STONE + SINGLE).replace("[1, 0, 0]", f"[{c}, {s}, 0]"), SOFT)
     (joint,) = found.positive.joints
     depth = 1.0 * abs(c) + 2.0 * abs(s)
     assert joint.section.depth == pytest.approx(depth, rel=1e-9)
@@ -84,7 +79,11 @@ def test_direction_that_is_oblique_to_the_box(tmp_path, turn):
 def test_an_oblique_direction_is_told_with_how_far_the_resultant_leaves_the_plane(tmp_path):
     """A rectangle is not symmetric about an oblique plane: at a corner that alone bears, the resultant is there."""
     c, s = cos(radians(30.0)), sin(radians(30.0))
-    (text,) = [n.text for n in mechanism_of(tmp_path, towards(c, s), SOFT).warnings if "symmetric" in n.text][:1]
+    (text,) = [
+        n.text
+        for n in mechanism_of(tmp_path, (STONE + SINGLE).replace("[1, 0, 0]", f"[{c}, {s}, 0]"), SOFT).warnings
+        if "symmetric" in n.text
+    ][:1]
     assert text.startswith(
         "interface A: the contact is not symmetric about the plane of motion: its resultant moves by"
     )

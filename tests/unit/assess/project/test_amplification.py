@@ -34,18 +34,22 @@ BLOCK = 'kind = "equivalent-block"\np = 2.26\nuplift = 0.21\nradius = 1.46\nelev
 HOUSE = '[building]\nheight = "9 m"\n'
 
 
+MATERIALS = {"m": {"density": 2000, "young_modulus": "3 GPa"}, "soft": {"density": 2000}}
+BODIES = {
+    "w": wall(0.6, 4.0, 8.0, material="m"),
+    "high": wall(0.6, 4.0, 3.0, material="m", base=[0, 0, 5]),
+    "soft": wall(0.6, 4.0, 8.0, material="soft"),
+    "direct": {"mass": 1000, "centroid": [0, 1], "inertia": 500},
+}
+
+
 def study_of(folder: Path, mechanism: str, *, building: str = "", analysis: str = "") -> Study:
     write_noise(folder / "a.csv", duration=6.0)
     text = project_toml(
         analysis,
         building,
-        materials={"m": {"density": 2000, "young_modulus": "3 GPa"}, "soft": {"density": 2000}},
-        bodies={
-            "w": wall(0.6, 4.0, 8.0, material="m"),
-            "high": wall(0.6, 4.0, 3.0, material="m", base=[0, 0, 5]),
-            "soft": wall(0.6, 4.0, 8.0, material="soft"),
-            "direct": {"mass": 1000, "centroid": [0, 1], "inertia": 500},
-        },
+        materials=MATERIALS,
+        bodies=BODIES,
         mechanisms={"m": mechanism},
         records={"files": ["a.csv"]},
         analysis={"levels": ["0.3 g"], "procedures": ["asce43-05-history", "asce43-05-spectrum"]},

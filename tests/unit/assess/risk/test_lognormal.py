@@ -45,11 +45,10 @@ def test_fit_is_where_a_search_finds_the_largest_likelihood(seed):
     rng = np.random.default_rng(seed)
     records = rng.integers(5, 40, 12)
     reached = rng.binomial(records, TRUE.probability(STRIPES))
-
-    def loss(at):
-        return -binom.logpmf(reached, records, lognorm.cdf(STRIPES, np.exp(at[1]), scale=np.exp(at[0]))).sum()
-
-    found = minimize(loss, [np.log(0.5), np.log(0.5)], method="Nelder-Mead", options={"xatol": 1e-9, "fatol": 1e-12})
+    found = minimize(
+        lambda at: -binom.logpmf(reached, records, lognorm.cdf(STRIPES, np.exp(at[1]), scale=np.exp(at[0]))).sum(),
+        [np.log(0.5), np.log(0.5)], method="Nelder-Mead", options={"xatol": 1e-9, "fatol": 1e-12},
+    )  # fmt: skip
     fit = fit_lognormal(STRIPES, reached, records)
     np.testing.assert_allclose([fit.median, fit.dispersion], np.exp(found.x), rtol=1e-6)
 

@@ -54,10 +54,6 @@ def levels_of(oscillator: Oscillator, levels: tuple[float, ...], besides: tuple[
     return run_levels(shaken(oscillator), MOTIONS, levels=levels, further=besides, site_pga=PGA, threads=1)
 
 
-def scanned(oscillator: Oscillator):
-    return scan_levels(shaken(oscillator), MOTIONS, site_pga=PGA, threads=1)
-
-
 def test_a_body_that_is_the_same_both_ways_needs_one_polarity():
     """Two branches of the same numbers, which are run in both polarities, answer the same."""
     twice = Oscillator(ONE, replace(ONE), 1.0)
@@ -65,7 +61,9 @@ def test_a_body_that_is_the_same_both_ways_needs_one_polarity():
     assert not twice.symmetric
     levels = (2.2, 3.0, 5.0, 9.0)
     assert levels_of(SYMMETRIC, levels) == levels_of(twice, levels)
-    assert scanned(SYMMETRIC) == scanned(twice)
+    assert scan_levels(shaken(SYMMETRIC), MOTIONS, site_pga=PGA, threads=1) == scan_levels(
+        shaken(twice), MOTIONS, site_pga=PGA, threads=1
+    )
 
 
 def test_of_the_range_of_a_rebound_the_worst_stands():
@@ -126,7 +124,7 @@ def test_suites_are_of_their_histories():
 
 @pytest.mark.parametrize("body", [SYMMETRIC, UNLIKE], ids=["symmetric", "unlike"])
 def test_the_scan_asks_level_by_level_and_ends_where_no_rule_can_hold(body):
-    scan = scanned(body)
+    scan = scan_levels(shaken(body), MOTIONS, site_pga=PGA, threads=1)
     level = tuple(suite.pga for suite in scan)
     np.testing.assert_allclose(np.diff(np.log(level)), np.log(SCAN_STEP), rtol=1e-9)
     assert [share_upright(suite) < 0.16 for suite in scan] == [False] * (len(scan) - 1) + [True]

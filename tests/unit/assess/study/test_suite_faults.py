@@ -30,22 +30,12 @@ ASCE43 = 'basis = "asce43-05"\nprocedures = ["asce43-05-history"]'
 NTC2018 = 'procedures = ["ntc2018-history"]'
 
 
-def study_of(
-    folder: Path,
-    *,
-    code: str = "asce43-05",
-    verdict: str | None = None,
-    records: str = "",
-    height: float = 3.0,
-    base: float = 0.0,
-    building: str = "",
-) -> Study:
-    named = ASCE43 if code == "asce43-05" else NTC2018
+def study_of(folder: Path, *, code="asce43-05", verdict=None, records="", height=3.0, base=0.0, building="") -> Study:
     american = code == "asce43-05"
     text = project_toml(
         site={"limit_state": "DBE" if american else "SLV", "spectrum": ASCE if american else NTC},
         building=f"ground_elevation = 0\n{building}",
-        verdict=named if verdict is None else verdict,
+        verdict=verdict or (ASCE43 if american else NTC2018),
         materials={"m": {"density": 2000}},
         bodies={"w": wall(0.6, 4.0, height, material="m", base=[0, 0, base])},
         mechanisms={"w": block("w")},

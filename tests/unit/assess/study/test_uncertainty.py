@@ -42,18 +42,14 @@ def histories(tmp_path_factory: pytest.TempPathFactory) -> Results:
 
 
 def project(*more: str, samples: int = 16, procedures: Any = (LINEAR,), **tables: Any) -> str:
-    asked = tables.pop("uncertainty", {})
+    uncertainty = {"samples": samples, **tables.pop("uncertainty", {})}
     plain = {
         "site": {"spectrum": {**NTC, "a_g": "0.21 g"}, "limit_state": "SLV"},
         "mechanisms": {"wall": block(direction=[1, 0, 0])},
         "records": {"files": ["a.csv"]},
-        "analysis": {
-            "procedures": list(procedures),
-            "uncertainty": {"samples": samples, **asked},
-            **tables.pop("analysis", {}),
-        },
     }
-    return project_toml(*more, **{**plain, **tables})
+    analysis = {"procedures": list(procedures), "uncertainty": uncertainty, **tables.pop("analysis", {})}
+    return project_toml(*more, **{**plain, **tables, "analysis": analysis})
 
 
 def assessed(folder: Path, *more: str, jobs: int = 1, **tables: Any) -> Results:

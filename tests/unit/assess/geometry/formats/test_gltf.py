@@ -7,58 +7,19 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from numpy.typing import ArrayLike
 from scipy.spatial.transform import Rotation
 
 from assess.errors import GeometryError
 from assess.geometry.formats.readers import read_mesh_file as read_file
 from assess.geometry.mesh import load_solid
 from assess.geometry.solid import Solid, box
-from tests.support.mesh_files import glb, off, package
+from tests.support.mesh_files import glb, gltf, mf3, off
 from tests.support.solids import assert_same_mass
 from tests.support.written import made_file
 
 DENSITY = 2000.0
 WALL = box(thickness=1.25, length=3.0, height=8.5, base=[0.5, 0.25, 2.0], density=DENSITY, name="wall")
 TO_Y_UP = Rotation.from_euler("x", -90, degrees=True).as_matrix()  # z goes to y
-
-
-def gltf(
-    vertices: ArrayLike, triangles: ArrayLike, nodes: list[dict], *, roots: list[int] | None = None
-) -> tuple[dict, bytes]:
-    """glTF 2.0: one mesh, placed by nodes."""
-    places, faces = np.asarray(vertices, dtype="<f4"), np.asarray(triangles, dtype="<u4")
-    content = places.tobytes() + faces.tobytes()
-    return {
-        "asset": {"version": "2.0"},
-        "scene": 0,
-        "scenes": [{"nodes": list(range(len(nodes))) if roots is None else roots}],
-        "nodes": nodes,
-        "meshes": [{"name": "shape", "primitives": [{"attributes": {"POSITION": 0}, "indices": 1}]}],
-        "accessors": [
-            {"bufferView": 0, "componentType": 5126, "count": len(places), "type": "VEC3"},
-            {"bufferView": 1, "componentType": 5125, "count": faces.size, "type": "SCALAR"},
-        ],
-        "bufferViews": [
-            {"buffer": 0, "byteOffset": 0, "byteLength": places.nbytes},
-            {"buffer": 0, "byteOffset": places.nbytes, "byteLength": faces.nbytes},
-        ],
-        "buffers": [{"byteLength": len(content)}],
-    }, content
-
-
-def mf3(vertices: ArrayLike, triangles: ArrayLike, *, unit: str | None, items: str, resources: str = "") -> bytes:
-    """3MF core: object 1 is the mesh."""
-    corners = "".join(f'<vertex x="{x!r}" y="{y!r}" z="{z!r}"/>' for x, y, z in np.asarray(vertices).tolist())
-    faces = "".join(f'<triangle v1="{a}" v2="{b}" v3="{c}"/>' for a, b, c in np.asarray(triangles).tolist())
-    mesh = f"<mesh><vertices>{corners}</vertices><triangles>{faces}</triangles></mesh>"
-    stated = f' unit="{unit}"' if unit else ""
-    space = "http://schemas.microsoft.com/3dmanufacturing/core/2015/02"
-    model = (
-        f'<?xml version="1.0"?><model xmlns="{space}"{stated}><resources><object id="1" name="pier" type="model">{mesh}'
-        f"</object>{resources}</resources><build>{items}</build></model>"
-    )
-    return package(("3D/3dmodel.model", model))
 
 
 def read(folder: Path, file: str, content: bytes, **options) -> Solid:

@@ -7,11 +7,10 @@ import pytest
 
 from assess.errors import GeometryError
 from assess.geometry.mesh import load_solid
+from tests.support.mesh_files import CUBE, QUADS
 
 pytest.importorskip("cascadio", reason="the extra 'step' is not installed")
 
-CUBE = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [0, 0, 1], [1, 0, 1], [1, 1, 1], [0, 1, 1]], dtype=float)
-QUADS = [(0, 3, 2, 1), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7)]
 SIZES, CORNER = np.array([1.25, 3.0, 8.5]), np.array([0.1, 0.2, 0.3])
 HEAD = """ISO-10303-21;
 HEADER;

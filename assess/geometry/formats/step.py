@@ -19,7 +19,12 @@ from assess.geometry.formats.mesh_file import ElementMesh, MeshFile
 
 ANGULAR_DEFLECTION = 0.05  # rad: largest turn between neighbouring facets; a circle's area is then 0.04 % small
 LINEAR_DEFLECTION = 0.01  # of an edge's length: largest distance of a facet from its surface
-MESH = "import sys, cascadio; sys.exit(cascadio.step_to_glb(sys.argv[1], sys.argv[2], {}, {}, True))"
+MESH = """
+import sys
+sys.modules["trimesh"] = None  # which cascadio would import to extend it: four fifths of its time
+import cascadio
+sys.exit(cascadio.step_to_glb(sys.argv[1], sys.argv[2], {}, {}, True))
+"""
 
 
 def read_step(file: Path) -> MeshFile:

@@ -1,4 +1,7 @@
-"""What all tests share: cases drawn by hypothesis, kernels compiled before the tests are dealt out, garbage, Ctrl-C."""
+"""What all tests share: cases drawn by hypothesis, kernels compiled before the tests are dealt out, garbage, Ctrl-C.
+
+The command line is made of its functions once in a process.
+"""
 
 from __future__ import annotations
 
@@ -6,8 +9,10 @@ import gc
 import os
 import signal
 from collections.abc import Generator
+from functools import cache
 
 import pytest
+import typer.main
 from hypothesis import HealthCheck, settings
 
 from tests.support.compile_kernels import compile_kernels
@@ -29,6 +34,9 @@ def pytest_configure(config: pytest.Config) -> None:
     """Hear SIGINT though a shell has started this in the background, where it is ignored by all that are started."""
     if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
         signal.signal(signal.SIGINT, signal.default_int_handler)
+    typer.main.get_command = cache(
+        typer.main.get_command
+    )  # made of all commands at each call: half of a short one's time
     config.stash[REQUIRED] = names_required(os.environ.get("ASSESS_REQUIRE", ""))
 
 

@@ -1,21 +1,20 @@
 """A command is stopped before each of its steps on the disk: the folder has all of the old files, or all of the new."""
 
 import json
-import os
 import signal
 import sys
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from aim import aim
 
 from assess.errors import OutputError
 from assess.messages.message import Message
 from assess.outputs import writing
 from assess.outputs.lock import LOCK
 from assess.outputs.manifest import MANIFEST
-from assess.outputs.signals import Terminated, raise_on_signals
 from assess.outputs.writing import recover_for_reading
+from tests.support.stopped_writers import StoppedWriters, stopped_writers
 from tests.support.written import content, run, write
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="processes are copied, and ended by signals")
@@ -26,20 +25,10 @@ MINE = {"mine.txt": "mine", "tables/mine.csv": "mine"}
 STEPS = 60  # more than there are
 
 
-def stopped(folder: Path, files: dict[str, str], *, at: int, number: int) -> int:
-    """Write the files in a copy of this process that is sent a signal at a step; how it ended, as wait tells it."""
-    if (child := os.fork()) == 0:
-        try:
-            os.dup2(os.open(os.devnull, os.O_WRONLY), 2)
-            with raise_on_signals():
-                aim(folder, at=at, number=number)
-                run(folder, files)
-            os._exit(0)
-        except Terminated:
-            os._exit(3)
-        finally:
-            os._exit(70)
-    return os.waitpid(child, 0)[1]
+@pytest.fixture(scope="module")
+def writers() -> Iterator[StoppedWriters]:
+    with stopped_writers() as started:
+        yield started
 
 
 def hidden(folder: Path) -> list[str]:
@@ -47,13 +36,13 @@ def hidden(folder: Path) -> list[str]:
 
 
 @pytest.mark.parametrize("number", [signal.SIGKILL, signal.SIGTERM, signal.SIGINT], ids=["KILL", "TERM", "INT"])
-def test_a_stop_at_any_step_loses_nothing(tmp_path: Path, number: int) -> None:
+def test_a_stop_at_any_step_loses_nothing(tmp_path: Path, writers: StoppedWriters, number: int) -> None:
     ends = set()
     for at in range(1, STEPS):
         out = tmp_path / f"{at}"
         write(out, MINE)
         run(out, FIRST)
-        status = stopped(out, SECOND, at=at, number=number)
+        status = writers.write(out, SECOND, at=at, number=number)
         if number != signal.SIGKILL:  # it cleans up behind itself
             assert set(hidden(out)) <= {LOCK}
         told: list[Message] = []
@@ -74,10 +63,10 @@ def test_a_stop_at_any_step_loses_nothing(tmp_path: Path, number: int) -> None:
     assert len(list(tmp_path.iterdir())) == at  # nothing was left beside
 
 
-def test_a_new_folder_of_a_run_that_was_killed_is_used_again(tmp_path: Path) -> None:
+def test_a_new_folder_of_a_run_that_was_killed_is_used_again(tmp_path: Path, writers: StoppedWriters) -> None:
     for at in range(1, STEPS):
         out = tmp_path / f"{at}" / "out"
-        status = stopped(out, FIRST, at=at, number=signal.SIGKILL)
+        status = writers.write(out, FIRST, at=at, number=signal.SIGKILL)
         run(out, SECOND)
         assert content(out) == SECOND
         assert hidden(out) == []
@@ -85,13 +74,13 @@ def test_a_new_folder_of_a_run_that_was_killed_is_used_again(tmp_path: Path) -> 
             break
 
 
-def test_making_good_may_be_stopped_too(tmp_path: Path) -> None:
+def test_making_good_may_be_stopped_too(tmp_path: Path, writers: StoppedWriters) -> None:
     for at in range(1, STEPS, 3):
         out = tmp_path / f"{at}"
         run(out, FIRST)
-        stopped(out, SECOND, at=at, number=signal.SIGKILL)
+        writers.write(out, SECOND, at=at, number=signal.SIGKILL)
         for again in (2, 5, 8):
-            stopped(out, SECOND, at=again, number=signal.SIGKILL)
+            writers.write(out, SECOND, at=again, number=signal.SIGKILL)
         recover_for_reading(out, tell=lambda _: None)
         found = {name: text for name, text in content(out).items() if "partial" not in name}
         assert found in (FIRST, SECOND)
@@ -99,11 +88,11 @@ def test_making_good_may_be_stopped_too(tmp_path: Path) -> None:
         assert content(out) == FIRST
 
 
-def left_half_way(folder: Path) -> Path:
+def left_half_way(folder: Path, writers: StoppedWriters) -> Path:
     """A folder in which a run was killed after two of its files were in place; its stage."""
     run(folder, FIRST)
     for at in range(1, STEPS):
-        if stopped(folder, SECOND, at=at, number=signal.SIGKILL) == 0:
+        if writers.write(folder, SECOND, at=at, number=signal.SIGKILL) == 0:
             pytest.fail("it was never half-way")
         texts = {(folder / name).read_text() for name in ("results.json", "report.pdf")}
         if texts == {"1", "2"}:
@@ -113,9 +102,11 @@ def left_half_way(folder: Path) -> Path:
     raise AssertionError
 
 
-def test_what_came_since_into_the_place_of_a_file_stays_and_nothing_is_lost(tmp_path: Path) -> None:
+def test_what_came_since_into_the_place_of_a_file_stays_and_nothing_is_lost(
+    tmp_path: Path, writers: StoppedWriters
+) -> None:
     out, told = tmp_path / "out", list[Message]()
-    left_half_way(out)
+    left_half_way(out, writers)
     (out / "report.pdf").write_text("signed meanwhile")
     recover_for_reading(out, tell=told.append)
     assert [each.key for each in told] == ["writing-taken-back"]
@@ -129,9 +120,9 @@ def test_what_came_since_into_the_place_of_a_file_stays_and_nothing_is_lost(tmp_
 @pytest.mark.parametrize(
     "damage", ["", "{", '{"format": 2, "moves": []}', '{"format": 1, "moves": [{"name": "../x"}]}']
 )
-def test_a_damaged_journal_is_undone(tmp_path: Path, damage: str) -> None:
+def test_a_damaged_journal_is_undone(tmp_path: Path, writers: StoppedWriters, damage: str) -> None:
     out, told = tmp_path / "out", list[Message]()
-    stage = left_half_way(out)
+    stage = left_half_way(out, writers)
     (stage / writing.JOURNAL).write_text(damage)
     recover_for_reading(out, tell=told.append)
     assert [each.key for each in told] == ["writing-taken-back"]
@@ -140,9 +131,9 @@ def test_a_damaged_journal_is_undone(tmp_path: Path, damage: str) -> None:
     assert content(out) == SECOND
 
 
-def test_a_new_file_that_is_damaged_in_its_stage_is_not_put_in_place(tmp_path: Path) -> None:
+def test_a_new_file_that_is_damaged_in_its_stage_is_not_put_in_place(tmp_path: Path, writers: StoppedWriters) -> None:
     out = tmp_path / "out"
-    stage = left_half_way(out)
+    stage = left_half_way(out, writers)
     (stage / "made" / "tables" / "new.csv").write_text("flipped")
     recover_for_reading(out, tell=lambda _: None)
     assert content(out) == FIRST

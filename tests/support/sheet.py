@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from functools import cache
 
 import numpy as np
 from scipy.constants import g
@@ -11,9 +12,28 @@ from scipy.optimize import brentq
 
 from assess.codes.calculation_sheet import Step
 from assess.codes.context import Building
-from assess.oscillator import HingeForces, interpolant
+from assess.oscillator import Branch, HingeForces, interpolant
 from spectra.spectrum import Spectrum
 from tests.support.subjects import Subject
+
+
+@dataclass(frozen=True, eq=False)
+class Same:
+    """A branch as the key of what is made of it: equal where it is the very same."""
+
+    branch: Branch
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Same) and other.branch is self.branch
+
+    def __hash__(self) -> int:
+        return id(self.branch)
+
+
+@cache
+def spline_of(whose: Same, column: str) -> PPoly:
+    """A column of a branch over rotation, made once: sheets read it for each of their lines."""
+    return interpolant(whose.branch.rotation, getattr(whose.branch, column))
 
 
 @dataclass
@@ -63,8 +83,7 @@ class Sheet:
 
     def spline(self, column: str) -> PPoly:
         """A column of the branch over rotation, between its kinks."""
-        branch = self.subject.branch
-        return interpolant(branch.rotation, getattr(branch, column))
+        return spline_of(Same(self.subject.branch), column)
 
     def instability(self) -> float:
         """Where the restoring moment falls to zero [rad]."""

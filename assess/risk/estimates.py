@@ -9,8 +9,7 @@ from typing import Literal
 
 import numpy as np
 from numpy.typing import ArrayLike
-from scipy.special import expit, log_expit, log_ndtr, ndtr, ndtri, stdtrit
-from scipy.stats import t as student
+from scipy.special import expit, log_expit, log_ndtr, ndtr, ndtri, stdtr, stdtrit
 
 from assess.short_repr import ShortRepr
 from spectra.arrays import BoolArray, FloatArray, IntArray
@@ -548,7 +547,7 @@ def trend(residual: ArrayLike, on: ArrayLike, *, event: Sequence[str] | None = N
         factor = number / (number - 1) * (x.size - 1) / (x.size - 2)
         variance, freedom = factor * float(scores @ scores) / spread**2, number - 1
     error = float(np.sqrt(variance))
-    return TrendSlope(slope, float(2.0 * student.sf(abs(slope) / error, freedom)) if error > 0.0 else 0.0, int(x.size))
+    return TrendSlope(slope, float(2.0 * stdtr(freedom, -abs(slope) / error)) if error > 0.0 else 0.0, int(x.size))
 
 
 def fit_clouds(intensity: FloatArray, demand: FloatArray, counts: FloatArray) -> FloatArray:

@@ -9,7 +9,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import LogLocator, NullLocator
-from scipy.stats import norm
+from scipy.special import ndtr, ndtri
 
 from assess.results.fragility import (
     LARGE_SCALE,
@@ -136,7 +136,7 @@ def intensity_reach(curve: FragilityCurve) -> float:
     points = [point.intensity for point in curve.empirical]
     needed = [point.intensity for point in curve.empirical if point.share < NEARLY_ALL]
     if curve.lognormal is not None:
-        needed.append(curve.lognormal.median * float(np.exp(norm.ppf(NEARLY_ALL) * curve.lognormal.dispersion)))
+        needed.append(curve.lognormal.median * float(np.exp(ndtri(NEARLY_ALL) * curve.lognormal.dispersion)))
     if curve.method == "cloud" and curve.lognormal is not None:
         return BEYOND_LAST_POINT * max([*points, min(max(needed), 2.0 * curve.lognormal.median)])
     return BEYOND_LAST_POINT * min(max(needed, default=inf), max(points, default=inf)) if needed or points else 1.0
@@ -150,7 +150,7 @@ def _intensities(curve: FragilityCurve) -> FloatArray:
 def _shares(fitted: LognormalResult, x: FloatArray) -> FloatArray:
     """Return the share by a lognormal at each intensity, 0 at zero."""
     with np.errstate(divide="ignore"):
-        return np.asarray(norm.cdf(np.log(x / fitted.median) / fitted.dispersion), dtype=np.float64)
+        return np.asarray(ndtr(np.log(x / fitted.median) / fitted.dispersion), dtype=np.float64)
 
 
 OVERTURNED_HEIGHT = 1.12  # of the largest rotation that did not overturn, where overturned runs are drawn

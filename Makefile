@@ -17,7 +17,10 @@ OLD_IS_NO_FAULT := -W ignore::DeprecationWarning -W ignore::PendingDeprecationWa
 RECORDS ?= $(CURDIR)/../shared/records
 NO_BROWSER := chromium and chromium-driver do not install here; tests that open the HTML report in them will be skipped
 
-.PHONY: demo test test-wheel check dist wheel lowest costs bench study peers fuzz kill faults mutate figures docs docs-links same catalogue lock
+.PHONY: help demo test test-wheel check dist wheel lowest costs bench study peers fuzz kill faults mutate figures docs docs-links same catalogue lock
+
+help:                      ## the verbs, and what each does
+	@$(PYTHON) -c 'import re; print(*(f"make {v:12} {t}" for v, t in re.findall(r"(?m)^([a-z-]+):[^#\n]*## *(.*)", open("Makefile").read())), sep="\n")'
 
 demo: .venv/program        ## the main job on the shipped example; the last line printed is the path of the report
 	rm -rf $(DEMO)
@@ -113,7 +116,7 @@ faults: .venv/tests        ## one fault at a time planted in a copy of the progr
 	$(BIN)/python -m tools.faults
 
 same: .venv/tests          ## BASE=<commit>: no number, name, outcome, order or key has changed since; texts that did are listed. CORPUS=folder: projects collected before
-	$(BIN)/python -m tools.same $(BASE) $(if $(CORPUS),--corpus $(CORPUS))
+	$(if $(BASE),,$(error give the commit to compare with: make same BASE=<commit>))$(BIN)/python -m tools.same $(BASE) $(if $(CORPUS),--corpus $(CORPUS))
 
 catalogue: .venv/tests     ## bring the Italian catalogue up to date with the source, and list what it lacks
 	$(BIN)/python -m tools.catalogue it

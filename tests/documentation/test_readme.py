@@ -50,7 +50,7 @@ def test_the_shell_prints_what_the_run_gives(session):
 
 
 def test_the_report_is_written(session):
-    assert (session["folder"] / "out" / "report.pdf").is_file()
+    assert (session["folder"] / "report" / "report.pdf").is_file()
     assert not session["run"].table("checks").empty
 
 

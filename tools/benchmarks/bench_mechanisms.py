@@ -20,7 +20,7 @@ from assess.dynamics.history import peaks, product
 from assess.interfaces.contact import JointLaw
 from assess.interfaces.section import rectangle
 from assess.loads.load import Force, PointMass, Tie
-from assess.mechanisms.branch_table import rigid_branch
+from assess.mechanisms.branch_table import rigid_branch, single_stage
 from assess.mechanisms.chain import Chain, Joint, RigidBlock, virtual_work
 from assess.mechanisms.flexible_oscillator import branch_from_rest, make_flexible_side
 from assess.oscillator import Branch, Oscillator
@@ -70,7 +70,7 @@ def jointed(kind: str, stiffness: float) -> Chain:
 
 def flexible_branch(chain: Chain) -> Branch:
     """The whole table on flexible joints."""
-    return branch_from_rest(make_flexible_side(chain, name="bench", restitution=0.9), None)
+    return branch_from_rest(make_flexible_side(single_stage(chain), name="bench", restitution=0.9), None)
 
 
 def nanoseconds(side: Branch, record: Record) -> float:

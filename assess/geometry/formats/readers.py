@@ -90,4 +90,10 @@ def _one_line_errors(ending: str, *, where: str) -> Iterator[None]:
 def _missing_package(ending: str, missing: ModuleNotFoundError, *, where: str) -> str:
     """Return the line that says what to install."""
     package = str(missing.name).partition(".")[0]
-    return f'{where}: {ending[1:].upper()} files need the package "{package}"; install it: pip install {package}'
+    extra = EXTRAS.get(package, package)
+    need = f'{where}: {ending[1:].upper()} files need the package "{package}", the extra "{extra}" of this program'
+    return f'{need}; install it with that: pipx install --force ".[{extra}]" or pip install "rocking-assess[{extra}]"'
+
+
+EXTRAS = {"cascadio": "step", "rhino3dm": "rhino", "ifcopenshell": "ifc"}
+"""The extra of this program that brings each package."""

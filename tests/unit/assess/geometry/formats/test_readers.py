@@ -11,18 +11,24 @@ from assess.geometry.formats.readers import read_mesh_file
 
 
 @pytest.mark.parametrize(
-    ("ending", "package"),
-    [("step", "cascadio"), ("stp", "cascadio"), ("3dm", "rhino3dm"), ("ifc", "ifcopenshell")],
+    ("ending", "package", "extra"),
+    [
+        ("step", "cascadio", "step"),
+        ("stp", "cascadio", "step"),
+        ("3dm", "rhino3dm", "rhino"),
+        ("ifc", "ifcopenshell", "ifc"),
+    ],
 )
 def test_a_missing_package_is_one_line_that_says_what_to_install(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, ending: str, package: str
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, ending: str, package: str, extra: str
 ) -> None:
     monkeypatch.setitem(sys.modules, package, None)
     (tmp_path / f"wall.{ending}").write_text("anything")
     with pytest.raises(GeometryError) as caught:
         read_mesh_file(tmp_path / f"wall.{ending}", where='body "wall": mesh')
     assert str(caught.value) == (
-        f'body "wall": mesh: {ending.upper()} files need the package "{package}"; install it: pip install {package}'
+        f'body "wall": mesh: {ending.upper()} files need the package "{package}", the extra "{extra}" of this program; '
+        f'install it with that: pipx install --force ".[{extra}]" or pip install "rocking-assess[{extra}]"'
     )
 
 

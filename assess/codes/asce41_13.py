@@ -21,6 +21,7 @@ from assess.codes.check import (
     BranchName,
     Check,
     CodeProcedure,
+    DefaultRun,
     Family,
     Outcome,
     Reason,
@@ -82,6 +83,7 @@ ASCE41_13_SLENDERNESS = CodeProcedure(
     work="asce41-13",
     options="asce41_13",
     spectra=AMERICAN,
+    default_run=DefaultRun(spectra=AMERICAN),
 )
 
 

@@ -34,6 +34,7 @@ from assess.codes.check import (
     BranchName,
     Check,
     CodeProcedure,
+    DefaultRun,
     Family,
     InputAt,
     Outcome,
@@ -106,6 +107,8 @@ ASCE43_05_SPECTRUM = CodeProcedure(
     short_title=Term("ASCE 43-05 approximate"),
     work="asce43-05",
     options="asce43_05",
+    default_run=DefaultRun(),
+    floor_suite_rules="asce43-05",
     damped_by_impacts=True,
 )
 
@@ -129,6 +132,8 @@ ASCE43_05_SPECTRUM_THESIS = CodeProcedure(
     work="asce43-05",
     options="asce43_05",
     reading="thesis",
+    default_run=DefaultRun(),
+    floor_suite_rules="asce43-05",
 )
 
 

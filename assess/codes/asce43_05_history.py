@@ -18,6 +18,7 @@ from assess.codes.calculation_sheet import Step, instability_step, step
 from assess.codes.check import (
     Check,
     CodeProcedure,
+    DefaultRun,
     Family,
     NumericalSpread,
     Outcome,
@@ -85,6 +86,7 @@ ASCE43_05_HISTORY = CodeProcedure(
     short_title=Term("ASCE 43-05 history"),
     work="asce43-05",
     options="asce43_05",
+    default_run=DefaultRun(),
     suite_rules="asce43-05",
 )
 

@@ -83,6 +83,8 @@ class Basis:
     default : the limit state where none is chosen; empty where the site's own action decides it
     premises : what a pass depends on; clauses : (rule, clause) pairs for the report
     uncompared : what could not be compared with any text of the standard
+    suite_code : the code whose rules a suite of records is held to, as `records.compliance` calls it; empty for none
+    circular : that goes with an Italian code, which gives its confidence factors; empty for other codes
     """
 
     name: str
@@ -93,6 +95,8 @@ class Basis:
     premises: tuple[Premise, ...]
     clauses: tuple[tuple[str, str], ...]
     uncompared: tuple[str, ...] = ()
+    suite_code: str = ""
+    circular: str = ""
 
     @property
     def chosen(self) -> tuple[LimitState, ...]:
@@ -132,6 +136,8 @@ NTC2018 = Basis(
         ("rigid chain credible only for masonry that does not disintegrate", "C8.7.1.2"),
     ),
     uncompared=("clauses by a public transcription of the decree and the circular, not by the printed texts",),
+    suite_code="NTC 2018",
+    circular="Circolare 7/2019",
 )
 """NTC 2018 with Circolare 7/2019: local mechanisms of existing masonry buildings (8.3, 8.5.4, C8.7.1.2)."""
 BY_EITHER = (Method("dmi2008-linear"), Method("dmi2008-nonlinear"))
@@ -152,6 +158,8 @@ DMI2008 = Basis(
         ("FC of LC1 where crushing is not modelled", "C8A.4.1"),
     ),
     uncompared=("all clauses are from memory of the circular",),
+    suite_code="NTC 2018",
+    circular="Circolare 617/2009",
 )
 """NTC 2008 with Circolare 617/2009, superseded in 2018: local mechanisms (C8A.4)."""
 
@@ -164,6 +172,7 @@ NZSEE2017 = Basis(
     premises=(Premise.ANCHORAGE,),
     clauses=(("usable rotation of a face-loaded wall against the demand on a part", "C8.8.5, NZS 1170.5 section 8"),),
     uncompared=("the chapter was not compared with its print; its formulas were derived anew",),
+    suite_code="NZS 1170.5:2004",
 )
 """NZSEE/MBIE 2017, Part C8: face-loaded walls, as a share of the new building standard."""
 SLENDERNESS_TABLE = ((Method("asce41-13-ht"),),)
@@ -180,6 +189,7 @@ ASCE41_13 = Basis(
     premises=(Premise.ANCHORAGE, Premise.COLLAR_JOINTS),
     clauses=(("permissible h/t at S_X1 of the declared hazard level", "Table 11-5"),),
     uncompared=("the table is from memory of the standard",),
+    suite_code="ASCE 7-16",
 )
 """ASCE/SEI 41-13: permissible h/t of unreinforced masonry walls out of plane (11.3.3, Table 11-5)."""
 
@@ -208,6 +218,7 @@ ASCE43_05 = Basis(
         "the methods were read in the thesis and in an excerpt of Appendix A, not in the printed standard",
         "the limit of clause 7.1 for A.2 could not be read: one third of the rotation that overturns is taken",
     ),
+    suite_code="ASCE 43-05",
 )
 """ASCE/SEI 43-05: rocking of unanchored bodies by response histories, or by the approximate method of A.2."""
 
@@ -220,6 +231,7 @@ EC8 = Basis(
     premises=(Premise.NO_FLOORS,),
     clauses=(("static force on a non-structural element", "4.3.5.2 (4.24), (4.25)"),),
     uncompared=("q_a and gamma_a of the element are from memory; national annexes may change them",),
+    suite_code="EN 1998-1:2004",
 )
 """EN 1998-1: elements that carry no floor, by the static force of 4.3.5."""
 BASES: Mapping[str, Basis] = {each.name: each for each in (NTC2018, DMI2008, NZSEE2017, ASCE41_13, ASCE43_05, EC8)}

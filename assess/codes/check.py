@@ -56,6 +56,26 @@ class Family(StrEnum):
 
 
 @dataclass(frozen=True, kw_only=True)
+class DefaultRun:
+    """When a procedure runs in a project that names none: at any site, and without one, unless a field says less.
+
+    spectra : codes of the site spectra at which it runs; empty for any
+    except_spectra : codes of the site spectra at which another edition takes its place
+    needs_friction : whether it runs only where a material has friction
+    """
+
+    spectra: tuple[str, ...] = ()
+    except_spectra: tuple[str, ...] = ()
+    needs_friction: bool = False
+
+    def applies(self, spectrum_code: str, *, has_friction: bool) -> bool:
+        """Return whether it runs at a spectrum of this code, "" without a site."""
+        if self.spectra and spectrum_code not in self.spectra:
+            return False
+        return spectrum_code not in self.except_spectra and (has_friction or not self.needs_friction)
+
+
+@dataclass(frozen=True, kw_only=True)
 class CodeProcedure:
     """A procedure of a code: each stands beside its formulas, and `assess.codes.procedures` lists them all.
 
@@ -70,8 +90,9 @@ class CodeProcedure:
     reading : whether it follows the clause, or a reading of the thesis, which is shown and never decides
     limit_states : that it checks, of those its options request; empty where they request none
     spectra : codes of the site spectra it is written for; empty for any
-    only_on_request : whether the project must name it, even where it is written for the site's spectrum
+    default_run : when it runs in a project that names no procedures; None where it must be named
     suite_rules : the code whose rules its suite of records must meet; empty where it uses none
+    floor_suite_rules : the code whose rules a suite must meet to give it a floor spectrum; empty where it takes none
     required_pga : gives the PGA [m/s2] of the suites it needs, from the levels, hazard and spectrum of the site, its
         options, crushing and the level of knowledge; None where suites at the levels are enough
     damped_by_impacts : whether its damping is that of impacts on both hinges, so that the body must rebound on both
@@ -87,8 +108,9 @@ class CodeProcedure:
     reading: Reading = "letter"
     limit_states: tuple[str, ...] = ()
     spectra: tuple[str, ...] = ()
-    only_on_request: bool = False
+    default_run: DefaultRun | None = None
     suite_rules: str = ""
+    floor_suite_rules: str = ""
     required_pga: Callable[..., tuple[float, ...]] | None = None
     damped_by_impacts: bool = False
 

@@ -22,7 +22,16 @@ from scipy.constants import g
 
 from assess.codes import italian_kinematic as kinematic
 from assess.codes.calculation_sheet import Given, Step, excitation_column, instability_step, integral_step, step
-from assess.codes.check import BranchName, Check, CodeProcedure, Family, branch_of, caveats_of, check_worst_branch
+from assess.codes.check import (
+    BranchName,
+    Check,
+    CodeProcedure,
+    DefaultRun,
+    Family,
+    branch_of,
+    caveats_of,
+    check_worst_branch,
+)
 from assess.codes.context import Context
 from assess.codes.italian_histories import HistoryRule, assess_histories, required_pga
 from assess.codes.italian_limit_states import (
@@ -82,6 +91,7 @@ DMI2008_LINEAR = CodeProcedure(
     work="dmi2008",
     options="dmi2008",
     limit_states=("SLD", "SLV"),
+    default_run=DefaultRun(except_spectra=("ntc2018",)),
 )
 
 
@@ -167,6 +177,7 @@ DMI2008_NONLINEAR = CodeProcedure(
     work="dmi2008",
     options="dmi2008",
     limit_states=("SLV",),
+    default_run=DefaultRun(except_spectra=("ntc2018",)),
 )
 
 
@@ -397,6 +408,7 @@ DMI2008_HISTORY = CodeProcedure(
     work="dmi2008",
     options="dmi2008",
     limit_states=tuple(HISTORY_RULE.limits),
+    default_run=DefaultRun(spectra=("ntc2008",)),
     suite_rules="ntc2018",
     required_pga=partial(required_pga, rule=HISTORY_RULE),
 )
@@ -451,6 +463,7 @@ DMI2008_NONLINEAR_THESIS = CodeProcedure(
     work="dmi2008",
     options="dmi2008",
     reading="thesis",
+    default_run=DefaultRun(except_spectra=("ntc2018",)),
 )
 
 

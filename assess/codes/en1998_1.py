@@ -84,7 +84,6 @@ EC8_ELEMENT = CodeProcedure(
     work="ec8",
     options="ec8",
     spectra=EUROPEAN,
-    only_on_request=True,
 )
 
 

@@ -39,6 +39,7 @@ from assess.codes.check import (
     BranchName,
     Check,
     CodeProcedure,
+    DefaultRun,
     Family,
     Outcome,
     PgaCurve,
@@ -111,6 +112,7 @@ NZSEE2017_FACE_LOADED = CodeProcedure(
     work="nzsee2017",
     options="nzsee2017",
     spectra=NEW_ZEALAND,
+    default_run=DefaultRun(spectra=NEW_ZEALAND),
 )
 
 

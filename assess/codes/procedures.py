@@ -54,6 +54,8 @@ PROCEDURES: dict[str, CodeProcedure] = {
     )
 }
 THESIS_READINGS = tuple(name for name, each in PROCEDURES.items() if each.reading == "thesis")
+KNOWLEDGE_CODES = tuple(dict.fromkeys(each.knowledge_code for each in PROCEDURES.values() if each.knowledge_code))
+"""The codes whose procedures go by levels of knowledge: fields of `CodeOptions`."""
 
 
 @dataclass(frozen=True)
@@ -102,11 +104,25 @@ def uses_histories(name: str) -> bool:
     return family_of(name) == Family.HISTORY
 
 
-def procedures_of_site(spectrum_code: str) -> tuple[str, ...]:
-    """Return the procedures that are added for a spectrum of this code without being requested."""
+def default_procedures(spectrum_code: str, *, has_friction: bool) -> tuple[str, ...]:
+    """Return the procedures that run where the project names none, in the order of `PROCEDURES`.
+
+    Parameters
+    ----------
+    spectrum_code : of the site's spectrum; "" without a site
+    has_friction : whether a material has friction
+    """
     return tuple(
-        name for name, each in PROCEDURES.items() if spectrum_code in each.spectra and not each.only_on_request
+        name
+        for name, each in PROCEDURES.items()
+        if each.default_run is not None and each.default_run.applies(spectrum_code, has_friction=has_friction)
     )
+
+
+def procedures_of_site(spectrum_code: str) -> tuple[str, ...]:
+    """Return those of `default_procedures` that are written for such spectra alone, of which this is one."""
+    every = default_procedures(spectrum_code, has_friction=True)
+    return tuple(name for name in every if spectrum_code in PROCEDURES[name].spectra)
 
 
 def pga_rules(options: CodeOptions) -> dict[str, Callable[..., tuple[float, ...]]]:
@@ -117,8 +133,6 @@ def pga_rules(options: CodeOptions) -> dict[str, Callable[..., tuple[float, ...]
         if each.required_pga is not None
     }
 
-
-SUITE_OF_A2 = "asce43-05"  # whose rules the suite must meet that a floor spectrum is made of
 
 FOLLOWING_MOTION = (Family.DISPLACEMENT, Family.HISTORY, Family.ENERGY, Family.PART, Family.ELEMENT)
 """Comparisons that follow a mechanism as it moves, and so need actions that last."""
@@ -165,6 +179,15 @@ class Applicability:
 APPLICABLE = Applicability(Allowed.ANSWER)
 
 
+@dataclass(frozen=True)
+class Application:
+    """A procedure applied to a mechanism, in the context that is known of it."""
+
+    procedure: CodeProcedure
+    oscillator: Oscillator
+    context: Context
+
+
 def find_applicability(procedure: str, oscillator: Oscillator, context: Context) -> Applicability:
     """Find whether a procedure may be applied: the first rule that objects decides, the strictest rule first.
 
@@ -180,9 +203,9 @@ def find_applicability(procedure: str, oscillator: Oscillator, context: Context)
     -------
     Applicability
     """
-    family = PROCEDURES[procedure].family
+    application = Application(PROCEDURES[procedure], oscillator, context)
     rules = (_clause_objection, _unheld_objection, _impossible_objection, _histories_objection, _height_objection)
-    objections = (rule(procedure, family, oscillator, context) for rule in rules)
+    objections = (rule(application) for rule in rules)
     found = [each for each in objections if each is not None]
     if not found or found[0].may == Allowed.NOT_APPLY:
         return found[0] if found else APPLICABLE
@@ -296,60 +319,59 @@ def without_numbers(check: Check, reason: Message, others: tuple[Message, ...] =
     )
 
 
-def _clause_objection(procedure: str, family: Family, oscillator: Oscillator, context: Context) -> Applicability | None:
+def _clause_objection(application: Application) -> Applicability | None:
     """Return the objection of the clause: mechanisms that it does not cover."""
-    by_impacts = PROCEDURES[procedure].damped_by_impacts
-    if by_impacts and oscillator.negative is None:
+    procedure, oscillator, context = application.procedure, application.oscillator, application.context
+    if procedure.damped_by_impacts and oscillator.negative is None:
         return Applicability(Allowed.NOT_APPLY, reason_message(Reason.ONE_SIDED))
-    if by_impacts and min(branch.restitution for branch in oscillator.branches) == 0.0:
+    if procedure.damped_by_impacts and min(branch.restitution for branch in oscillator.branches) == 0.0:
         return Applicability(Allowed.NOT_APPLY, reason_message(Reason.NO_REBOUND))
-    if family == Family.PART and context.support == "hinged":
+    if procedure.family == Family.PART and context.support == "hinged":
         return Applicability(Allowed.NOT_APPLY, reason_message(Reason.NOT_A_WALL, clause="NZSEE 2017 C8.8.5"))
-    if family == Family.ELEMENT and context.carries_floors:
+    if procedure.family == Family.ELEMENT and context.carries_floors:
         return Applicability(Allowed.NOT_ANSWER, reason_message(Reason.CARRIES_FLOORS))
     return None
 
 
-def _impossible_objection(
-    procedure: str, family: Family, oscillator: Oscillator, context: Context
-) -> Applicability | None:
+def _impossible_objection(application: Application) -> Applicability | None:
     """Return the objection to any answer, as where the elevation of the ground is not known."""
-    return Applicability(Allowed.NOT_ANSWER, context.impossible[0]) if context.impossible else None
+    reasons = application.context.impossible
+    return Applicability(Allowed.NOT_ANSWER, reasons[0]) if reasons else None
 
 
-def _unheld_objection(procedure: str, family: Family, oscillator: Oscillator, context: Context) -> Applicability | None:
+def _unheld_objection(application: Application) -> Applicability | None:
     """Return the objection to displacements and histories where only actions not shown to last hold it."""
-    if family not in FOLLOWING_MOTION or not context.not_lasting:
+    context = application.context
+    if application.procedure.family not in FOLLOWING_MOTION or not context.not_lasting:
         return None
     return Applicability(Allowed.NOT_ANSWER, context.not_lasting[0], void=True, others=context.impossible)
 
 
-def _histories_objection(
-    procedure: str, family: Family, oscillator: Oscillator, context: Context
-) -> Applicability | None:
+def _histories_objection(application: Application) -> Applicability | None:
     """Return the objection to histories: an impact without rebound, or a suite that misses its code's rules."""
-    if family != Family.HISTORY:
+    procedure, context = application.procedure, application.context
+    if procedure.family != Family.HISTORY:
         return None
-    faults = (*context.impossible_by_histories, *context.suite_faults.get(PROCEDURES[procedure].suite_rules, ()))
+    faults = (*context.impossible_by_histories, *context.suite_faults.get(procedure.suite_rules, ()))
     return Applicability(Allowed.NOT_ANSWER, faults[0], others=tuple(faults[1:])) if faults else None
 
 
-def _height_objection(procedure: str, family: Family, oscillator: Oscillator, context: Context) -> Applicability | None:
+def _height_objection(application: Application) -> Applicability | None:
     """Return the objection to the motion of the ground at height: it may fail a check and cannot pass it."""
+    procedure, family, context = application.procedure, application.procedure.family, application.context
     if not context.above_ground or (family not in FLOOR_CLAUSES and family != Family.PART):
         return None
+    height = Quantity(context.support_height, "length")
     if context.above_building and family in (Family.LINEAR, Family.DISPLACEMENT, Family.ELEMENT, Family.PART):
-        height = Quantity(context.support_height, "length")
         return Applicability(Allowed.ONLY_FAIL, reason_message(Reason.ABOVE_BUILDING, height=height))
-    if PROCEDURES[procedure].reading != "thesis" and _has_floor_input(family, context):
+    if procedure.reading != "thesis" and _has_floor_input(family, context):
         return None
-    faults = context.suite_faults.get(SUITE_OF_A2, ()) if family == Family.ENERGY else ()
+    faults = context.suite_faults.get(procedure.floor_suite_rules, ())
     if faults and context.transfer == "by a filter":
         return Applicability(Allowed.ONLY_FAIL, faults[0], others=tuple(faults[1:]))
     why = (
         Reason.SCALAR_MOTION if family == Family.HISTORY and context.transfer == "by a factor" else Reason.GROUND_MOTION
     )
-    height = Quantity(context.support_height, "length")
     return Applicability(Allowed.ONLY_FAIL, reason_message(why, height=height, remedy=FLOOR_CLAUSES[family]))
 
 

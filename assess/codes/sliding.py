@@ -32,6 +32,7 @@ from assess.codes.check import (
     CaveatFields,
     Check,
     CodeProcedure,
+    DefaultRun,
     Family,
     Outcome,
     Reason,
@@ -72,6 +73,7 @@ SLIDING = CodeProcedure(
     assess=assess_sliding,
     title=Term("Sliding, equilibrium"),
     short_title=Term("Sliding"),
+    default_run=DefaultRun(needs_friction=True),
 )
 
 
@@ -353,6 +355,7 @@ ASCE43_05_SLIDING = CodeProcedure(
     short_title=Term("ASCE 43-05 sliding"),
     work="asce43-05",
     options="asce43_05",
+    default_run=DefaultRun(needs_friction=True),
 )
 
 

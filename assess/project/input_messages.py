@@ -6,7 +6,9 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from scipy.constants import g
 
+from assess.codes.bases import BASES
 from assess.codes.italian_limit_states import LARGEST_FACTOR
+from assess.codes.procedures import KNOWLEDGE_CODES, PROCEDURES
 from assess.codes.question import Question
 from assess.dynamics.packing import Equation
 from assess.geometry.formats.readers import WITHOUT_UNIT
@@ -31,7 +33,6 @@ from assess.study.study import (
 )
 from spectra.spectrum import LARGEST_PLAUSIBLE
 
-CIRCULARS = {"dmi2008": "Circolare 617/2009", "ntc2018": "Circolare 7/2019"}
 SAME_MODE = 0.05  # by how much two first modes of one building may differ
 LIGHTEST, DENSEST = 100.0, 3500.0  # kg/m3: straw and cork, basalt; metals are denser, and no wall is made of them
 ROUGHEST = 2.0  # coefficient of friction of masonry on masonry: tests give 0.3 to 1.2
@@ -60,9 +61,10 @@ def project_messages(
     raised = [mechanism.name for mechanism in mechanisms if study.heights[mechanism.name].above]
     yield from _amplification_messages(raised, study.amplified, study.question)
     yield from _first_mode_messages(content)
-    for code, circular in CIRCULARS.items():
-        if any(name.startswith(code) for name in procedures_of(content)):
-            yield from _crushing_messages(code, circular, getattr(content.procedures, code), mechanisms)
+    with_options = {PROCEDURES[name].options for name in procedures_of(content)}
+    for code in KNOWLEDGE_CODES:
+        if code in with_options:
+            yield from _crushing_messages(code, BASES[code].circular, getattr(content.procedures, code), mechanisms)
 
 
 def _body_messages(name: str, solid: Solid, body: sections.BodySection) -> Iterator[Message]:

@@ -1,8 +1,6 @@
 """What a project asks: what decides, by which procedures with which options, and which fragility.
 
-Where the project names no procedures, those that apply at its site are run: the edition of the Italian code that its
-spectrum is of decides, the other is left out; elsewhere DM 2008 without time histories stands beside ASCE 43-05.
-Sliding is checked where a material has friction.
+Where the project names no procedures, those run whose `default_run` applies at its site (`assess.codes.check`).
 """
 
 from __future__ import annotations
@@ -21,7 +19,7 @@ from assess.codes.en1998_1 import Ec8Options
 from assess.codes.italian_limit_states import ItalianOptions
 from assess.codes.ntc2018_clauses import free_period
 from assess.codes.nzsee2017 import Nzsee2017Options
-from assess.codes.procedures import PROCEDURES, CodeOptions
+from assess.codes.procedures import KNOWLEDGE_CODES, PROCEDURES, CodeOptions, default_procedures
 from assess.codes.question import SOURCES, Action, Missing, Question, methods_of, missing_input
 from assess.errors import ProjectError, locate_errors
 from assess.messages.message import Message, Quantity, Severity, message
@@ -37,14 +35,6 @@ from spectra import ntc
 from spectra.spectrum import Spectrum
 
 LIKE = 5e-3  # of a PGA: one given to three figures is the hazard's own
-ASCE43 = ("asce43-05-spectrum", "asce43-05-spectrum-thesis", "asce43-05-history")
-DMI2008 = ("dmi2008-linear", "dmi2008-nonlinear", "dmi2008-nonlinear-thesis")
-PROCEDURES_AT_SITE: Mapping[str, tuple[str, ...]] = {  # by the code of the spectrum
-    "ntc2008": (*ASCE43, *DMI2008, "dmi2008-history"),
-    "ntc2018": (*ASCE43, "ntc2018-linear", "ntc2018-nonlinear", "ntc2018-history"),
-}
-PROCEDURES_ELSEWHERE = (*ASCE43, *DMI2008)
-SLIDING = ("asce43-05-sliding", "sliding")  # nothing to ask where no friction is given
 VerdictFacts = tuple[tuple[Missing, ...], tuple[Message, ...]]
 """What the pass of a mechanism needs and is not given, and what it depends on."""
 
@@ -197,11 +187,7 @@ def procedures_of(content: sections.Content) -> tuple[str, ...]:
     if named is None:
         code = "" if content.site is None else content.site.spectrum.code
         has_friction = any(material.friction is not None for material in content.materials.values())
-        by_site = (
-            *PROCEDURES_AT_SITE.get(code, PROCEDURES_ELSEWHERE),
-            *content.site_procedures,
-            *(SLIDING if has_friction else ()),
-        )
+        by_site = default_procedures(code, has_friction=has_friction)
         return with_methods((name for name in by_site if not _states_not_checked(name, content)), content)
     for name in named:
         if states := _states_not_checked(name, content):
@@ -230,7 +216,8 @@ def with_procedures_run(resolved: Mapping[str, ResolvedValue], content: sections
     """Add the procedures that run to the values of the project, and leave out default options of other codes."""
     names = procedures_of(content)
     codes = {key: key.split(".")[1] for key in resolved if key.startswith("procedures.")}
-    unused = {key for key, code in codes.items() if not any(name.startswith(f"{code}-") for name in names)}
+    used = {PROCEDURES[name].options.replace("_", "-") for name in names}
+    unused = {key for key, code in codes.items() if code not in used}
     kept = {key: each for key, each in resolved.items() if each.given or key not in unused}
     return {**kept, "analysis.procedures": ResolvedValue(list(names), content.analysis.procedures is not None)}
 
@@ -262,7 +249,7 @@ def _limit_states(requested: tuple[str, ...], deciding: tuple[str, ...]) -> tupl
 def knowledge_of(content: sections.Content) -> Mapping[str, Mapping[str, str]]:
     """Return the level of knowledge by mechanism and code; raise ProjectError for an unknown mechanism."""
     found: dict[str, dict[str, str]] = {name: {} for name in content.mechanisms}
-    for code in ("dmi2008", "ntc2018"):
+    for code in KNOWLEDGE_CODES:
         section: sections.Italian = getattr(content.procedures, code)
         _require_mechanisms(content, f"procedures.{code}.knowledge_levels", section.knowledge_levels)
         for name, levels in found.items():

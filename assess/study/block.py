@@ -17,7 +17,7 @@ from assess.codes.check import Check
 from assess.codes.context import Building
 from assess.codes.histories import SuiteResponse
 from assess.codes.italian_limit_states import FACTORS_BY_LEVEL
-from assess.codes.procedures import PROCEDURES, CodeOptions, uses_histories
+from assess.codes.procedures import KNOWLEDGE_CODES, PROCEDURES, CodeOptions, uses_histories
 from assess.codes.question import Action, Question
 from assess.dynamics.packing import Equation
 from assess.errors import MechanismError, ProcedureError
@@ -488,11 +488,7 @@ def answers(
         hazard=None,
         free_periods={},
         knowledge={
-            mechanism.name: dict.fromkeys(
-                {each.knowledge_code for each in PROCEDURES.values() if each.knowledge_code}, knowledge_level
-            )
-            if knowledge_level
-            else {}
+            mechanism.name: dict.fromkeys(KNOWLEDGE_CODES, knowledge_level) if knowledge_level else {},
         },
         limit_state=None,
         question=Question(None, Action(spectrum.pga / g, None)),

@@ -22,6 +22,7 @@ import numpy as np
 from scipy.constants import g
 
 from assess.amplification import BaseMotion, FirstMode, ModalFilter
+from assess.codes.asce43_05 import ASCE43_05_SPECTRUM
 from assess.codes.check import BranchName, Check, Outcome, Reason, reason_message
 from assess.codes.context import Building, Context, Gravity, LocalLimit, OpenSeat, Support, Transfer, Wall
 from assess.codes.procedures import apply_procedure, uses_histories, with_options
@@ -210,7 +211,6 @@ def mark_result(decided: Verdict, question: Question, result: MechanismResult) -
     return replace(result, checks=mark_deciding(result.checks, mechanism_verdict, question.basis, question.action))
 
 
-ASCE43 = "asce43-05"  # whose rules for suites apply to a floor spectrum made of one
 NEAR_SUPPORT = 0.9  # of the height of the supports: motion amplified only below it counts as that of the ground
 
 
@@ -248,7 +248,7 @@ def context_of(
     if not context.above_ground:
         return context
     amplification = study.amplified[mechanism.name].amplification
-    by_mode = context.transfer == "by a filter" and not context.suite_faults.get(ASCE43)
+    by_mode = context.transfer == "by a filter" and not context.suite_faults.get(ASCE43_05_SPECTRUM.floor_suite_rules)
     floor = floor_spectrum(
         spectrum,
         height=context.support_height,

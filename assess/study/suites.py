@@ -662,12 +662,16 @@ class PeriodsOf(Protocol):
 
 @dataclass(frozen=True)
 class SuiteRules:
-    """The rules of one code: its requirements, the range of periods to be fitted, and the periods of the mechanisms."""
+    """The rules of one code: its requirements, the range of periods to be fitted, and the periods of the mechanisms.
+
+    by_limit_state : whether the target is the spectrum of the limit state that decides, not the site's
+    """
 
     code: str
     requirements: Requirements
     fitted: FittedRange
     periods: PeriodsOf
+    by_limit_state: bool = False
 
 
 def periods_at_allowable_rotation(study: Study) -> Range:
@@ -694,7 +698,9 @@ RULES: Mapping[str, SuiteRules] = {
     "asce43-05": SuiteRules(
         asce43_05.CODE, asce43_05.requirements, asce43_05.fit_periods, periods_at_allowable_rotation
     ),
-    "ntc2018": SuiteRules(ntc2018.CODE, ntc2018.requirements, ntc2018.fit_periods, periods_at_limit_state),
+    "ntc2018": SuiteRules(
+        ntc2018.CODE, ntc2018.requirements, ntc2018.fit_periods, periods_at_limit_state, by_limit_state=True
+    ),
 }
 """By the code that a procedure names as its `suite_rules`."""
 
@@ -722,7 +728,7 @@ def spectrum_of_rules(code: str, study: Study, spectrum: Spectrum) -> Spectrum:
     spectrum : Spectrum
         The site's.
     """
-    if code != "ntc2018" or study.hazard is None:
+    if not RULES[code].by_limit_state or study.hazard is None:
         return spectrum
     return study.hazard.spectra.get(deciding_state(study), spectrum)
 

@@ -7,6 +7,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from assess.codes.bases import BASES, IndexKind
 from assess.codes.check import Check, Reason
 from assess.codes.histories import interval_figures, margin_figures, ratio_figures, side_figures
+from assess.codes.procedures import PROCEDURES
 from assess.codes.question import Action, Missing, toml_lines
 from assess.codes.verdict import Answer, Decision, Index, MechanismVerdict, Verdict
 from assess.messages.message import DIMENSIONS, Quantity
@@ -316,7 +317,8 @@ def factor_text(level: str, factor: float) -> Text:
 
 
 def _knowledge_level(results: Results, check: Check, mechanism: str) -> str:
-    table = f"procedures.{check.procedure.partition('-')[0]}"
+    options = PROCEDURES[check.procedure].options if check.procedure in PROCEDURES else ""
+    table = f"procedures.{options}"
     own = results.project.get(f"{table}.knowledge_levels")
     levels = own.value if own is not None and isinstance(own.value, dict) else {}
     given = levels.get(mechanism) or project_text(results, f"{table}.knowledge_levels.{mechanism}")

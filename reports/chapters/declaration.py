@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from hashlib import sha256
 
+from assess.codes.bases import BASES
 from assess.codes.check import Check, Family
 from assess.codes.procedures import family_of
 from assess.messages.message import Message
@@ -14,8 +15,6 @@ from reports import document as doc
 from reports.chapters.front_matter import author, checker, client, engineer, reference
 from reports.language.texts import Paragraph, Phrase, Term, Text, Verbatim, listing, quantity, say, say_count
 from reports.mechanisms import mechanism_list, numbered_title, procedure_title
-
-ITALIAN_BASES = ("ntc2018", "dmi2008")
 
 ANALYSIS_KINDS: Mapping[Family, Phrase] = {
     Family.LINEAR: say(
@@ -60,7 +59,8 @@ def sections(results: Results) -> list[doc.Section]:
 
 def chapter_title(results: Results) -> Text:
     """Return the title of the chapter, with the clause that asks for it where an Italian code decides."""
-    if results.verdict is not None and results.verdict.basis in ITALIAN_BASES:
+    basis = None if results.verdict is None else BASES.get(results.verdict.basis)
+    if basis is not None and basis.circular:
         return say("Calculation by computer (NTC 2018, 10.2)")
     return say("Calculation by computer")
 

@@ -7,6 +7,7 @@ from math import isfinite
 
 from assess.codes.check import Check, Family, Outcome, Reason
 from assess.codes.procedures import PROCEDURES, family_of
+from assess.codes.sliding import SLIDING
 from assess.messages.message import Message
 from assess.results import MechanismResult, Results
 from reports.chapters import verdict
@@ -16,7 +17,6 @@ from reports.language.texts import Paragraph, Phrase, Term, Text, Verbatim, list
 from reports.mechanisms import deformable_joints, mechanism_list, mechanism_number, procedure_title
 from reports.project_values import project_text
 
-SLIDING = "sliding"
 GROUND_AT_HEIGHT = "ground-motion"  # key of a remark
 
 
@@ -152,7 +152,7 @@ def _assumed_friction(results: Results, unchecked: Sequence[str]) -> Text:
 
 def _is_checked(mechanism: MechanismResult) -> bool:
     unanswered = (Outcome.NOT_APPLICABLE, Outcome.NOT_ANSWERED)
-    return any(check.procedure == SLIDING and check.verdict not in unanswered for check in mechanism.checks)
+    return any(check.procedure == SLIDING.name and check.verdict not in unanswered for check in mechanism.checks)
 
 
 def _limits_of_input(results: Results) -> Iterator[Text]:

@@ -8,7 +8,7 @@ from assess.messages.message import DIMENSIONS
 from assess.results import GroundMotionResult, RecordResult, RequirementResult, Results
 from reports import document as doc
 from reports.chapters.cells import MECHANISM
-from reports.figures.spectrum import SUITE_CODES_OF_BASES
+from reports.figures.spectrum import suite_code
 from reports.language.texts import Listing, Phrase, Term, Text, Verbatim, listing, quantity, say, say_count
 from reports.mechanisms import numbered_title
 
@@ -67,8 +67,7 @@ def event_name(record: RecordResult) -> str:
 
 def requirements_of_basis(results: Results) -> tuple[RequirementResult, ...]:
     """Return the requirements of the code that belongs to the basis; none without records or basis."""
-    code = "" if results.verdict is None else SUITE_CODES_OF_BASES.get(results.verdict.basis, "")
-    motion = results.ground_motion
+    code, motion = suite_code(results), results.ground_motion
     return () if motion is None else tuple(one for one in motion.requirements if one.code == code)
 
 

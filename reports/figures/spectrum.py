@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from numpy.typing import ArrayLike, NDArray
 
+from assess.codes.bases import BASES
 from assess.results import GroundMotionResult, RecordResult, RequirementResult, Results, SpectrumResult
 from reports.figures.style import FAIL, GRID, HALF, INK, MUTED, label, legend_below, record_label, report_style, sheet
 from reports.language.locale import Locale
@@ -94,16 +95,6 @@ def draw_design_spectrum(spectrum: SpectrumResult, locale: Locale) -> Figure:
 
 SHORTEST_PERIOD = 0.02  # s
 NUMBERED_PERIODS = (0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0)
-
-SUITE_CODES_OF_BASES: Mapping[str, str] = {
-    "asce43-05": "ASCE 43-05",
-    "asce41-13": "ASCE 7-16",
-    "ntc2018": "NTC 2018",
-    "dmi2008": "NTC 2018",
-    "ec8": "EN 1998-1:2004",
-    "nzsee2017": "NZS 1170.5:2004",
-}
-"""The code whose rules a suite is held to, by the basis of the verdict."""
 RATIO = "ratio of mean spectrum to target"
 
 
@@ -151,9 +142,15 @@ def draw_beside_target(
         return figure
 
 
+def suite_code(results: Results) -> str:
+    """Return the code whose rules the suite is held to, that of the basis of the verdict; empty without one."""
+    basis = None if results.verdict is None else BASES.get(results.verdict.basis)
+    return "" if basis is None else basis.suite_code
+
+
 def mean_limits(results: Results) -> tuple[RequirementResult, ...]:
     """Return the limits to the ratio of the mean to the target, of the code that decides; none without one."""
-    code = None if results.verdict is None else SUITE_CODES_OF_BASES.get(results.verdict.basis)
+    code = suite_code(results)
     every = () if results.ground_motion is None else results.ground_motion.requirements
     return tuple(each for each in every if each.code == code and each.what.endswith(RATIO) and each.from_s is not None)
 

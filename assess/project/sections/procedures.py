@@ -15,6 +15,7 @@ from pydantic import (
 
 from assess.codes.asce41_13 import Masonry, Position, Seismicity
 from assess.codes.bases import BASES
+from assess.codes.procedures import THESIS_READINGS
 from assess.project.section import (
     Name,
     NotNegativeLength,
@@ -50,7 +51,6 @@ Procedure = Literal[
     "sliding",
 ]
 PROCEDURES: tuple[Procedure, ...] = get_args(Procedure)
-READINGS: tuple[Procedure, ...] = ("asce43-05-spectrum-thesis", "dmi2008-nonlinear-thesis")
 BasisName = Literal["ntc2018", "dmi2008", "nzsee2017", "asce41-13", "asce43-05", "ec8", "own"]
 
 
@@ -90,7 +90,7 @@ class VerdictSection(ProjectSection, title="VerdictSection"):
             if self.has_key(key):
                 raise error_at(key, 'only of basis = "own"; remove it')
         for name in self.procedures or ():
-            if name in READINGS:
+            if name in THESIS_READINGS:
                 raise error_at("procedures", f'"{name}" is a reading of the thesis, which never decides; remove it')
             if self.basis is not None and name not in BASES[self.basis].methods:
                 known = quote_names(BASES[self.basis].methods)

@@ -11,7 +11,7 @@ ITEM = re.compile(r"^(\w[\w, ]*?(?: \[[^\]]*\])*) : (.+)$")
 
 
 @dataclass(frozen=True)
-class Part:
+class DocstringSection:
     """A part of a docstring under one heading, "" for what comes first.
 
     paragraphs : its sentences; items : names with what they are
@@ -22,14 +22,14 @@ class Part:
     items: tuple[tuple[str, str], ...]
 
 
-def split(text: str) -> tuple[Part, ...]:
+def split(text: str) -> tuple[DocstringSection, ...]:
     """Return the parts of a docstring."""
     first, *rest = HEADING.split(text)
     titled = [("", first), *zip(rest[::2], rest[1::2], strict=True)]
-    return tuple(_part(title, body) for title, body in titled if body.strip())
+    return tuple(_section(title, body) for title, body in titled if body.strip())
 
 
-def _part(title: str, body: str) -> Part:
+def _section(title: str, body: str) -> DocstringSection:
     paragraphs: list[str] = []
     items: list[tuple[str, str]] = []
     for block in re.split(r"\n\s*\n", body.strip("\n")):
@@ -38,7 +38,7 @@ def _part(title: str, body: str) -> Part:
             items += found
         else:
             paragraphs.append(" ".join(block.split()))
-    return Part(title, tuple(paragraphs), tuple(items))
+    return DocstringSection(title, tuple(paragraphs), tuple(items))
 
 
 def _items(block: str) -> Iterator[tuple[str, str]]:

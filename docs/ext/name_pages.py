@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from typing import Any
 
 import assess
-from docs.ext.docstring import Part, split
+from docs.ext.docstring import DocstringSection, split
 from docs.ext.markdown import cell, escape
 
 FOLDER = "names"
@@ -65,7 +65,7 @@ def _type(annotation: Any) -> str:
     return annotation if isinstance(annotation, str) else getattr(annotation, "__name__", str(annotation))
 
 
-def _part(part: Part) -> list[str]:
+def _part(part: DocstringSection) -> list[str]:
     title = [f"## {part.title}", ""] if part.title else []
     rows = [f"| `{name}` | {cell(escape(text))} |" for name, text in part.items]
     table = ["| name | what it is |", "|---|---|", *rows, ""] if rows else []

@@ -134,19 +134,19 @@ def test_extreme_numbers_end_in_a_result_or_in_one_line(tmp_path: Path, name: st
 
 
 @pytest.mark.parametrize(
-    ("line", "said"),
+    ("line", "refusal"),
     [
         ("p = 2e12", "mechanisms.k.p: 2000000000000.0: 2e+12 1/s is outside 0.001 to 1000 1/s"),
         ("p = 500", "mechanisms.k.p: 500: with a radius of 2.84 m the inertia about the hinge is 1.38e-05 M R^2"),
         ("p = 0.002", "give 0.0186 to 186 1/s (a slender block has sqrt(3 g / (4 R)) = 1.61 1/s), or another radius"),
     ],
 )
-def test_an_equivalent_block_of_no_body_is_refused_with_the_range(tmp_path: Path, line: str, said: str) -> None:
+def test_an_equivalent_block_of_no_body_is_refused_with_the_range(tmp_path: Path, line: str, refusal: str) -> None:
     text = f"{SITE}[mechanisms.k]\n{MECHANISMS['equivalent']}".replace("p = 1.6", line)
     (tmp_path / "project.toml").write_text(text)
     with pytest.raises(AssessError) as refused:
         load(tmp_path)
-    assert said in str(refused.value)
+    assert refusal in str(refused.value)
     assert "\n" not in str(refused.value)
 
 

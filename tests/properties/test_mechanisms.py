@@ -35,7 +35,7 @@ TABLES = ("rotation", "inertia", "restoring", "excitation", "participation", "li
 
 
 @dataclass(frozen=True)
-class Case:
+class HingedBlocks:
     """Blocks with the hinges of each direction, as they stand, and their loads.
 
     kind : of the mechanism; that of so many blocks where None
@@ -60,7 +60,7 @@ class Case:
             return two_block("m", *bodies, hinges=self.front, hinges_negative=self.back, **more)
         if kind == "four-hinge":
             return four_hinge("m", bodies, hinges=self.front, hinges_negative=self.back, **more)
-        raise NotImplementedError(f"no constructor of {kind} here: add the call of yours to Case.mechanism")
+        raise NotImplementedError(f"no constructor of {kind} here: add the call of yours to HingedBlocks.mechanism")
 
 
 def arch():
@@ -79,7 +79,7 @@ def arch():
     back = tuple(
         (upper, lower)[k % 2][k] if lower[0] == found.hinges[0] else (lower, upper)[k % 2][k] for k in range(4)
     )
-    return Case(chain.blocks, chain.hinges, back)
+    return HingedBlocks(chain.blocks, chain.hinges, back)
 
 
 block_of = partial(rectangle_block, density=2000.0)
@@ -92,22 +92,22 @@ EDGES = ((0.25, 0.0), (-0.25, 2.6), (0.25, 4.2)), ((-0.25, 0.0), (0.25, 2.6), (-
 LEGS = ((0.8, 0.0), (0.0, 4.0), (3.6, 4.6), (4.6, 1.2)), ((0.0, 0.0), (0.8, 4.0), (4.6, 4.6), (3.6, 1.2))
 
 CASES = {
-    "wall": Case((WALL,), ((0.4, 0.0),), ((-0.4, 0.0),)),
-    "leaning wall": Case((LEANING,), ((0.7, 0.2),), ((-0.5, 0.0),)),
-    "wall with loads": Case((WALL,), ((0.4, 0.0),), ((-0.4, 0.0),), (
+    "wall": HingedBlocks((WALL,), ((0.4, 0.0),), ((-0.4, 0.0),)),
+    "leaning wall": HingedBlocks((LEANING,), ((0.7, 0.2),), ((-0.5, 0.0),)),
+    "wall with loads": HingedBlocks((WALL,), ((0.4, 0.0),), ((-0.4, 0.0),), (
         PointMass("floor", 900.0, (0.2, 4.0), True), PointMass("roof", 400.0, (-0.1, 4.8), False),
         Force("thrust", (1500.0, -600.0), (-0.4, 3.5)), Tie("tie", 2500.0, (0.4, 4.5), anchor=(-4.0, 4.2), both=True),
         Tie("slack one way", 1800.0, (-0.4, 3.0), direction=(-0.8, 0.6)),
     )),
-    "two blocks": Case(HALVES, *EDGES),
-    "two blocks, load off centre": Case(HALVES, *EDGES, (
+    "two blocks": HingedBlocks(HALVES, *EDGES),
+    "two blocks, load off centre": HingedBlocks(HALVES, *EDGES, (
         Force("overburden", (0.0, -21000.0), (0.15, 4.2), block=1), PointMass("floor", 700.0, (0.1, 2.0), True),
         PointMass("beside", 300.0, (-0.2, 3.0), False, 1), Tie("tie", 900.0, (0.25, 3.4), anchor=(-2.0, 3.3), block=1),
     )),
-    "symmetric portal": Case(PORTAL, ((0.8, 0.0), (0.0, 4.0), (3.8, 4.0), (4.6, 0.0)),
+    "symmetric portal": HingedBlocks(PORTAL, ((0.8, 0.0), (0.0, 4.0), (3.8, 4.0), (4.6, 0.0)),
                              ((0.0, 0.0), (0.8, 4.0), (4.6, 4.0), (3.8, 0.0))),
-    "asymmetric portal": Case(UNEVEN, *LEGS),
-    "portal with loads": Case(UNEVEN, *LEGS, (
+    "asymmetric portal": HingedBlocks(UNEVEN, *LEGS),
+    "portal with loads": HingedBlocks(UNEVEN, *LEGS, (
         PointMass("roof", 2000.0, (1.7, 5.4), True, 1), PointMass("wall beside", 500.0, (4.2, 3.0), False, 2),
         Force("vault", (1100.0, -400.0), (0.8, 3.0)), Force("lift", (-200.0, 500.0), (4.4, 4.0), block=2),
         Tie("tie", 1500.0, (0.4, 3.8), anchor=(7.0, 3.8)),
@@ -206,7 +206,7 @@ def test_balance_of_every_block_gives_the_multiplier_of_virtual_work(case):
 
 def image(case):
     """The whole mirrored in the vertical through the origin."""
-    return Case(
+    return HingedBlocks(
         tuple(RigidBlock(b.mass, mirror_point(b.centroid), b.inertia) for b in case.blocks),
         tuple(mirror_point(each) for each in case.back),
         tuple(mirror_point(each) for each in case.front),
@@ -247,7 +247,7 @@ def scaled(case, s):
             loads.append(replace(each, at=at, anchor=anchor, pull=s**3 * each.pull))
     blocks = tuple(RigidBlock(s**3 * b.mass, tuple(s * x for x in b.centroid), s**5 * b.inertia) for b in case.blocks)
     front, back = (tuple((s * x, s * z) for x, z in hinges) for hinges in (case.front, case.back))
-    return Case(blocks, front, back, tuple(loads), case.kind)
+    return HingedBlocks(blocks, front, back, tuple(loads), case.kind)
 
 
 @EVERY

@@ -13,8 +13,8 @@ import pytest
 
 from tools.fuzz.__main__ import fuzz, planned, report, reproduce
 from tools.fuzz.answer import Answer, answer
-from tools.fuzz.case import Case, Edit, reopened, saved
 from tools.fuzz.findings import Findings
+from tools.fuzz.fuzz_input import Edit, FuzzInput, reopened, saved
 from tools.fuzz.judgement import (
     BUG,
     HANG,
@@ -67,7 +67,7 @@ def test_several_processes_judge_the_same_inputs_as_one(tmp_path: Path) -> None:
 
 
 def test_a_process_that_hangs_or_dies_is_replaced_and_goes_on_after_the_input(tmp_path: Path) -> None:
-    heard: list[tuple[Case, Judged, Case]] = []
+    heard: list[tuple[FuzzInput, Judged, FuzzInput]] = []
     worker = Worker(1, hangs_after=0.0)
     try:
         batch = Batch("flatfile", "spectrum", 1)
@@ -126,7 +126,7 @@ def test_outcomes(found: Answer, outcome: str) -> None:
     assert judged(found, USUAL).outcome == outcome
 
 
-def planted(fault: Callable[[Case], Answer]) -> Callable[[Case], Answer]:
+def planted(fault: Callable[[FuzzInput], Answer]) -> Callable[[FuzzInput], Answer]:
     """A program that answers USUAL but for mutated inputs, which meet the fault."""
     return lambda case: fault(case) if case.edits else USUAL
 
@@ -152,7 +152,7 @@ def test_a_finding_is_the_least_of_its_edits(tmp_path: Path) -> None:
     assert all(len(reopened(path).edits) == 1 for path in tmp_path.glob("*.json"))
 
 
-def edited(name: str, old: bytes, new: bytes) -> tuple[Case, Case]:
+def edited(name: str, old: bytes, new: bytes) -> tuple[FuzzInput, FuzzInput]:
     """A record and the same with one word replaced, as the tests' own writers make it."""
     whole = next(case for case in seeds("record") if case.name == name)
     assert whole.data.count(old) == 1

@@ -12,8 +12,8 @@ from pathlib import Path
 
 from assess.workers import available_cores
 from tools.fuzz.answer import answer
-from tools.fuzz.case import reopened
 from tools.fuzz.findings import Findings
+from tools.fuzz.fuzz_input import reopened
 from tools.fuzz.judge import Ask, Judge
 from tools.fuzz.judgement import BROKEN, SILENT
 from tools.fuzz.mutations import Batch, cases_of, schedule

@@ -24,7 +24,7 @@ import typer
 from numpy.typing import NDArray
 
 from assess.cli import main
-from tools.fuzz.case import Case
+from tools.fuzz.fuzz_input import FuzzInput
 
 Samples = tuple[float, NDArray[np.float64]]
 """Step [s] and accelerations [n] [m/s2] of a record."""
@@ -64,7 +64,7 @@ class Here(Executor):
         return done
 
 
-def answer(case: Case) -> Answer:
+def answer(case: FuzzInput) -> Answer:
     """Run `case` in a folder of its own."""
     folder = Path(tempfile.mkdtemp(prefix="case-"))
     before, started = os.environ.get("TMPDIR"), Path.cwd()
@@ -100,10 +100,10 @@ def _run(arguments: list[str], folder: Path) -> Answer:
             code = end.code if isinstance(end.code, int) else 0
         except BaseException:
             code, told = -1, traceback.format_exc()
-    printed, said = (_text(stream, folder) for stream in (out, err))
+    printed, complaints = (_text(stream, folder) for stream in (out, err))
     logs = sorted((folder / "tmp").glob("assess-*.log"))
     told = told or (logs[-1].read_text(encoding="utf-8", errors="replace") if logs else "")
-    return Answer(code, printed, said, told[-4000:])
+    return Answer(code, printed, complaints, told[-4000:])
 
 
 def _shown(got: Answer, file: Path) -> Answer:

@@ -7,7 +7,7 @@ import struct
 from collections.abc import Callable, Mapping
 from random import Random
 
-from tools.fuzz.case import Case, Edit, rewritten
+from tools.fuzz.fuzz_input import Edit, FuzzInput, rewritten
 
 NASTY = (
     *("nan", "inf", "-inf", "1e300", "-1e300", "1e-300", "0", "-0.0", "-1", "-999", "9999999999", "99999", "1e9", ""),
@@ -26,7 +26,7 @@ def is_text(data: bytes) -> bool:
     return b"\0" not in data[:4000] and data[:4000].count(b"\n") > 1
 
 
-def edits(random: Random, case: Case) -> tuple[Edit, ...]:
+def edits(random: Random, case: FuzzInput) -> tuple[Edit, ...]:
     """One edit of the target, seldom two."""
     one = _text if is_text(case.data) else _binary
     found = one(random, case)
@@ -37,12 +37,12 @@ def edits(random: Random, case: Case) -> tuple[Edit, ...]:
     return found
 
 
-def _text(random: Random, case: Case) -> tuple[Edit, ...]:
+def _text(random: Random, case: FuzzInput) -> tuple[Edit, ...]:
     name = random.choices(list(TEXT), weights=[weight for _, weight in TEXT.values()])[0]
     return TEXT[name][0](random, case, name)
 
 
-def _line(random: Random, case: Case) -> tuple[int, int, bytes]:
+def _line(random: Random, case: FuzzInput) -> tuple[int, int, bytes]:
     """Start, number from 1, and content of a line; one of the first sixty in two of three cases."""
     lines = case.data.splitlines(keepends=True)
     last = min(len(lines), 60) if random.random() < 0.67 else len(lines)
@@ -62,7 +62,7 @@ def _edit(start: int, number: int, line: bytes, at: int, removed: int, inserted:
     return (Edit(start + at, removed, inserted, _place(number, line), f"{name}: {old!r} -> {new.rstrip()!r}"),)
 
 
-def _digit(random: Random, case: Case, name: str) -> tuple[Edit, ...]:
+def _digit(random: Random, case: FuzzInput, name: str) -> tuple[Edit, ...]:
     start, number, line = _line(random, case)
     found = [match.start() for match in DIGIT.finditer(line)]
     if not found:
@@ -72,7 +72,7 @@ def _digit(random: Random, case: Case, name: str) -> tuple[Edit, ...]:
     return _edit(start, number, line, at, 1, bytes([new]), name)
 
 
-def _number(random: Random, case: Case, name: str) -> tuple[Edit, ...]:
+def _number(random: Random, case: FuzzInput, name: str) -> tuple[Edit, ...]:
     start, number, line = _line(random, case)
     found = list(NUMBER.finditer(line))
     if not found:
@@ -87,13 +87,13 @@ def _number(random: Random, case: Case, name: str) -> tuple[Edit, ...]:
     return _edit(start, number, line, match.start(), len(match[0]), new, name)
 
 
-def _drop(random: Random, case: Case, name: str) -> tuple[Edit, ...]:
+def _drop(random: Random, case: FuzzInput, name: str) -> tuple[Edit, ...]:
     start, number, line = _line(random, case)
     count = min(random.randint(1, 8), len(line))
     return _edit(start, number, line, random.randrange(len(line) - count + 1), count, b"", name)
 
 
-def _insert(random: Random, case: Case, name: str) -> tuple[Edit, ...]:
+def _insert(random: Random, case: FuzzInput, name: str) -> tuple[Edit, ...]:
     start, number, line = _line(random, case)
     new = random.choice(
         (b" ", b"\t", b"\0", b"\xff", b"\xe2\x80\xae", b"\n", b"\r", b"\x1a", b"-", b"9", b".", b",", b"*")
@@ -101,23 +101,23 @@ def _insert(random: Random, case: Case, name: str) -> tuple[Edit, ...]:
     return _edit(start, number, line, random.randrange(len(line)), 0, new, name)
 
 
-def _lost_line(random: Random, case: Case, name: str) -> tuple[Edit, ...]:
+def _lost_line(random: Random, case: FuzzInput, name: str) -> tuple[Edit, ...]:
     start, number, line = _line(random, case)
     return _edit(start, number, line, 0, len(line), b"", name)
 
 
-def _line_again(random: Random, case: Case, name: str) -> tuple[Edit, ...]:
+def _line_again(random: Random, case: FuzzInput, name: str) -> tuple[Edit, ...]:
     start, number, line = _line(random, case)
     return _edit(start, number, line, 0, 0, line, name)
 
 
-def _lines_swapped(random: Random, case: Case, name: str) -> tuple[Edit, ...]:
+def _lines_swapped(random: Random, case: FuzzInput, name: str) -> tuple[Edit, ...]:
     start, number, line = _line(random, case)
     after = case.data[start + len(line) :].split(b"\n", 1)[0] + b"\n"
     return _edit(start, number, line + after, 0, len(line + after), after + line, name)
 
 
-def _lower_word(random: Random, case: Case, name: str) -> tuple[Edit, ...]:
+def _lower_word(random: Random, case: FuzzInput, name: str) -> tuple[Edit, ...]:
     start, number, line = _line(random, case)
     found = list(re.finditer(rb"[A-Za-z]{2,}", line))
     if not found:
@@ -127,7 +127,7 @@ def _lower_word(random: Random, case: Case, name: str) -> tuple[Edit, ...]:
     return _edit(start, number, line, match.start(), len(match[0]), new, name)
 
 
-def _cut(random: Random, case: Case, name: str) -> tuple[Edit, ...]:
+def _cut(random: Random, case: FuzzInput, name: str) -> tuple[Edit, ...]:
     at = random.randrange(len(case.data))
     return (Edit(at, len(case.data) - at, b"", "end", f"{name} at {at} of {len(case.data)}"),)
 
@@ -149,12 +149,12 @@ WHOLE: Mapping[str, Callable[[bytes], bytes]] = {
 }
 
 
-def _whole(random: Random, case: Case, name: str) -> tuple[Edit, ...]:
+def _whole(random: Random, case: FuzzInput, name: str) -> tuple[Edit, ...]:
     of = random.choice(list(WHOLE))
     return rewritten(case, WHOLE[of](case.data), where="whole file", what=of) or _digit(random, case, "digit")
 
 
-Maker = Callable[[Random, Case, str], tuple[Edit, ...]]
+Maker = Callable[[Random, FuzzInput, str], tuple[Edit, ...]]
 TEXT: Mapping[str, tuple[Maker, int]] = {
     "digit": (_digit, 30),
     "number": (_number, 25),
@@ -169,7 +169,7 @@ TEXT: Mapping[str, tuple[Maker, int]] = {
 }
 
 
-def _binary(random: Random, case: Case) -> tuple[Edit, ...]:
+def _binary(random: Random, case: FuzzInput) -> tuple[Edit, ...]:
     data = case.data
     at = random.randrange(min(len(data), 300)) if random.random() < 0.4 else random.randrange(len(data))
     name = random.choices(("bit", "byte", "word", "lost", "more", "cut", "zeros"), weights=(30, 15, 30, 5, 5, 5, 3))[0]

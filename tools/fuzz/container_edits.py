@@ -10,10 +10,10 @@ from pathlib import Path
 from random import Random
 
 from tools.fuzz import byte_edits
-from tools.fuzz.case import Case, Edit, rewritten
+from tools.fuzz.fuzz_input import Edit, FuzzInput, rewritten
 
 
-def zip_edits(random: Random, case: Case) -> tuple[Edit, ...]:
+def zip_edits(random: Random, case: FuzzInput) -> tuple[Edit, ...]:
     """Bytes of the archive, a member's content, or its members as a whole."""
     if random.random() < 0.25:
         return byte_edits.edits(random, case)
@@ -26,7 +26,7 @@ def zip_edits(random: Random, case: Case) -> tuple[Edit, ...]:
     where, what = f"member {name}", verb
     listed = [(each, data) for each, data in members.items() if verb != "lost" or each != name]
     if verb == "content":
-        inner = Case("", "", {name: members[name]}, name, ())
+        inner = FuzzInput("", "", {name: members[name]}, name, ())
         (edit, *_) = byte_edits.edits(random, inner)
         listed = [(each, inner.edited((edit,)).data if each == name else data) for each, data in listed]
         where, what = f"{where} {edit.where}", edit.what
@@ -52,7 +52,7 @@ def _zipped(members: list[tuple[str, bytes]]) -> bytes:
     return made.getvalue()
 
 
-def sqlite_edits(random: Random, case: Case) -> tuple[Edit, ...]:
+def sqlite_edits(random: Random, case: FuzzInput) -> tuple[Edit, ...]:
     """Bytes of the pages, cells by SQL, versions, tables lost and added."""
     if random.random() < 0.5:
         return byte_edits.edits(random, case)
@@ -107,11 +107,11 @@ def _altered(random: Random, connection: sqlite3.Connection) -> tuple[str, str]:
         number, name = random.choice((0, 1, 2, 3, 999, -1)), random.choice(("user_version", "application_id"))
         connection.execute(f"PRAGMA {name} = {number}")
         return name, str(number)
-    said = {
+    statement = {
         "drop": f'DROP TABLE "{table}"',
         "rows": f'DELETE FROM "{table}" WHERE rowid % 2',
         "column": f'ALTER TABLE "{table}" RENAME COLUMN "{column}" TO "renamed"',
         "view": "CREATE TABLE extra (a, b)",
     }[verb]
-    connection.execute(said)
-    return table, said
+    connection.execute(statement)
+    return table, statement

@@ -8,7 +8,7 @@ from collections import Counter
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
-from tools.fuzz.case import Case, saved
+from tools.fuzz.fuzz_input import FuzzInput, saved
 from tools.fuzz.judgement import BROKEN, OUTCOMES, SILENT, Judged
 
 SHOWN = 400  # groups of silent differences in the list
@@ -20,10 +20,10 @@ class Findings:
 
     folder: Path
     counts: Counter[tuple[str, str]] = field(default_factory=Counter)
-    groups: dict[tuple[str, ...], list[tuple[Case, Judged]]] = field(default_factory=dict)
+    groups: dict[tuple[str, ...], list[tuple[FuzzInput, Judged]]] = field(default_factory=dict)
     paths: dict[tuple[str, ...], Path] = field(default_factory=dict)
 
-    def take(self, case: Case, found: Judged, smallest: Case) -> None:
+    def take(self, case: FuzzInput, found: Judged, smallest: FuzzInput) -> None:
         """Count one; of a fault or a silent difference that is new, `smallest` is saved."""
         self.counts[case.group, found.outcome] += 1
         if found.outcome not in (*BROKEN, SILENT) or (found.outcome == SILENT and case.group == "options"):
@@ -69,7 +69,7 @@ class Findings:
         return "".join(lines)
 
 
-def group_of(case: Case, found: Judged) -> tuple[str, ...]:
+def group_of(case: FuzzInput, found: Judged) -> tuple[str, ...]:
     """Cases of one group are one fault to a reader."""
     if found.outcome != SILENT:
         return (case.group, found.outcome, found.signature)

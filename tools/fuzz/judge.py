@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from tools.fuzz.answer import Answer
-from tools.fuzz.case import Case
+from tools.fuzz.fuzz_input import FuzzInput
 from tools.fuzz.judgement import RIGHT, SAME, SILENT, WARNED, Judged, judged, shown
 from tools.fuzz.rightly import rightly
 
-Ask = Callable[[Case], Answer]
+Ask = Callable[[FuzzInput], Answer]
 
 
 class Judge:
@@ -19,7 +19,7 @@ class Judge:
         self.ask = ask
         self.usual: dict[tuple[str, str], Answer] = {}
 
-    def judge(self, case: Case, whole: Case) -> Judged:
+    def judge(self, case: FuzzInput, whole: FuzzInput) -> Judged:
         """The outcome of a case; whole: the same without edits."""
         if (whole.group, whole.name) not in self.usual:
             self.usual[whole.group, whole.name] = self.ask(whole)
@@ -30,7 +30,7 @@ class Judge:
         right = result.outcome == SILENT and rightly(case, got, usual)
         return Judged(RIGHT, detail=result.detail) if right else result
 
-    def smallest(self, case: Case, whole: Case, found: Judged) -> Case:
+    def smallest(self, case: FuzzInput, whole: FuzzInput, found: Judged) -> FuzzInput:
         """The case with one of its edits where that alone gives the same."""
         for edit in case.edits if len(case.edits) > 1 else ():
             one = whole.edited((edit,))

@@ -88,23 +88,25 @@ def _accepted(found: Answer, usual: Answer) -> Judged:
     change = difference(usual.out, found.out)
     if change is None and found.code == usual.code:
         return Judged(SAME)
-    told = change or f"code {usual.code} -> {found.code}"
-    return Judged(WARNED if said(found) - said(usual) or found.code != usual.code else SILENT, detail=told)
+    detail = change or f"code {usual.code} -> {found.code}"
+    return Judged(
+        WARNED if messages_of(found) - messages_of(usual) or found.code != usual.code else SILENT, detail=detail
+    )
 
 
-def said(found: Answer) -> set[str]:
+def messages_of(found: Answer) -> set[str]:
     """Warnings on stderr, among the lines printed, and in the JSON printed."""
     lines = {line for line in (found.err + found.out).splitlines() if TOLD.match(line)}
-    return lines | set(_told(_parsed(found.out)))
+    return lines | set(_message_texts(_parsed(found.out)))
 
 
-def _told(tree: Any, inside: bool = False) -> Iterator[str]:
+def _message_texts(tree: Any, inside: bool = False) -> Iterator[str]:
     if isinstance(tree, dict):
         for key, value in tree.items():
-            yield from _told(value, inside or key in TEXTS)
+            yield from _message_texts(value, inside or key in TEXTS)
     elif isinstance(tree, list):
         for value in tree:
-            yield from _told(value, inside)
+            yield from _message_texts(value, inside)
     elif inside and isinstance(tree, str):
         yield tree
 

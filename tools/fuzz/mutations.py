@@ -9,7 +9,7 @@ from itertools import count, islice
 from random import Random
 
 from tools.fuzz import byte_edits, container_edits
-from tools.fuzz.case import Case, Edit
+from tools.fuzz.fuzz_input import Edit, FuzzInput
 from tools.fuzz.option_edits import option_cases
 from tools.fuzz.tree_edits import json_edits, toml_edits
 
@@ -38,7 +38,7 @@ class Batch:
 
 
 def schedule(
-    cases: Mapping[str, Sequence[Case]], *, shares: Mapping[str, int], seed: int, without: Sequence[str] = ()
+    cases: Mapping[str, Sequence[FuzzInput]], *, shares: Mapping[str, int], seed: int, without: Sequence[str] = ()
 ) -> Iterator[Batch]:
     """Yield batches without end, the classes by their shares of inputs.
 
@@ -60,7 +60,7 @@ def schedule(
                 yield batch
 
 
-def _turns(group: str, cases: Sequence[Case], *, seed: int, without: Sequence[str]) -> Iterator[Batch]:
+def _turns(group: str, cases: Sequence[FuzzInput], *, seed: int, without: Sequence[str]) -> Iterator[Batch]:
     names = [case.name for case in cases if case.name not in without]
     for turn in count(1):
         for name in Random(f"{seed} {group} {turn}").sample(names, len(names)):
@@ -68,7 +68,7 @@ def _turns(group: str, cases: Sequence[Case], *, seed: int, without: Sequence[st
                 yield Batch(group, name, turn)
 
 
-def cases_of(batch: Batch, case: Case, *, seed: int) -> Iterator[Case]:
+def cases_of(batch: Batch, case: FuzzInput, *, seed: int) -> Iterator[FuzzInput]:
     """Yield the mutated cases of a batch.
 
     Parameters
@@ -81,7 +81,7 @@ def cases_of(batch: Batch, case: Case, *, seed: int) -> Iterator[Case]:
     return islice(_cases(Random(whose), case, start=zlib.crc32(whose.encode()), size=batch.size), batch.size)
 
 
-def _cases(random: Random, case: Case, *, start: int, size: int) -> Iterator[Case]:
+def _cases(random: Random, case: FuzzInput, *, start: int, size: int) -> Iterator[FuzzInput]:
     if case.group == "options":
         yield from option_cases(case, start=start, count=size)
     elif case.target.endswith((".toml", ".json")):
@@ -98,7 +98,7 @@ def _cases(random: Random, case: Case, *, start: int, size: int) -> Iterator[Cas
                 yield case.edited(edits)
 
 
-def _of_bytes(random: Random, case: Case) -> tuple[Edit, ...]:
+def _of_bytes(random: Random, case: FuzzInput) -> tuple[Edit, ...]:
     if case.data[:4] == b"PK\3\4":
         return container_edits.zip_edits(random, case)
     if case.data[:15] == b"SQLite format 3":

@@ -10,7 +10,7 @@ import typer
 from hypothesis import strategies as st
 
 from assess.cli.app import app
-from tools.fuzz.case import Case, Edit
+from tools.fuzz.fuzz_input import Edit, FuzzInput
 from tools.fuzz.tree_edits import drawn
 
 VALUES = (
@@ -74,13 +74,13 @@ def parameters(command: tuple[str, ...]) -> list[Any]:
     return [each for each in found.params if each.opts[-1].startswith("-") and each.opts[-1] not in ("--help", "-h")]
 
 
-def command_of(case: Case) -> tuple[str, ...]:
+def command_of(case: FuzzInput) -> tuple[str, ...]:
     """The words that name the command of a case."""
     return case.arguments[:2] if case.arguments[0] == "records" else case.arguments[:1]
 
 
 @st.composite
-def options(draw: st.DrawFn, case: Case) -> tuple[str, ...]:
+def options(draw: st.DrawFn, case: FuzzInput) -> tuple[str, ...]:
     """One to three options with values."""
     known = parameters(command_of(case))
     typed: list[str] = []
@@ -93,7 +93,7 @@ def options(draw: st.DrawFn, case: Case) -> tuple[str, ...]:
     return tuple(typed) or (draw(st.sampled_from(VALUES)),)
 
 
-def option_cases(case: Case, *, start: int, count: int) -> list[Case]:
+def option_cases(case: FuzzInput, *, start: int, count: int) -> list[FuzzInput]:
     """The case with options added."""
     return [
         replace(case, arguments=case.arguments + typed, edits=(Edit(0, 0, b"", typed[0], " ".join(typed)[:200]),))

@@ -10,7 +10,7 @@ import numpy as np
 
 from tools.fuzz.answer import Answer, Samples
 from tools.fuzz.byte_edits import NUMBER, is_text
-from tools.fuzz.case import Case, Edit
+from tools.fuzz.fuzz_input import Edit, FuzzInput
 from tools.fuzz.judgement import apart
 
 FORMS = {"--csv", "--json", "--list", "--catalogue"}  # options that print something else, as asked
@@ -18,7 +18,7 @@ ONCE = re.compile(r"\[\d+\]\.(site|earthquake|epicentral_distance_km|measures|sp
 """What of `records list --json` a file says once, or follows from its samples."""
 
 
-def rightly(case: Case, found: Answer, usual: Answer) -> bool:
+def rightly(case: FuzzInput, found: Answer, usual: Answer) -> bool:
     """Whether the answer to a mutated case is right, though another."""
     if case.group == "record":
         return _record(case, found, usual)
@@ -29,7 +29,7 @@ def rightly(case: Case, found: Answer, usual: Answer) -> bool:
     return case.group == "results" and _unknown_keys(case)
 
 
-def _record(case: Case, found: Answer, usual: Answer) -> bool:
+def _record(case: FuzzInput, found: Answer, usual: Answer) -> bool:
     """Whether only those samples are others that the edits touch, and numbers that the header has once."""
     if len(found.samples) != len(usual.samples) or not found.samples:
         return False
@@ -65,7 +65,7 @@ def _alike(old: Any, new: Any) -> int:
     return int(differ[0]) if differ.size else int(old.size)
 
 
-def _unknown_keys(case: Case) -> bool:
+def _unknown_keys(case: FuzzInput) -> bool:
     """Whether a file of results has all it had, and more: keys that the program does not know."""
     old, new = (json.loads(case.files[name]) for name in ("a.json", "b.json"))
     return _holds(new, old)

@@ -15,7 +15,7 @@ import numpy as np
 from records.processing import at2_text, csv_text
 from tests.support.places import REAL_RECORDS
 from tools.fuzz import projects, studies
-from tools.fuzz.case import Case
+from tools.fuzz.fuzz_input import FuzzInput
 from tools.fuzz.motions import motion
 from tools.fuzz.studies import fragility_file, made, results_file
 
@@ -33,39 +33,39 @@ FLATFILE = (
 
 
 @cache
-def seeds(group: str) -> tuple[Case, ...]:
+def seeds(group: str) -> tuple[FuzzInput, ...]:
     """The cases of a class."""
     return tuple(GROUPS[group]())
 
 
-def seed_case(group: str, name: str) -> Case:
+def seed_case(group: str, name: str) -> FuzzInput:
     """One of them by its name."""
     return next(case for case in seeds(group) if case.name == name)
 
 
-def _projects() -> Iterator[Case]:
+def _projects() -> Iterator[FuzzInput]:
     for name in ("ONE", "TWO", "FOUR", "NTC"):
         files = {PROJECT: getattr(projects, name).encode()}
-        yield Case("project", name.lower(), files, PROJECT, ("parameters", "{}", "--json"))
-        yield Case("project", f"{name.lower()} checked", files, PROJECT, ("check", "{}"))
+        yield FuzzInput("project", name.lower(), files, PROJECT, ("parameters", "{}", "--json"))
+        yield FuzzInput("project", f"{name.lower()} checked", files, PROJECT, ("check", "{}"))
     files = {PROJECT: projects.NTC.encode()}
-    yield Case("project", "spectrum", files, PROJECT, ("spectrum", "{}", "--json"))
-    yield Case(
+    yield FuzzInput("project", "spectrum", files, PROJECT, ("spectrum", "{}", "--json"))
+    yield FuzzInput(
         "project", "envelope", {PROJECT: projects.RUN.encode()}, PROJECT, ("envelope", "{}", "--json", "--jobs", "1")
     )
 
 
-def _meshes() -> Iterator[Case]:
+def _meshes() -> Iterator[FuzzInput]:
     for name, data in _mesh_files().items():
         ending = name.rpartition(".")[2].lower()
         more = 'element = "south"' if ending == "ifc" else ""
         project = (projects.MESH % (name, more)).encode()
-        yield Case("mesh", name, {PROJECT: project, name: data}, name, ("parameters", "{}", "--json"))
+        yield FuzzInput("mesh", name, {PROJECT: project, name: data}, name, ("parameters", "{}", "--json"))
 
 
-def _geometries() -> Iterator[Case]:
+def _geometries() -> Iterator[FuzzInput]:
     for name, data in _mesh_files().items():
-        yield Case("geometry", name, {name: data}, name, ("geometry", f"{{}}/{name}", "--json"))
+        yield FuzzInput("geometry", name, {name: data}, name, ("geometry", f"{{}}/{name}", "--json"))
 
 
 @cache
@@ -121,7 +121,7 @@ def _cad_files() -> Iterator[tuple[str, bytes]]:
             yield "wall.ifc", (Path(folder) / "wall.ifc").read_bytes()
 
 
-def _records() -> Iterator[Case]:
+def _records() -> Iterator[FuzzInput]:
     for name, (text, *_) in _module("records/test_formats.py").MADE.items():
         yield _record(f"{name}.dat", text.encode("latin-1"))
     yield _record("own.csv", csv_text(motion(0)).encode())
@@ -136,9 +136,9 @@ def _records() -> Iterator[Case]:
             yield _record(path.name, path.read_bytes(), *stated)
 
 
-def _record(name: str, data: bytes, *more: str) -> Case:
+def _record(name: str, data: bytes, *more: str) -> FuzzInput:
     plain = name.replace(" ", "_")
-    return Case("record", name, {plain: data}, plain, ("records", "list", f"{{}}/{plain}", "--json", *more))
+    return FuzzInput("record", name, {plain: data}, plain, ("records", "list", f"{{}}/{plain}", "--json", *more))
 
 
 @cache
@@ -163,10 +163,10 @@ SELECT = ("records", "select", "{}/motions", "--target", "{}/target.csv", "--cou
 SELECT += ("--scale-limits", "0.001", "1000", "--json")
 
 
-def _flatfiles() -> Iterator[Case]:
-    yield Case("flatfile", "select", _catalogued(), "flat.csv", (*SELECT, "--flatfile", "{}/flat.csv"))
+def _flatfiles() -> Iterator[FuzzInput]:
+    yield FuzzInput("flatfile", "select", _catalogued(), "flat.csv", (*SELECT, "--flatfile", "{}/flat.csv"))
     one = {"target.csv": TARGET.encode()}
-    yield Case(
+    yield FuzzInput(
         "flatfile", "spectrum", one, "target.csv", ("spectrum", "--code", "table", "--file", "{}/target.csv", "--json")
     )
 
@@ -177,20 +177,20 @@ def _catalogued() -> dict[str, bytes]:
     return made(_folder(), "records", "index", "{}/motions", "--jobs", "1")
 
 
-def _catalogues() -> Iterator[Case]:
+def _catalogues() -> Iterator[FuzzInput]:
     files = _catalogued()
     (name,) = (name for name in files if name.startswith("motions/") and not name.endswith(".AT2"))
-    yield Case("catalogue", "select", files, name, SELECT)
-    yield Case("catalogue", "index", files, name, ("records", "index", "{}/motions", "--jobs", "1", "--json"))
-    yield Case("catalogue", "spectra", files, name, ("records", "spectra", "{}/motions", "--csv", "--jobs", "1"))
+    yield FuzzInput("catalogue", "select", files, name, SELECT)
+    yield FuzzInput("catalogue", "index", files, name, ("records", "index", "{}/motions", "--jobs", "1", "--json"))
+    yield FuzzInput("catalogue", "spectra", files, name, ("records", "spectra", "{}/motions", "--csv", "--jobs", "1"))
 
 
-def _results() -> Iterator[Case]:
+def _results() -> Iterator[FuzzInput]:
     files = {"a.json": results_file(), "b.json": results_file()}
-    yield Case("results", "diff", files, "b.json", ("diff", "{}/a.json", "{}/b.json", "--json"))
+    yield FuzzInput("results", "diff", files, "b.json", ("diff", "{}/a.json", "{}/b.json", "--json"))
 
 
-def _options() -> Iterator[Case]:
+def _options() -> Iterator[FuzzInput]:
     files = {
         **_catalogued(),
         PROJECT: projects.ONE.encode(),
@@ -226,10 +226,10 @@ def _options() -> Iterator[Case]:
         "verify --for": ("verify", "--list", "--for", "{}"),
         "report": ("report", "{}/fragility.json", "-o", "{}/out"),
     }.items():
-        yield Case("options", name, files, "", arguments)
+        yield FuzzInput("options", name, files, "", arguments)
 
 
-GROUPS: Mapping[str, Callable[[], Iterator[Case]]] = {
+GROUPS: Mapping[str, Callable[[], Iterator[FuzzInput]]] = {
     "project": _projects,
     "mesh": _meshes,
     "geometry": _geometries,

@@ -12,7 +12,7 @@ from pathlib import Path
 from assess.cli import main
 from records.processing import at2_text
 from tools.fuzz import projects
-from tools.fuzz.case import Case
+from tools.fuzz.fuzz_input import FuzzInput
 from tools.fuzz.motions import motion
 
 PROJECT = "project.toml"
@@ -33,30 +33,30 @@ ROWS = "pga [g], return_period [years]\n0.05, 30\n0.16, 475\n0.30, 2475\n"
 SITE = 'curve = "hazard.csv"\nsite = { longitude = 13.4, latitude = 42.35 }\n'
 
 
-def runs() -> Iterator[Case]:
+def runs() -> Iterator[FuzzInput]:
     """Whole assessments, which take tenths of a second."""
     for name, text in (("run", projects.RUN), ("verdict", projects.VERDICT)):
-        yield Case("run", name, {PROJECT: text.encode()}, PROJECT, RUN, shows=RESULTS)
+        yield FuzzInput("run", name, {PROJECT: text.encode()}, PROJECT, RUN, shows=RESULTS)
 
 
-def uncertain() -> Iterator[Case]:
+def uncertain() -> Iterator[FuzzInput]:
     """A run with uncertain numbers."""
-    yield Case("uncertain", "run", {PROJECT: projects.UNCERTAIN.encode()}, PROJECT, RUN, shows=RESULTS)
+    yield FuzzInput("uncertain", "run", {PROJECT: projects.UNCERTAIN.encode()}, PROJECT, RUN, shows=RESULTS)
 
 
-def portfolios() -> Iterator[Case]:
+def portfolios() -> Iterator[FuzzInput]:
     """A table of three walls, and its template."""
     files = {"table.csv": TABLE.encode(), "template.toml": projects.WALL.encode()}
     for target in files:
-        yield Case("portfolio", target, files, target, BATCH, shows="out/ranked.csv")
+        yield FuzzInput("portfolio", target, files, target, BATCH, shows="out/ranked.csv")
 
 
-def locks() -> Iterator[Case]:
+def locks() -> Iterator[FuzzInput]:
     """A run whose records are locked."""
-    yield Case("lock", "run", locked(), "records.lock.toml", RUN, shows=RESULTS)
+    yield FuzzInput("lock", "run", locked(), "records.lock.toml", RUN, shows=RESULTS)
 
 
-def fragilities() -> Iterator[Case]:
+def fragilities() -> Iterator[FuzzInput]:
     """Fragility with hazards in the project, in two columns, and from OpenQuake."""
     for name, (hazard, target, files) in {
         "project": (projects.HAZARD, PROJECT, {}),
@@ -64,25 +64,25 @@ def fragilities() -> Iterator[Case]:
         "openquake": (SITE, "hazard.csv", {"hazard.csv": CURVES.encode()}),
     }.items():
         project = (projects.FRAGILITY % hazard).encode()
-        yield Case("fragility", name, {**_motions(), PROJECT: project, **files}, target, FRAGILITY)
+        yield FuzzInput("fragility", name, {**_motions(), PROJECT: project, **files}, target, FRAGILITY)
 
 
-def summaries() -> Iterator[Case]:
+def summaries() -> Iterator[FuzzInput]:
     """The row of a run, from its results."""
-    yield Case("summary", "run", {"b.json": results_file()}, "b.json", ("summary", "{}/b.json", "--json"))
+    yield FuzzInput("summary", "run", {"b.json": results_file()}, "b.json", ("summary", "{}/b.json", "--json"))
 
 
-def annexes() -> Iterator[Case]:
+def annexes() -> Iterator[FuzzInput]:
     """A run whose report names an annex of verification."""
     named = projects.RUN + '[report]\nverification = "annex/verification.json"\n'
     files = {PROJECT: named.encode(), "annex/verification.json": annex_file()}
-    yield Case("annex", "run", files, "annex/verification.json", RUN, shows=RESULTS)
+    yield FuzzInput("annex", "run", files, "annex/verification.json", RUN, shows=RESULTS)
 
 
-def reports() -> Iterator[Case]:
+def reports() -> Iterator[FuzzInput]:
     """Reports again, which take seconds: for the class "report"."""
     for name, data in (("results", results_file()), ("fragility", fragility_file())):
-        yield Case(
+        yield FuzzInput(
             "report", name, {f"{name}.json": data}, f"{name}.json", ("report", f"{{}}/{name}.json", "-o", "{}/out")
         )
 
@@ -139,9 +139,9 @@ def made(files: dict[str, bytes], *arguments: str) -> dict[str, bytes]:
 
 
 def _end(arguments: list[str]) -> None:
-    with contextlib.redirect_stderr(io.StringIO()) as said:
+    with contextlib.redirect_stderr(io.StringIO()) as errors:
         try:
             main(arguments)
         except SystemExit as end:
             if end.code not in (0, 1, 3):
-                raise RuntimeError(said.getvalue()) from None
+                raise RuntimeError(errors.getvalue()) from None

@@ -11,7 +11,7 @@ from typing import Any
 from hypothesis import HealthCheck, Phase, given, seed, settings
 from hypothesis import strategies as st
 
-from tools.fuzz.case import Case, Edit, rewritten
+from tools.fuzz.fuzz_input import Edit, FuzzInput, rewritten
 
 Path = tuple[str | int, ...]
 NUMBERS = (
@@ -134,19 +134,19 @@ def drawn(strategy: st.SearchStrategy[Any], *, start: int, count: int) -> list[A
     return found
 
 
-def toml_edits(case: Case, *, start: int, count: int) -> list[tuple[Edit, ...]]:
+def toml_edits(case: FuzzInput, *, start: int, count: int) -> list[tuple[Edit, ...]]:
     """Structured edits of a project file."""
     return _edits(case, tomllib.loads(case.data.decode()), toml, start=start, count=count)
 
 
-def json_edits(case: Case, *, start: int, count: int) -> list[tuple[Edit, ...]]:
+def json_edits(case: FuzzInput, *, start: int, count: int) -> list[tuple[Edit, ...]]:
     """Structured edits of a file of JSON."""
     return _edits(
         case, json.loads(case.data), lambda tree: json.dumps(tree, ensure_ascii=False), start=start, count=count
     )
 
 
-def _edits(case: Case, tree: Any, text: Callable[[Any], str], *, start: int, count: int) -> list[tuple[Edit, ...]]:
+def _edits(case: FuzzInput, tree: Any, text: Callable[[Any], str], *, start: int, count: int) -> list[tuple[Edit, ...]]:
     found = []
     for new, where, what in drawn(changed(tree, sorted(places(tree), key=str)), start=start, count=count):
         data = text(new).encode("utf-8", "surrogatepass")

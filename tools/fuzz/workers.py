@@ -14,7 +14,7 @@ from multiprocessing.connection import Connection, wait
 from pathlib import Path
 
 from tools.fuzz.answer import answer
-from tools.fuzz.case import Case
+from tools.fuzz.fuzz_input import FuzzInput
 from tools.fuzz.judge import Judge
 from tools.fuzz.judgement import BROKEN, HANG, MEMORY, SILENT, Judged, judged_dead
 from tools.fuzz.mutations import Batch, cases_of
@@ -23,7 +23,7 @@ from tools.fuzz.seeds import seed_case
 CONTEXT = get_context("spawn")
 HANGS_AFTER = 320.0  # s: readers in processes of their own may take 60 s of the processor, on a busy machine 300
 ROOM = 2 * 1024**3  # bytes of address space beyond those of the process when it starts
-Take = Callable[[Case, Judged, Case], None]
+Take = Callable[[FuzzInput, Judged, FuzzInput], None]
 """Hears of a case without its files, its outcome, and the smallest case with the same, whole where one will read it."""
 
 

@@ -32,7 +32,7 @@ def _responses():
     }  # fmt: skip
 
 
-def shaken():
+def largest_and_overturned():
     """Largest |theta| / alpha of the blocks that stand, and which overturn."""
     found = _responses()
     return {
@@ -41,4 +41,4 @@ def shaken():
     }
 
 
-VALUES = {"yim_1980/shaken_blocks": shaken}
+VALUES = {"yim_1980/shaken_blocks": largest_and_overturned}

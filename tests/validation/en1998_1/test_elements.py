@@ -26,19 +26,19 @@ PARAPET = equivalent_block("parapet", p=3.0, uplift=0.2, radius=0.8).oscillator 
 
 ADMITTED = partial(apply_procedure, EC8_ELEMENT.name, partial(assess_element, options=Ec8Options()))
 """The procedure where it may be asked."""
-at = partial(context_at, SPECTRUM, (0.3 * g,), building=HOUSE)
+at_height = partial(context_at, SPECTRUM, (0.3 * g,), building=HOUSE)
 
 
 @pytest.mark.parametrize(
     ("height", "ratio", "coefficient"), [(0.0, 0.0, 0.300), (5.0, 0.5, 0.930), (10.0, 1.0, 1.650), (10.0, 0.0, 0.750)]
 )
 def test_seismic_coefficient(height, ratio, coefficient) -> None:
-    assert 0.3 * amplification(ratio, at(height)) == pytest.approx(coefficient, rel=1e-12)
+    assert 0.3 * amplification(ratio, at_height(height)) == pytest.approx(coefficient, rel=1e-12)
 
 
 def test_a_parapet_on_the_roof() -> None:
     """F_a / W_a = 0.75 x 1.5 / 1 = 1.125 beside lambda = 0.20271: D/C 5.5498; PGA at capacity 0.3 / 5.5498 g."""
-    (check,) = assess_element(PARAPET, at(10.0), options=Ec8Options(importance_factor=1.5))
+    (check,) = assess_element(PARAPET, at_height(10.0), options=Ec8Options(importance_factor=1.5))
     assert (check.demand, check.capacity) == pytest.approx((1.125, 0.20271), rel=1e-4)
     assert check.ratio == pytest.approx(5.5498, rel=1e-4)
     assert check.capacity_pga_g == pytest.approx(0.3 / 5.5498, rel=1e-4)
@@ -48,7 +48,7 @@ def test_a_parapet_on_the_roof() -> None:
 
 def test_a_wall_between_floors_at_the_mean_of_its_supports() -> None:
     """From 2 to 4 m of 10 m: z/H = 0.3, S_a = 0.3 (1.5 x 1.3 - 0.5) = 0.435; q_a = 2."""
-    spanning = at(2.0, support="spanning", wall=Wall(2.0, 0.3), rise=2.0)
+    spanning = at_height(2.0, support="spanning", wall=Wall(2.0, 0.3), rise=2.0)
     (check,) = assess_element(PARAPET, spanning, options=Ec8Options())
     assert check.demand == pytest.approx(0.2175, rel=1e-9)
     (own,) = assess_element(PARAPET, spanning, options=Ec8Options(behaviour_factor=1.0))
@@ -73,41 +73,41 @@ def test_an_element_that_vibrates_has_its_own_period() -> None:
     by_hand = 2 * np.pi * np.sqrt(branch.inertia[0] / stiffness)
     assert element_period(branch) == pytest.approx(by_hand, rel=1e-4)
     house = dataclasses.replace(HOUSE, period=4.0 * element_period(branch))
-    (check,) = assess_element(soft(), at(10.0, building=house), options=Ec8Options())
+    (check,) = assess_element(soft(), at_height(10.0, building=house), options=Ec8Options())
     assert check.demand == pytest.approx(0.3 * 3.34, rel=1e-9)
     assert check.uplift_pga_g is None
-    (unknown,) = assess_element(soft(), at(0.0, building=None), options=Ec8Options())
+    (unknown,) = assess_element(soft(), at_height(0.0, building=None), options=Ec8Options())
     assert unknown.demand == pytest.approx(0.3 * 2.5, rel=1e-12)
 
 
 def test_above_ground_without_a_building_it_can_fail_but_not_pass() -> None:
     for level, verdict in ((0.1 * g, "not-answered"), (0.3 * g, "fail")):
-        (check,) = ADMITTED(PARAPET, dataclasses.replace(at(5.0, building=None), levels=(level,)))
+        (check,) = ADMITTED(PARAPET, dataclasses.replace(at_height(5.0, building=None), levels=(level,)))
         assert check.verdict == verdict
-    (above,) = ADMITTED(PARAPET, dataclasses.replace(at(11.0), levels=(0.01 * g,)))
+    (above,) = ADMITTED(PARAPET, dataclasses.replace(at_height(11.0), levels=(0.01 * g,)))
     assert (above.verdict, above.reason.key) == ("not-answered", Reason.ABOVE_BUILDING)
 
 
 def test_on_a_spectrum_of_another_family_it_says_so() -> None:
-    american = dataclasses.replace(at(), spectrum=design_spectrum(s_ds=0.5 * g, s_d1=0.2 * g, t_l=6.0))
+    american = dataclasses.replace(at_height(), spectrum=design_spectrum(s_ds=0.5 * g, s_d1=0.2 * g, t_l=6.0))
     (check,) = assess_element(PARAPET, american, options=Ec8Options())
     assert "one of asce7-16" in check.caveat
 
 
 def test_a_wall_that_carries_floors_has_no_accepted_method() -> None:
-    (check,) = ADMITTED(PARAPET, dataclasses.replace(at(10.0), levels=(0.01 * g,), carries_floors=True))
+    (check,) = ADMITTED(PARAPET, dataclasses.replace(at_height(10.0), levels=(0.01 * g,), carries_floors=True))
     assert (check.verdict, check.reason.key) == ("not-answered", Reason.CARRIES_FLOORS)
-    (light,) = ADMITTED(PARAPET, dataclasses.replace(at(10.0), levels=(0.01 * g,)))
+    (light,) = ADMITTED(PARAPET, dataclasses.replace(at_height(10.0), levels=(0.01 * g,)))
     assert light.verdict == "pass"
 
 
 def test_on_a_table_alpha_s_has_to_be_given_by_name() -> None:
     """A table that begins at 0.24 g: with alpha S = 0.3 g the answer is that of the spectrum that begins with it."""
     table = table_spectrum(np.array([0.0, 0.15, 0.5]), np.array([0.24, 0.75, 0.75]) * g)
-    on_table = dataclasses.replace(at(10.0), spectrum=table, levels=(0.24 * g,))
+    on_table = dataclasses.replace(at_height(10.0), spectrum=table, levels=(0.24 * g,))
     (silent,) = assess_element(PARAPET, on_table, options=Ec8Options())
     assert (silent.verdict, silent.reason.key) == ("not-answered", Reason.NOT_BY_NAME)
     (named,) = assess_element(PARAPET, on_table, options=Ec8Options(alpha_s=0.3))
-    (code,) = assess_element(PARAPET, at(10.0), options=Ec8Options())
+    (code,) = assess_element(PARAPET, at_height(10.0), options=Ec8Options())
     assert (named.ratio, named.verdict) == (pytest.approx(code.ratio, rel=1e-12), code.verdict)
     assert named.capacity_pga_g == pytest.approx(0.8 * code.capacity_pga_g, rel=1e-12)

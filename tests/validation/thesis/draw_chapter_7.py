@@ -45,7 +45,7 @@ PENS = {  # colour, width, dash; the semi-flexible one is drawn over the flexibl
 
 
 @dataclass(frozen=True)
-class Case:
+class Panel:
     """One panel: a mechanism on joints of each model, and the slenderness its rotations are divided by [rad]."""
 
     title: str
@@ -53,18 +53,18 @@ class Case:
     slenderness: float
 
 
-Curve = Callable[[Case, str], Trace]
+Curve = Callable[[Panel, str], Trace]
 
 
-def wall_of(stiffness: float) -> Case:
+def wall_of(stiffness: float) -> Panel:
     """The wall of 1 x 2 x 6 m on joints of a stiffness [Pa/m]."""
-    return Case(stiff(stiffness), partial(wall, stiffness), atan2(0.5, 3.0))
+    return Panel(stiff(stiffness), partial(wall, stiffness), atan2(0.5, 3.0))
 
 
-def storey_under(load: float) -> Case:
+def storey_under(load: float) -> Panel:
     """The wall of two blocks under a load over its weight."""
     alpha = storey(340e6, "rigid", over=load)[1]
-    return Case(f"F = {load:g} W", lambda model: storey(340e6, model, over=load)[0], alpha)
+    return Panel(f"F = {load:g} W", lambda model: storey(340e6, model, over=load)[0], alpha)
 
 
 def stiff(stiffness: float) -> str:
@@ -72,13 +72,13 @@ def stiff(stiffness: float) -> str:
     return f"kₙ = {stiffness / 1e6:g} MPa/m"
 
 
-def released(case: Case, model: str, *, duration: float) -> Trace:
+def released(case: Panel, model: str, *, duration: float) -> Trace:
     """Let go at 0.8 of its slenderness, on still ground."""
     still = make_record("still ground", np.zeros(round(duration / STEP) + 1), STEP)
     return trace(case.make(model), still, scale=1.0, equation="exact", release=RELEASE * case.slenderness)
 
 
-def shaken(case: Case, model: str, *, level: float) -> Trace:
+def under_record(case: Panel, model: str, *, level: float) -> Trace:
     """Under the artificial record at a peak ground acceleration [m/s2]."""
     return trace(case.make(model), ground(), scale=level / ground().pga, equation="exact")
 
@@ -89,7 +89,7 @@ def ground() -> Record:
     return artificial_records(design_spectrum(s_ds=1.0 * g, s_d1=0.6 * g, t_l=6.0), count=1, seed=7)[0]
 
 
-def free_figure(caption: str, cases: list[Case], *, duration: float) -> Figure:
+def free_figure(caption: str, cases: list[Panel], *, duration: float) -> Figure:
     """Rotation over time of every case, released."""
     with report_style():
         figure = sheet(0.9 + 1.15 * len(cases), Locale())
@@ -99,19 +99,19 @@ def free_figure(caption: str, cases: list[Case], *, duration: float) -> Figure:
         return figure
 
 
-def history_figure(caption: str, cases: list[Case], *, level: float, until: float = 20.0) -> Figure:
+def history_figure(caption: str, cases: list[Panel], *, level: float, until: float = 20.0) -> Figure:
     """The ground's acceleration [g], and below it the rotation of every case under it, for so long [s]."""
     with report_style():
         figure = sheet(1.7 + 1.25 * len(cases), Locale())
         above, *rows = figure.subplots(len(cases) + 1, 1, sharex=True)
         above.plot(ground().time, ground().acceleration * (level / ground().pga / g), color=INK, linewidth=0.6)
         above.set(ylabel="ground [g]", title=f"artificial record, peak {level / g:.3g} g")
-        finished(figure, rows, cases, partial(shaken, level=level), caption)
+        finished(figure, rows, cases, partial(under_record, level=level), caption)
         above.set_xlim(0.0, until)
         return figure
 
 
-def finished(figure: Figure, rows: list[Axes], cases: list[Case], curve: Curve, caption: str) -> None:
+def finished(figure: Figure, rows: list[Axes], cases: list[Panel], curve: Curve, caption: str) -> None:
     """The panels with their curves, the legend above and the caption below."""
     named = {}
     for axes, case in zip(rows, cases, strict=True):
@@ -129,7 +129,7 @@ def finished(figure: Figure, rows: list[Axes], cases: list[Case], curve: Curve, 
     figure.supxlabel(fill(caption, 128), x=0.01, ha="left", fontsize=7)
 
 
-def curves(case: Case, curve: Curve) -> Iterator[tuple[str, np.ndarray, np.ndarray, bool]]:
+def curves(case: Panel, curve: Curve) -> Iterator[tuple[str, np.ndarray, np.ndarray, bool]]:
     """Of each model: its name, time [s], rotation over slenderness [-] as far as BEYOND, and whether it goes there."""
     for model in PENS:
         found = curve(case, model)
@@ -167,7 +167,7 @@ def of_walls() -> Iterator[tuple[str, Figure]]:
         "7-04-wall-released-by-slenderness",
         free_figure(
             f"As thesis Fig. 7.4: walls of one radius, 3.04 m, let go at 0.8 α₀, kₙ = 340 MPa/m, {BLOCKS}; {NEAR}.",
-            [Case(f"α₀ = {alpha:.2f} rad", partial(wall, 340e6, slenderness=alpha), alpha) for alpha in SLENDERNESSES],
+            [Panel(f"α₀ = {alpha:.2f} rad", partial(wall, 340e6, slenderness=alpha), alpha) for alpha in SLENDERNESSES],
             duration=25.0,
         ),
     )
@@ -212,7 +212,7 @@ def of_frames() -> Iterator[tuple[str, Figure]]:
         (20, True, "a frame of two columns of 0.8 × 1 × 4 m", NEAR),
         (22, False, "a frame of unlike columns on two levels, restitution 0.90,", UNLIKE),
     ):
-        cases = [Case(stiff(k), partial(frame, k, even=even), atan2(0.8, 4.0)) for k in HISTORY_STIFFNESSES]
+        cases = [Panel(stiff(k), partial(frame, k, even=even), atan2(0.8, 4.0)) for k in HISTORY_STIFFNESSES]
         yield (
             f"7-{number}-frame-released",
             free_figure(

@@ -146,19 +146,19 @@ def test_run_names_the_annex_and_what_has_no_case(written, tmp_path):
     assert {"wall-verification/verification.json", "wall-verification/verification.pdf"} < {
         e.path for e in study.inputs
     }
-    (told,) = [each for each in study.messages if each.key == "annex-uncovered"]
-    assert "spectrum of ASCE 7-16" in told.text
-    assert "asce7-16" not in told.text
+    (message,) = [each for each in study.messages if each.key == "annex-uncovered"]
+    assert "spectrum of ASCE 7-16" in message.text
+    assert "asce7-16" not in message.text
 
 
 def test_annex_of_other_sources_is_told(written, tmp_path):
     _, folder = written
     results = read_verification(folder / "verification.json")
     other = replace(results, program=replace(results.program, sha256="0" * 64))
-    assert "annex-other-sources" in told(tmp_path, dumps_verification(other))
+    assert "annex-other-sources" in annex_message_keys(tmp_path, dumps_verification(other))
 
 
-def told(folder, text, pdf=b""):
+def annex_message_keys(folder, text, pdf=b""):
     """Keys of what a run says of an annex of this text, with this PDF beside it."""
     (folder / "v.json").write_text(text, encoding="utf-8")
     if pdf:
@@ -179,14 +179,14 @@ def test_annex_edited_by_hand_is_refused(written, tmp_path, old, new):
     text = (folder / "verification.json").read_text(encoding="utf-8")
     assert old in text
     with pytest.raises(ProjectError, match="was changed since it was written"):
-        told(tmp_path, text.replace(old, new))
+        annex_message_keys(tmp_path, text.replace(old, new))
 
 
 def test_annex_without_cases_is_refused(written, tmp_path):
     _, folder = written
     results = replace(read_verification(folder / "verification.json"), cases=())
     with pytest.raises(ProjectError, match="has no cases"):
-        told(tmp_path, dumps_verification(results))
+        annex_message_keys(tmp_path, dumps_verification(results))
 
 
 @pytest.mark.parametrize(
@@ -236,18 +236,18 @@ def test_words_of_cases_are_those_that_the_cases_give():
 def test_pdf_of_another_annex_is_told(written, tmp_path):
     _, folder = written
     text, pdf = (folder / "verification.json").read_text(encoding="utf-8"), (folder / "verification.pdf").read_bytes()
-    assert "annex-pdf" in told(tmp_path, text)
-    assert "annex-pdf" in told(tmp_path, text, pdf + b"%")
-    assert "annex-pdf" not in told(tmp_path, text, pdf)
+    assert "annex-pdf" in annex_message_keys(tmp_path, text)
+    assert "annex-pdf" in annex_message_keys(tmp_path, text, pdf + b"%")
+    assert "annex-pdf" not in annex_message_keys(tmp_path, text, pdf)
 
 
 def test_failing_quick_and_chosen_cases_are_told(written, tmp_path):
     _, folder = written
     results = read_verification(folder / "verification.json")
     (case,) = results.cases
-    assert {"annex-left-out"} <= told(tmp_path, dumps_verification(results))
+    assert {"annex-left-out"} <= annex_message_keys(tmp_path, dumps_verification(results))
     worse = replace(results, quick=True, cases=(case, replace(case, key="a/b", fault="no <b>convergence</b>")))
-    assert {"annex-quick", "annex-failures"} <= told(tmp_path, dumps_verification(worse))
+    assert {"annex-quick", "annex-failures"} <= annex_message_keys(tmp_path, dumps_verification(worse))
 
 
 def test_case_with_a_wider_tolerance_is_not_the_program_s(written, tmp_path):
@@ -261,7 +261,7 @@ def test_case_with_a_wider_tolerance_is_not_the_program_s(written, tmp_path):
     assert done.returncode == 0
     assert "1 case not as with the program: own_arithmetic/tie" in done.stdout
     text = (tmp_path / "out" / "verification.json").read_text(encoding="utf-8")
-    assert "annex-foreign" in told(tmp_path, text)
+    assert "annex-foreign" in annex_message_keys(tmp_path, text)
 
 
 def test_case_of_one_s_own_under_examples_is_not_the_program_s(written, tmp_path):

@@ -29,7 +29,7 @@ def on_joints(branch: Branch, share: float) -> Branch:
     return replace(branch, overturning_flexible=share * branch.overturning)
 
 
-def told(rocker: Oscillator, *suites: SuiteResponse):
+def history_checks(rocker: Oscillator, *suites: SuiteResponse):
     levels = tuple(suite.pga for suite in suites)
     context = Context(SPECTRUM, levels, 0.0, 0.0, None, suites=suites, incremental=suites)
     return apply_procedure("asce43-05-history", partial(assess_history, options=Asce43Options()), rocker, context)
@@ -40,12 +40,12 @@ def test_each_record_counts_by_what_overturns_its_own_branch() -> None:
     rocker = replace(WALL, positive=on_joints(WALL.positive, 0.8), negative=on_joints(WALL.positive, 0.4))
     branches = ("positive", "positive", "positive", "negative", "negative")
     suite = SuiteResponse(0.2 * g, (0.2, 0.2, 0.2, 0.3, 0.3), "negative", branches)
-    (check,) = told(rocker, suite)
+    (check,) = history_checks(rocker, suite)
     assert check.ratio == pytest.approx((3 * 0.25 + 2 * 0.75) / 5 / 0.5, rel=1e-12)
     assert (check.verdict, check.branch) == ("pass", "negative")
     assert check.capacity_rotation_ratio == pytest.approx(0.5 * 0.4, rel=1e-12)
     assert check.rotation_ratio / check.capacity_rotation_ratio == pytest.approx(check.ratio, rel=1e-12)
-    (all_there,) = told(rocker, replace(suite, branches=()))
+    (all_there,) = history_checks(rocker, replace(suite, branches=()))
     assert all_there.ratio == pytest.approx((3 * 0.5 + 2 * 0.75) / 5 / 0.5, rel=1e-12)
     assert all_there.verdict == "fail"
 
@@ -63,11 +63,11 @@ def test_each_record_counts_by_what_overturns_its_own_branch() -> None:
     ],
 )
 def test_the_rule_of_histories(ratio, verdict, reason) -> None:
-    (check,) = told(WALL, SuiteResponse(0.2 * g, ratio, "positive"))
+    (check,) = history_checks(WALL, SuiteResponse(0.2 * g, ratio, "positive"))
     assert (check.verdict, check.reason.key) == (verdict, reason)
 
 
-def asked(rocker: Oscillator, *levels: float, **more):
+def spectrum_checks(rocker: Oscillator, *levels: float, **more):
     context = Context(SPECTRUM, levels, 0.0, more.pop("elevation", 0.0), None, **more)
     return apply_procedure(
         "asce43-05-spectrum", partial(asce43_05.assess_spectrum, options=Asce43Options()), rocker, context
@@ -76,39 +76,39 @@ def asked(rocker: Oscillator, *levels: float, **more):
 
 def test_a_third_of_what_overturns_is_allowed_with_half_beside_it() -> None:
     rocker = replace(WALL, positive=on_joints(WALL.positive, 0.9), negative=on_joints(WALL.positive, 0.9))
-    (check,) = asked(rocker, 0.2 * g)
+    (check,) = spectrum_checks(rocker, 0.2 * g)
     overturns = 0.9 * WALL.positive.overturning
     found = {step.symbol: step.value for step in check.steps}
     assert check.capacity == pytest.approx(overturns / 3.0, rel=1e-12)
     assert check.capacity_rotation_ratio == pytest.approx(0.3, rel=1e-12)
     assert found["θ_1/2"] == pytest.approx(overturns / 2.0, rel=1e-12)
     assert found["PGA(θ_1/2)"] > check.capacity_pga_g
-    (half,) = asked(rocker, found["PGA(θ_1/2)"] * g)
+    (half,) = spectrum_checks(rocker, found["PGA(θ_1/2)"] * g)
     assert (half.verdict, half.demand) == ("fail", pytest.approx(overturns / 2.0, rel=1e-6))
 
 
 def test_of_a_body_that_rocks_one_way_it_says_nothing() -> None:
-    (check,) = asked(replace(WALL, negative=None), 0.01 * g)
+    (check,) = spectrum_checks(replace(WALL, negative=None), 0.01 * g)
     assert (check.verdict, check.reason.key) == ("not-applicable", Reason.ONE_SIDED)
 
 
 def test_upstairs_it_goes_by_the_floor_s_spectrum_and_without_one_it_can_only_fail() -> None:
     """A floor that doubles every ordinate halves the PGA at capacity and at uplift."""
-    (ground,) = asked(WALL, 0.05 * g)
+    (ground,) = spectrum_checks(WALL, 0.05 * g)
     floor = replace(SPECTRUM, factor=2.0, code="floor")
-    low, high = asked(WALL, 0.02 * g, 2.0 * g, elevation=5.0, floor_spectrum=floor)
+    low, high = spectrum_checks(WALL, 0.02 * g, 2.0 * g, elevation=5.0, floor_spectrum=floor)
     assert (low.verdict, high.verdict) == ("pass", "fail")
     assert {low.input_at, high.input_at} == {"mechanism base"}
     assert low.capacity_pga_g == pytest.approx(ground.capacity_pga_g / 2.0, rel=1e-6)
     assert low.uplift_pga_g == pytest.approx(ground.uplift_pga_g / 2.0, rel=1e-12)
     assert not any(remark.key == "ground-motion" for remark in low.remarks)
-    low, high = asked(WALL, 0.02 * g, 2.0 * g, elevation=5.0)
+    low, high = spectrum_checks(WALL, 0.02 * g, 2.0 * g, elevation=5.0)
     assert (low.verdict, low.reason.key, high.verdict) == ("not-answered", Reason.GROUND_MOTION, "fail")
 
 
 def test_a_floor_s_spectrum_plays_no_part_on_the_ground() -> None:
     floor = replace(SPECTRUM, factor=2.0, code="floor")
-    (with_floor,), (without,) = asked(WALL, 0.2 * g, floor_spectrum=floor), asked(WALL, 0.2 * g)
+    (with_floor,), (without,) = spectrum_checks(WALL, 0.2 * g, floor_spectrum=floor), spectrum_checks(WALL, 0.2 * g)
     assert (with_floor.demand, with_floor.input_at) == (without.demand, "ground")
 
 
@@ -116,7 +116,7 @@ def test_a_floor_with_a_peak_of_its_own_never_demands_less() -> None:
     """Peaks anywhere, of any height, over the ground's spectrum: the PGA at capacity only falls."""
     rng = np.random.default_rng(5)
     levels = tuple(rng.uniform(0.02, 0.5, 6) * g)
-    plain = asked(WALL, *levels, elevation=5.0, floor_spectrum=SPECTRUM)
+    plain = spectrum_checks(WALL, *levels, elevation=5.0, floor_spectrum=SPECTRUM)
     for _ in range(20):
         at, height, width = rng.uniform(0.05, 4.0), rng.uniform(0.5, 5.0), rng.uniform(0.05, 0.3)
 
@@ -124,7 +124,7 @@ def test_a_floor_with_a_peak_of_its_own_never_demands_less() -> None:
             peak = 1.0 + height * np.exp(-((np.log(np.maximum(period, 1e-9) / at) / width) ** 2))
             return SPECTRUM.ordinates(period, damping) * peak
 
-        peaked = asked(WALL, *levels, elevation=5.0, floor_spectrum=replace(SPECTRUM, ordinates=ordinates))
+        peaked = spectrum_checks(WALL, *levels, elevation=5.0, floor_spectrum=replace(SPECTRUM, ordinates=ordinates))
         for before, after in zip(plain, peaked, strict=True):
             assert after.capacity_pga_g <= before.capacity_pga_g * (1 + 1e-9)
             assert np.inf if after.demand is None else after.demand >= (before.demand or 0.0) * (1 - 1e-9)

@@ -31,7 +31,7 @@ PROCEDURES = {"ntc2018-linear": ntc2018.assess_linear, "ntc2018-nonlinear": ntc2
 WALL = equivalent_block("w", p=1.6, uplift=0.2, radius=3.0).oscillator
 
 
-def asked(procedure="ntc2018-nonlinear", *, state="SLV", factor=None, spectrum=None, building=None, **more):
+def italian_checks(procedure="ntc2018-nonlinear", *, state="SLV", factor=None, spectrum=None, building=None, **more):
     used = spectrum or SPECTRA["SLV"]
     context = Context(used, (used.pga,), 0.0, more.pop("elevation", 0.0), building, **more)
     options = ItalianOptions(factor, (state,))
@@ -41,70 +41,70 @@ def asked(procedure="ntc2018-nonlinear", *, state="SLV", factor=None, spectrum=N
 @pytest.mark.parametrize("level", [None, "LC1", "LC2", "LC3"])
 @pytest.mark.parametrize("procedure", PROCEDURES)
 def test_without_crushing_the_factor_is_that_of_lc1_whatever_the_level(procedure, level):
-    (check,) = asked(procedure, knowledge={} if level is None else {"ntc2018": level})
+    (check,) = italian_checks(procedure, knowledge={} if level is None else {"ntc2018": level})
     assert (step_values(check)["FC"], check.verdict, check.informative) == (1.35, Outcome.PASS, False)
 
 
 def test_a_lower_factor_is_shown_and_never_decides_and_a_larger_one_does():
-    deciding, informing = asked(factor=1.1)
+    deciding, informing = italian_checks(factor=1.1)
     assert (step_values(deciding)["FC"], deciding.informative) == (1.35, False)
     assert (step_values(informing)["FC"], informing.informative) == (1.1, True)
     assert "lower-confidence-factor" in [each.key for each in informing.remarks]
-    (larger,) = asked(factor=1.5)
+    (larger,) = italian_checks(factor=1.5)
     assert (step_values(larger)["FC"], larger.informative) == (1.5, False)
-    assert [step_values(each)["FC"] for each in asked(factor=1.35)] == [1.35]
+    assert [step_values(each)["FC"] for each in italian_checks(factor=1.35)] == [1.35]
 
 
 def test_crushing_without_a_level_is_not_answered_and_says_what_lc1_would():
-    (check,) = asked(crushing=True)
+    (check,) = italian_checks(crushing=True)
     assert (check.verdict, check.provisional) == (Outcome.NOT_ANSWERED, Outcome.PASS)
     assert (check.reason.key, check.reason.where) == (Reason.KNOWLEDGE_UNKNOWN, "procedures.ntc2018.knowledge_level")
     assert step_values(check)["FC"] == 1.35
-    (known,) = asked(crushing=True, knowledge={"ntc2018": "LC2"})
+    (known,) = italian_checks(crushing=True, knowledge={"ntc2018": "LC2"})
     assert (known.verdict, step_values(known)["FC"]) == (Outcome.PASS, 1.2)
-    (other,) = asked(crushing=True, knowledge={"dmi2008": "LC2"})
+    (other,) = italian_checks(crushing=True, knowledge={"dmi2008": "LC2"})
     assert other.verdict == Outcome.NOT_ANSWERED
 
 
 def test_without_a_seat_slc_is_not_answered_and_slv_passes_on_that_condition():
-    (slc,) = asked(state="SLC", open_seats=(FLOOR,))
+    (slc,) = italian_checks(state="SLC", open_seats=(FLOOR,))
     assert (slc.verdict, slc.provisional, slc.reason.key) == (
         Outcome.NOT_ANSWERED,
         None,
         Reason.SEAT_UNKNOWN,
     )
-    (slv,) = asked(open_seats=(FLOOR,))
+    (slv,) = italian_checks(open_seats=(FLOOR,))
     assert slv.verdict == Outcome.PASS
     (condition,) = slv.conditions
     assert condition.key == "seats-hold"
     moved = condition.values["seats"].values["moved"].value
     assert moved == pytest.approx(6.0 * slv.capacity_rotation_ratio * WALL.branches[0].overturning, rel=1e-6)
     assert moved > 1.5 * slv.capacity  # 6 m up, where the centre of masses is 2.9 m up
-    assert asked()[0].conditions == ()
+    assert italian_checks()[0].conditions == ()
 
 
 def test_everything_that_is_missing_is_said_at_once():
-    (check,) = asked(state="SLC", open_seats=(FLOOR,), crushing=True)
+    (check,) = italian_checks(state="SLC", open_seats=(FLOOR,), crushing=True)
     told = {check.reason.key, *(each.key for each in check.remarks)}
     assert {Reason.KNOWLEDGE_UNKNOWN, Reason.SEAT_UNKNOWN} <= told
 
 
 def test_a_single_spectrum_answers_for_the_limit_state_it_is_declared_for():
-    assert asked(limit_state="SLV")[0].verdict == Outcome.PASS
-    (slc,) = asked(state="SLC", limit_state="SLV")
+    assert italian_checks(limit_state="SLV")[0].verdict == Outcome.PASS
+    (slc,) = italian_checks(state="SLC", limit_state="SLV")
     assert (slc.verdict, slc.provisional, slc.reason.key) == (
         Outcome.NOT_ANSWERED,
         None,
         Reason.OTHER_LIMIT_STATE,
     )
-    (sld,) = asked("ntc2018-linear", state="SLD", limit_state="SLV")  # a stronger action than its own
+    (sld,) = italian_checks("ntc2018-linear", state="SLD", limit_state="SLV")  # a stronger action than its own
     assert (sld.verdict, sld.provisional) == (Outcome.NOT_ANSWERED, Outcome.PASS)
-    assert asked(state="SLC")[0].verdict == Outcome.PASS  # nobody says: the verdict asks for site.limit_state
+    assert italian_checks(state="SLC")[0].verdict == Outcome.PASS  # nobody says: the verdict asks for site.limit_state
 
 
 def test_a_hazard_that_does_not_reach_a_limit_state_does_not_answer_it():
     short = SiteHazard({state: SPECTRA[state] for state in ("SLD", "SLV")}, (30.0, 475.0), (0.02 * g, 0.05 * g))
-    (check,) = asked(state="SLC", hazard=short)
+    (check,) = italian_checks(state="SLC", hazard=short)
     assert (check.verdict, check.provisional, check.reason.where) == (
         Outcome.NOT_ANSWERED,
         None,
@@ -114,10 +114,10 @@ def test_a_hazard_that_does_not_reach_a_limit_state_does_not_answer_it():
 
 def test_each_limit_state_is_judged_at_its_own_action():
     hazard = SiteHazard(SPECTRA, (30.0, 475.0, 975.0), (0.02 * g, 0.05 * g, 0.06 * g))
-    (sld,) = asked("ntc2018-linear", state="SLD", hazard=hazard)
+    (sld,) = italian_checks("ntc2018-linear", state="SLD", hazard=hazard)
     assert sld.demand == pytest.approx(0.02 * g, rel=1e-12)
     assert sld.safety_index == pytest.approx(sld.capacity_pga_g / 0.02, rel=1e-12)
-    assert asked("ntc2018-linear", hazard=hazard)[0].demand == pytest.approx(0.05 * g / 2, rel=1e-12)
+    assert italian_checks("ntc2018-linear", hazard=hazard)[0].demand == pytest.approx(0.05 * g / 2, rel=1e-12)
 
 
 @pytest.mark.parametrize("procedure", PROCEDURES)
@@ -126,7 +126,7 @@ def test_a_table_that_ends_before_the_building_s_periods_answers_nothing(procedu
     house = Building(9.0, 3, 0.9, 0.05)
     for end, linear_answers, nonlinear_answers in ((0.8, False, False), (1.9, True, False), (9.0, True, True)):
         spectrum = table_spectrum([0.0, 0.1, 0.5, end], [0.05 * g, 0.1 * g, 0.1 * g, 0.01 * g])
-        (check,) = asked(procedure, spectrum=spectrum, building=house, elevation=9.0)
+        (check,) = italian_checks(procedure, spectrum=spectrum, building=house, elevation=9.0)
         answered = linear_answers if procedure == "ntc2018-linear" else nonlinear_answers
         assert (check.verdict != Outcome.NOT_ANSWERED) is answered
         assert answered or check.reason.key == Reason.SPECTRUM_TOO_SHORT

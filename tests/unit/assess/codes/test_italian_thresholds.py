@@ -28,7 +28,7 @@ def moment(lam):
     return lam * g * float(BLOCK.positive.excitation[0])
 
 
-def asked(procedure=ntc2018.assess_nonlinear, *, rocker=None, state="SLV", **more):
+def check_of(procedure=ntc2018.assess_nonlinear, *, rocker=None, state="SLV", **more):
     context = Context(SPECTRUM, (SPECTRUM.pga,), 0.0, 0.0, None, **more)
     (check,) = procedure(rocker or BLOCK, context, options=ItalianOptions(limit_states=(state,)))
     return check
@@ -44,7 +44,7 @@ def tied(lam, share):
 
 def test_a_break_that_takes_more_than_half_of_the_largest_acceleration_limits_slv():
     """lambda 0.1 + 0.2 at rest, 0.08 after the break at 0.2 alpha: less than 0.15. a(d_SLV) still has the tie."""
-    check = asked(breaking=tied(0.2, 0.2), limits=(ending(0.2), ending(0.2, branch="negative")))
+    check = check_of(breaking=tied(0.2, 0.2), limits=(ending(0.2), ending(0.2, branch="negative")))
     assert check.capacity == pytest.approx(displacement(0.2), rel=1e-9)
     held = tan(0.8 * ALPHA) + moment(0.2) / (g * BLOCK.mass * RADIUS * sin(pi / 2 - 0.8 * ALPHA))
     assert step_values(check)["a(d_SLV)"] == pytest.approx(held * g / LC1, rel=1e-6)
@@ -54,8 +54,8 @@ def test_a_break_that_takes_more_than_half_of_the_largest_acceleration_limits_sl
 def test_a_smaller_loss_limits_nothing_and_the_curve_goes_on_without_the_tie():
     """lambda 0.1 + 0.05 at rest, 0.08 after the break: more than 0.075."""
     limits = (ending(0.2), ending(0.2, branch="negative"))
-    check = asked(breaking=tied(0.05, 0.2), limits=limits)
-    plain = asked()
+    check = check_of(breaking=tied(0.05, 0.2), limits=limits)
+    plain = check_of()
     assert check.capacity == pytest.approx(0.4 * D0, rel=1e-9)
     assert step_values(check)["a(d_SLV)"] == pytest.approx(step_values(plain)["a(d_SLV)"], rel=1e-6)
 
@@ -63,14 +63,14 @@ def test_a_smaller_loss_limits_nothing_and_the_curve_goes_on_without_the_tie():
 def test_a_break_beyond_the_share_of_d0_limits_nothing():
     """Broken beyond d_SLV the tie is in a(d_SLV), and makes the period shorter."""
     limits = (ending(0.7), ending(0.7, branch="negative"))
-    check, plain = asked(breaking=tied(0.2, 0.7), limits=limits), asked()
+    check, plain = check_of(breaking=tied(0.2, 0.7), limits=limits), check_of()
     assert check.capacity == plain.capacity
     assert step_values(check)["T_SLV"] < step_values(plain)["T_SLV"]
 
 
 def test_slc_is_limited_by_a_seat_and_not_by_a_break():
     limits = (ending(0.2), ending(0.3, "seat"))
-    check = asked(state="SLC", breaking=tied(0.2, 0.2), limits=limits)
+    check = check_of(state="SLC", breaking=tied(0.2, 0.2), limits=limits)
     assert check.capacity == pytest.approx(displacement(0.3), rel=1e-9)
     assert check.branch == "positive"
     T = 1.56 * pi * sqrt(check.capacity / step_values(check)["a(d_SLC)"])
@@ -79,8 +79,8 @@ def test_slc_is_limited_by_a_seat_and_not_by_a_break():
 
 def test_a_seat_limits_slv_of_either_edition_too():
     seats = (ending(0.1, "seat"), ending(0.1, "seat", "negative"))
-    assert asked(limits=seats).capacity == pytest.approx(displacement(0.1), rel=1e-9)
-    assert asked(dmi2008.assess_nonlinear, limits=seats).capacity == pytest.approx(displacement(0.1), rel=1e-9)
+    assert check_of(limits=seats).capacity == pytest.approx(displacement(0.1), rel=1e-9)
+    assert check_of(dmi2008.assess_nonlinear, limits=seats).capacity == pytest.approx(displacement(0.1), rel=1e-9)
 
 
 def test_an_inward_tie_and_an_outward_thrust_of_one_size_leave_d0_to_the_thrust():
@@ -90,11 +90,11 @@ def test_an_inward_tie_and_an_outward_thrust_of_one_size_leave_d0_to_the_thrust(
     """
     rocker, half = BLOCK, 0.4 * sin(ALPHA)
     driven = thrust(rocker.positive, half * g * rocker.mass * RADIUS)
-    check = asked(rocker=both(driven, rocker), starting=rocker)
+    check = check_of(rocker=both(driven, rocker), starting=rocker)
     assert step_values(check)["d0*"] == pytest.approx(RADIUS * (sin(ALPHA) - half), rel=1e-6)
     assert driven.overturning == pytest.approx(ALPHA - asin(half), rel=1e-5)
     assert step_values(check)["α0"] == pytest.approx(0.6 * tan(ALPHA), rel=1e-9)
-    first = asked(ntc2018.assess_linear, rocker=both(driven, rocker), starting=rocker)
+    first = check_of(ntc2018.assess_linear, rocker=both(driven, rocker), starting=rocker)
     assert step_values(first)["α0"] == pytest.approx(tan(ALPHA), rel=1e-9)
     assert step_values(check)["a(d_SLV)"] < 0.6 * tan(ALPHA) * g / LC1
 
@@ -105,15 +105,15 @@ def test_curves_are_paired_by_the_name_of_the_branch():
     starting = replace(rocker, negative=pulled(rocker.positive, moment(0.2), until=10 * ALPHA))
     one_way = replace(rocker, positive=starting.negative, negative=rocker.positive)
     for state, worse in ((starting, "positive"), (one_way, "negative")):
-        check = asked(ntc2018.assess_linear, starting=state)
+        check = check_of(ntc2018.assess_linear, starting=state)
         assert check.branch == worse
         assert check.capacity == pytest.approx(tan(ALPHA) * g / LC1, rel=1e-9)
-    limited = asked(limits=(ending(0.1, "seat", "negative"),))
+    limited = check_of(limits=(ending(0.1, "seat", "negative"),))
     assert (limited.branch, limited.capacity) == ("negative", pytest.approx(displacement(0.1), rel=1e-9))
 
 
 def test_the_confidence_factor_divides_no_displacement():
-    known = [asked(crushing=True, knowledge={"ntc2018": level}) for level in ("LC1", "LC2", "LC3")]
+    known = [check_of(crushing=True, knowledge={"ntc2018": level}) for level in ("LC1", "LC2", "LC3")]
     assert [check.capacity for check in known] == [known[0].capacity] * 3
     factors = [step_values(check)["a0*"] * FC for check, FC in zip(known, (1.35, 1.2, 1.0), strict=True)]
     assert factors == pytest.approx([tan(ALPHA) * g] * 3, rel=1e-9)

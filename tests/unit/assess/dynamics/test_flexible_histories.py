@@ -46,7 +46,7 @@ def body(request) -> Oscillator:
 
 
 @dataclass(frozen=True)
-class Found:
+class IntegratedHistory:
     """By scipy: largest |rotation| over that of overturning, impacts, and signed rotation and velocity at samples."""
 
     largest: float
@@ -83,7 +83,7 @@ def by_scipy(body, record, tolerance=1e-12):
                 impacts, v = impacts + 1, -body.branches[side].restitution * v
                 phi, sign = 0.0, -sign
         path.append((sign * phi, sign * v))
-    return Found(float(largest), impacts, np.array(path))
+    return IntegratedHistory(float(largest), impacts, np.array(path))
 
 
 @EVERY

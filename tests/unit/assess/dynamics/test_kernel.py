@@ -26,7 +26,7 @@ from tests.support.scipy_rocking import Side, event, exact_side, linearised_side
 
 
 @dataclass
-class Found:
+class PeakResponse:
     ratio: float = 0.0
     time: float = 0.0
     impacts: int = 0
@@ -34,10 +34,10 @@ class Found:
     passed: float = math.nan
 
 
-def reference(sides: tuple[Side, ...], record: Record, scale: float) -> Found:
+def reference(sides: tuple[Side, ...], record: Record, scale: float) -> PeakResponse:
     """The same march by DOP853, on its own feet: no code of the kernel."""
     ground, dt = scale * record.acceleration, record.dt
-    found, peaked = Found(), set()
+    found, peaked = PeakResponse(), set()
     at, phi, v = -1, 0.0, 0.0
     spans = [(i * dt, (i + 1) * dt, ground[i], ground[i + 1]) for i in range(record.npts - 1)]
     tail = (record.npts - 1) * dt
@@ -101,7 +101,7 @@ LINEARISED, BLOCK, TABLE = 1e-12, 1e-10, 1e-8
 tolerance 1e-10 to a step, and of the table, whose cubics go over into another coordinate."""
 
 
-def agree(ours: Peaks, theirs: Found, nearby: Peaks, *, rtol: float) -> None:
+def agree(ours: Peaks, theirs: PeakResponse, nearby: Peaks, *, rtol: float) -> None:
     assert bool(ours.overturned[0]) == theirs.overturned
     assert ours.impacts[0] == theirs.impacts
     if theirs.overturned:

@@ -43,7 +43,7 @@ class Bed:
 
 
 @dataclass(frozen=True)
-class Case:
+class ChainOnBeds:
     """Blocks, hinges and loads as of a `Chain`; beds: None where the hinge is rigid; at: rotations [rad]."""
 
     blocks: tuple
@@ -60,9 +60,9 @@ class Case:
         return FlexibleChain(self.chain(model), "m")
 
 
-def level(*ways, depth, law=SOFT):
+def level(*sides, depth, law=SOFT):
     """Level beds, the faces below: +1 where the contact lies towards +x from its hinge."""
-    return tuple(Bed(complex(way), 1j, depth, law) for way in ways)
+    return tuple(Bed(complex(side), 1j, depth, law) for side in sides)
 
 
 def arch():
@@ -80,7 +80,7 @@ def arch():
         a, on = angles[joint], hypot(*hinge)
         way = 1.0 if on < 5.45 else -1.0  # from the intrados outwards, or back
         beds.append(Bed(way * np.exp(1j * a), (-1j if number < 2 else 1j) * np.exp(1j * a), outside - inside))
-    return Case(chain.blocks, chain.hinges, tuple(beds), at=(2e-4, 2e-3, 9e-3, 0.025))
+    return ChainOnBeds(chain.blocks, chain.hinges, tuple(beds), at=(2e-4, 2e-3, 9e-3, 0.025))
 
 
 AT = (2e-4, 2e-3, 9e-3, 0.03, 0.07)
@@ -91,30 +91,30 @@ OVER = Force("overburden", (0.0, -2e4), (0.25, 4.0), 1)
 LEGS = block_of(-0.3, 0.0, 0.6, 3.0), block_of(-0.3, 3.0, 5.2, 0.7), block_of(4.3, 0.0, 0.6, 3.0)
 UNEVEN = block_of(-0.3, 0.0, 0.6, 3.0), RigidBlock(6600.0, (2.2, 3.9), 15000.0), block_of(4.2, 0.9, 0.8, 2.7)
 CASES = {
-    "wall": Case((WALL,), ((0.5, 0.0),), level(-1, depth=1.0), at=(2e-4, 3e-3, 0.02, 0.1)),
-    "elastic wall": Case(
+    "wall": ChainOnBeds((WALL,), ((0.5, 0.0),), level(-1, depth=1.0), at=(2e-4, 3e-3, 0.02, 0.1)),
+    "elastic wall": ChainOnBeds(
         (WALL,), ((0.5, 0.0),), level(-1, depth=1.0, law=JointLaw(2e8, inf)), at=(2e-4, 3e-3, 0.02, 0.1)
     ),
-    "wall near its bearing capacity": Case(
+    "wall near its bearing capacity": ChainOnBeds(
         (WALL,), ((0.5, 0.0),), level(-1, depth=1.0, law=JointLaw(2e8, 1.6e5)), at=(4e-4, 1e-3, 3e-3, 0.02)
     ),
-    "wall with loads": Case((WALL,), ((0.5, 0.0),), level(-1, depth=1.0), loads=(
+    "wall with loads": ChainOnBeds((WALL,), ((0.5, 0.0),), level(-1, depth=1.0), loads=(
         PointMass("floor", 2500.0, (0.2, 4.0), True), PointMass("roof", 400.0, (-0.1, 5.8), False),
         Force("thrust", (1500.0, -600.0), (-0.4, 3.5)), Tie("tie", 2500.0, (0.4, 5.5), anchor=(-4.0, 5.2)),
         Tie("slack", 1800.0, (0.4, 3.0), direction=(0.8, -0.6)),
     )),
-    "two blocks under a load": Case(HALVES, EDGES, level(-1, 1, -1, depth=0.5), loads=(OVER,)),
-    "two blocks under a load and more": Case(HALVES, EDGES, level(-1, 1, -1, depth=0.5), AT, loads=(
+    "two blocks under a load": ChainOnBeds(HALVES, EDGES, level(-1, 1, -1, depth=0.5), loads=(OVER,)),
+    "two blocks under a load and more": ChainOnBeds(HALVES, EDGES, level(-1, 1, -1, depth=0.5), AT, loads=(
         OVER, PointMass("floor", 700.0, (0.1, 2.0), True), Tie("tie", 900.0, (0.25, 3.4), anchor=(-2.0, 3.3), block=1),
     )),
-    "two blocks, rigid top": Case(
+    "two blocks, rigid top": ChainOnBeds(
         HALVES, EDGES, (*level(-1, 1, depth=0.5), None), loads=(Force("F", (0.0, -2e4), (0.05, 4.0), 1),)
     ),
-    "portal": Case(LEGS, ((0.3, 0.0), (-0.3, 3.0), (4.3, 3.0), (4.9, 0.0)), level(-1, 1, 1, -1, depth=0.6)),
-    "portal, rigid feet": Case(
+    "portal": ChainOnBeds(LEGS, ((0.3, 0.0), (-0.3, 3.0), (4.3, 3.0), (4.9, 0.0)), level(-1, 1, 1, -1, depth=0.6)),
+    "portal, rigid feet": ChainOnBeds(
         LEGS, ((0.3, 0.0), (-0.3, 3.0), (4.3, 3.0), (4.9, 0.0)), (None, *level(1, 1, depth=0.6), None)
     ),
-    "uneven frame": Case(
+    "uneven frame": ChainOnBeds(
         UNEVEN, ((0.3, 0.0), (-0.3, 3.0), (4.2, 3.6), (5.0, 0.9)), level(-1, 1, 1, -1, depth=0.6),
         loads=(PointMass("roof", 2000.0, (1.7, 4.4), True, 1), Force("vault", (400.0, -300.0), (0.3, 2.5)),
                Tie("stay", 900.0, (4.4, 3.0), anchor=(0.0, 2.8), block=2)),
@@ -327,7 +327,7 @@ def test_table_6_2_forces_of_a_portal():
 def test_table_6_3_forces_of_an_uneven_frame():
     """The beam's centroid midway between the middles of its joints; at D it is W_3 + W_2 / 2 (errata)."""
     blocks = block_of(-0.3, 0.0, 0.6, 3.0), RigidBlock(6600.0, (2.3, 3.9), 15000.0), block_of(4.2, 0.9, 0.8, 2.7)
-    case = Case(blocks, ((0.3, 0.0), (-0.3, 3.0), (4.2, 3.6), (5.0, 0.9)), tuple(
+    case = ChainOnBeds(blocks, ((0.3, 0.0), (-0.3, 3.0), (4.2, 3.6), (5.0, 0.9)), tuple(
         Bed(complex(way), 1j, depth) for way, depth in ((-1, 0.6), (1, 0.6), (1, 0.8), (-1, 0.8))))  # fmt: skip
     W1, W2, W3 = (each.mass * g for each in blocks)
     np.testing.assert_allclose(at_rest(case), [W1 + W2 / 2, W2 / 2, W2 / 2, W3 + W2 / 2], rtol=1e-12)
@@ -342,7 +342,8 @@ def test_table_6_4_forces_of_a_side_aisle_vault():
     T = W * (1.15 - spring) / (apex - 7.0)
     foot = 6.2 - thick / 2
     x3 = foot + (W * (foot - (5.0 - spring)) - T * 7.0) / W3  # moments of the wall about the middle of its foot
-    case = Case((*halves, RigidBlock(W3 / g, (x3, 3.7), 1e4)), ((0.2, 7.0), (2.5, 8.3), (4.8, 7.0), (6.2, 0.0)), (
+    blocks = (*halves, RigidBlock(W3 / g, (x3, 3.7), 1e4))
+    case = ChainOnBeds(blocks, ((0.2, 7.0), (2.5, 8.3), (4.8, 7.0), (6.2, 0.0)), (
         Bed(-1 + 0j, 1j, depth), Bed(-1j, 1 + 0j, depth), Bed(1 + 0j, 1j, depth), Bed(-1 + 0j, 1j, thick)))  # fmt: skip
     np.testing.assert_allclose(at_rest(case), [W, T, W, W + W3], rtol=1e-9)
 
@@ -506,6 +507,6 @@ def test_a_joint_that_would_open_at_its_hinge():
     """A bar over a leg that leans in: at B it first turns less than the leading leg, and then overtakes it."""
     blocks = block_of(-0.3, 0.0, 0.6, 3.8), RigidBlock(6600.0, (2.8, 4.2), 15000.0), block_of(1.7, 0.9, 0.6, 1.7)
     bed = (None, *level(1, depth=0.6), None, None)
-    case = Case(blocks, ((0.0, 0.0), (0.8, 3.8), (4.8, 2.6), (2.3, 0.9)), bed)
+    case = ChainOnBeds(blocks, ((0.0, 0.0), (0.8, 3.8), (4.8, 2.6), (2.3, 0.9)), bed)
     with pytest.raises(MechanismError, match=r'mechanism "m", interface B: its faces turn by 0\.01\d+ rad away'):
         case.flexible().solve_equilibrium(np.linspace(0.0, 0.3, 4))

@@ -71,7 +71,7 @@ class Drawing:
 
     hinges: tuple
 
-    def at(self, phi):
+    def hinges_at(self, phi):
         """All hinges (x, z) at phi."""
         a, turned = self.hinges[0], self.corner_b(phi)
         if len(self.hinges) == 3:
@@ -128,7 +128,7 @@ class Drawing:
         size = ux**2 + uz**2
         s = ((point[0] - px) * ux + (point[1] - pz) * uz) / size
         t = ((point[1] - pz) * ux - (point[0] - px) * uz) / size
-        (px, pz), (qx, qz) = self.at(phi)[block : block + 2]
+        (px, pz), (qx, qz) = self.hinges_at(phi)[block : block + 2]
         return (px + s * (qx - px) - t * (qz - pz), pz + s * (qz - pz) + t * (qx - px))
 
     def slope(self, point, block, phi):

@@ -152,12 +152,6 @@ def test_unit_of_a_head_is_checked_by_the_key(tmp_path: Path) -> None:
     assert str(caught.value).startswith(start)
 
 
-def template_in(folder: Path) -> Path:
-    """Return the template, written into a folder."""
-    (folder / "template.toml").write_text(TEMPLATE, encoding="utf-8")
-    return folder / "template.toml"
-
-
 def test_text_stays_text_where_the_template_has_text(tmp_path: Path) -> None:
     (task,) = table(tmp_path, 'title\n"=HYPERLINK(""x"")"\n')
     assert project(task).content.title == '=HYPERLINK("x")'

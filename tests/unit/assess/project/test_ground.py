@@ -22,67 +22,69 @@ def wall(at: float, *, height: float = 3.0, name: str = "wall") -> str:
     return box_toml(name, (0.3, 4, height), (0, 0, at))
 
 
-def of(folder: Path, *tables: str, name: str = "m") -> HeightAboveGround:
+def height_of(folder: Path, *tables: str, name: str = "m") -> HeightAboveGround:
     return study_of(folder, HEAD, *tables).heights[name]
 
 
 @pytest.mark.parametrize("at", [0.0, 0.5, -0.5])
 def test_the_lowest_body_near_0_stands_on_the_ground(tmp_path: Path, at: float) -> None:
-    found = of(tmp_path, wall(at), mechanism_toml())
+    found = height_of(tmp_path, wall(at), mechanism_toml())
     assert (found.base, found.source, found.unknown) == (at, BY_BODIES, ())
     assert not found.above
 
 
 @pytest.mark.parametrize("at", [0.51, 8.0, 120.0, -2.0])
 def test_a_lowest_body_far_from_0_does_not_tell(tmp_path: Path, at: float) -> None:
-    found = of(tmp_path, wall(at), mechanism_toml())
+    found = height_of(tmp_path, wall(at), mechanism_toml())
     assert found.source == UNKNOWN
     assert [each.key for each in found.unknown] == [Reason.GROUND_UNKNOWN]
 
 
 def test_the_building_tells(tmp_path: Path) -> None:
-    found = of(tmp_path, wall(120.0), '[building]\nheight = "9 m"\nground_elevation = "112 m"\n', mechanism_toml())
+    found = height_of(
+        tmp_path, wall(120.0), '[building]\nheight = "9 m"\nground_elevation = "112 m"\n', mechanism_toml()
+    )
     assert (found.base, found.support, found.above, found.source) == (8.0, 8.0, True, BY_BUILDING)
-    zero = of(tmp_path, wall(8.0), '[building]\nground_elevation = "0 m"\n', mechanism_toml())
+    zero = height_of(tmp_path, wall(8.0), '[building]\nground_elevation = "0 m"\n', mechanism_toml())
     assert (zero.base, zero.source) == (8.0, BY_BUILDING)
 
 
 def test_a_base_elevation_replaces_the_geometry(tmp_path: Path) -> None:
-    found = of(tmp_path, wall(0.0), mechanism_toml('base_elevation = "8 m"'))
+    found = height_of(tmp_path, wall(0.0), mechanism_toml('base_elevation = "8 m"'))
     assert (found.base, found.above, found.source) == (8.0, True, BY_MECHANISM)
-    alone = of(tmp_path, wall(120.0), mechanism_toml('base_elevation = "0 m"'))
+    alone = height_of(tmp_path, wall(120.0), mechanism_toml('base_elevation = "0 m"'))
     assert (alone.base, alone.above, alone.unknown) == (0.0, False, ())
     both = study_of(tmp_path, HEAD, wall(8.0), mechanism_toml("base_elevation = 8"), mechanism_toml(name="n")).heights
     assert (both["m"].source, both["n"].source) == (BY_MECHANISM, UNKNOWN)
 
 
 def test_an_elevation_of_a_table_is_one_over_the_ground(tmp_path: Path) -> None:
-    found = of(tmp_path, TABLE, "elevation = 4\n", name="t")
+    found = height_of(tmp_path, TABLE, "elevation = 4\n", name="t")
     assert (found.base, found.above, found.source) == (4.0, True, BY_TABLE)
-    assert of(tmp_path, wall(8.0), mechanism_toml(), TABLE, name="t").source == UNKNOWN
-    assert of(tmp_path, wall(8.0), mechanism_toml(), TABLE, "elevation = 4\n", name="t").source == BY_TABLE
+    assert height_of(tmp_path, wall(8.0), mechanism_toml(), TABLE, name="t").source == UNKNOWN
+    assert height_of(tmp_path, wall(8.0), mechanism_toml(), TABLE, "elevation = 4\n", name="t").source == BY_TABLE
 
 
 def test_a_body_that_is_only_a_load_tells_nothing(tmp_path: Path) -> None:
     roof = wall(11.0, height=0.3, name="roof")
     load_ = 'loads = [{ kind = "body", body = "roof", share = 0.5 }]'
     low = wall(0.0, name="low")
-    assert of(tmp_path, wall(8.0), roof, mechanism_toml(load_)).source == UNKNOWN
-    assert of(tmp_path, wall(8.0), roof, low, mechanism_toml(load_)).source == BY_BODIES
+    assert height_of(tmp_path, wall(8.0), roof, mechanism_toml(load_)).source == UNKNOWN
+    assert height_of(tmp_path, wall(8.0), roof, low, mechanism_toml(load_)).source == BY_BODIES
     as_load = 'loads = [{ kind = "body", body = "low", at = [0, 0, 9], bearing = false }]'
-    assert of(tmp_path, wall(8.0), low, mechanism_toml(as_load)).source == UNKNOWN
+    assert height_of(tmp_path, wall(8.0), low, mechanism_toml(as_load)).source == UNKNOWN
 
 
 def test_what_holds_a_wall_twice_is_between_its_supports(tmp_path: Path) -> None:
     spanning = mechanism_toml("crack = 5.5", kind="two-block")
-    found = of(tmp_path, wall(4.0), BUILDING, "ground_elevation = 0\n", spanning)
+    found = height_of(tmp_path, wall(4.0), BUILDING, "ground_elevation = 0\n", spanning)
     assert (found.base, found.support) == (4.0, pytest.approx(5.5))
 
 
 @pytest.mark.parametrize(("height", "at", "above"), [(9.0, 0.5, False), (9.0, 0.51, True), (20.0, 0.99, False)])
 def test_a_plinth_is_ground(tmp_path: Path, height: float, at: float, above: bool) -> None:
     building = f"[building]\nheight = {height}\nground_elevation = 0\n"
-    assert of(tmp_path, wall(at), building, mechanism_toml()).above is above
+    assert height_of(tmp_path, wall(at), building, mechanism_toml()).above is above
 
 
 def test_every_check_waits_for_the_ground(tmp_path: Path) -> None:
@@ -133,11 +135,11 @@ def test_check_prints_a_squat_mechanism(tmp_path: Path) -> None:
     ],
 )
 def test_a_base_elevation_that_contradicts_the_ground_is_not_taken(tmp_path, drawn, building, given, contradicted):
-    found = of(tmp_path, BUILDING + building + "\n", wall(drawn), mechanism_toml(f"base_elevation = {given}"))
+    found = height_of(tmp_path, BUILDING + building + "\n", wall(drawn), mechanism_toml(f"base_elevation = {given}"))
     assert [each.key for each in found.unknown] == ([Reason.GROUND_CONTRADICTED] if contradicted else [])
 
 
 def test_a_gable_on_a_drawn_wall_is_not_drawn_alone(tmp_path: Path) -> None:
     below = wall(0.0, height=8.0, name="below") + mechanism_toml(name="b", blocks=["below"])
-    found = of(tmp_path, below, wall(8.0), mechanism_toml("base_elevation = 0"))
+    found = height_of(tmp_path, below, wall(8.0), mechanism_toml("base_elevation = 0"))
     assert [each.key for each in found.unknown] == [Reason.GROUND_CONTRADICTED]

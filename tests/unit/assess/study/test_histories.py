@@ -46,12 +46,12 @@ OTHER = plain_branch(RockingBlock(1.0, 2.0, 0.25, 16.0 / 3.0), restitution=0.9)
 SYMMETRIC, UNLIKE = Oscillator(ONE, ONE, 1.0), Oscillator(ONE, OTHER, 1.0)
 
 
-def shaken(oscillator: Oscillator) -> RockingCase:
+def rocking_case(oscillator: Oscillator) -> RockingCase:
     return RockingCase("m", oscillator, "exact", tuple(base_motion(Unamplified(), motion.record) for motion in MOTIONS))
 
 
 def levels_of(oscillator: Oscillator, levels: tuple[float, ...], besides: tuple[float, ...] = ()):
-    return run_levels(shaken(oscillator), MOTIONS, levels=levels, further=besides, site_pga=PGA, threads=1)
+    return run_levels(rocking_case(oscillator), MOTIONS, levels=levels, further=besides, site_pga=PGA, threads=1)
 
 
 def test_a_body_that_is_the_same_both_ways_needs_one_polarity():
@@ -61,8 +61,8 @@ def test_a_body_that_is_the_same_both_ways_needs_one_polarity():
     assert not twice.symmetric
     levels = (2.2, 3.0, 5.0, 9.0)
     assert levels_of(SYMMETRIC, levels) == levels_of(twice, levels)
-    assert scan_levels(shaken(SYMMETRIC), MOTIONS, site_pga=PGA, threads=1) == scan_levels(
-        shaken(twice), MOTIONS, site_pga=PGA, threads=1
+    assert scan_levels(rocking_case(SYMMETRIC), MOTIONS, site_pga=PGA, threads=1) == scan_levels(
+        rocking_case(twice), MOTIONS, site_pga=PGA, threads=1
     )
 
 
@@ -70,7 +70,7 @@ def test_of_the_range_of_a_rebound_the_worst_stands():
     """Half, once and one and a half times the rebound, each run by itself as a number that is given."""
     levels, factors = (2.5, 3.5, 5.0, 6.5), (1.0, 0.5, 1.5)
     one_sided = Oscillator(replace(ONE, restitution=0.4), None, 1.0)
-    ranged = replace(shaken(one_sided), rebounds=factors)
+    ranged = replace(rocking_case(one_sided), rebounds=factors)
     found = run_levels(ranged, MOTIONS, levels=levels, further=(4.0,), site_pga=PGA, threads=1)
     alone = {f: levels_of(Oscillator(replace(ONE, restitution=0.4 * f), None, 1.0), levels, (4.0,)) for f in factors}
     chosen = set()
@@ -124,7 +124,7 @@ def test_suites_are_of_their_histories():
 
 @pytest.mark.parametrize("body", [SYMMETRIC, UNLIKE], ids=["symmetric", "unlike"])
 def test_the_scan_asks_level_by_level_and_ends_where_no_rule_can_hold(body):
-    scan = scan_levels(shaken(body), MOTIONS, site_pga=PGA, threads=1)
+    scan = scan_levels(rocking_case(body), MOTIONS, site_pga=PGA, threads=1)
     level = tuple(suite.pga for suite in scan)
     np.testing.assert_allclose(np.diff(np.log(level)), np.log(SCAN_STEP), rtol=1e-9)
     assert [share_upright(suite) < 0.16 for suite in scan] == [False] * (len(scan) - 1) + [True]
@@ -136,7 +136,7 @@ def test_the_scan_asks_level_by_level_and_ends_where_no_rule_can_hold(body):
 @pytest.mark.parametrize("body", [SYMMETRIC, UNLIKE], ids=["symmetric", "unlike"])
 def test_twins_that_a_scan_leaves_out_change_no_share(body):
     """With all twins at all levels, p of the rule of ASCE 43-05 is the same, and so is where the scan ends."""
-    scan = scan_levels(shaken(body), MOTIONS, site_pga=PGA, threads=1)
+    scan = scan_levels(rocking_case(body), MOTIONS, site_pga=PGA, threads=1)
     full = levels_of(body, tuple(suite.pga for suite in scan)).suites
     saved = sum(int((one.twins.ratio != other.twins.ratio).sum()) for one, other in zip(scan, full, strict=True))
     assert saved > 100
@@ -194,7 +194,7 @@ def last_before(scan, share: float) -> float:
 def test_any_number_of_threads_gives_the_same_digits(body):
     runs = [
         run_histories(
-            shaken(body), MOTIONS, levels=(2.5, 4.0), further=(), site_pga=PGA, with_scan=True, threads=threads
+            rocking_case(body), MOTIONS, levels=(2.5, 4.0), further=(), site_pga=PGA, with_scan=True, threads=threads
         )
         for threads in (1, 2, 5)
     ]

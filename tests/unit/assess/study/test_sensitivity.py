@@ -35,7 +35,7 @@ def folder(tmp_path: Path) -> Path:
     return tmp_path
 
 
-def asked(table: str, *, project: str = PROJECT) -> str:
+def with_sensitivity(table: str, *, project: str = PROJECT) -> str:
     return f"{project}sensitivity = {table}\n"
 
 
@@ -54,13 +54,13 @@ def only(table: str, **shares: object) -> str:
 
 def test_without_the_table_nothing_is_varied(folder: Path) -> None:
     assert study_of(folder, PROJECT).variables == ()
-    assert study_of(folder, asked("false")).variables == ()
+    assert study_of(folder, with_sensitivity("false")).variables == ()
     assert run_study(study_of(folder, PROJECT)).sensitivity == ()
 
 
 def test_capacity_of_a_plain_block_is_proportional_to_thickness_and_free_of_density(folder: Path) -> None:
     """The linear check compares with lambda = t / h, whatever the density: a closed form."""
-    results = run_study(study_of(folder, asked('{ thickness = "3 cm", density = 0.2 }')))
+    results = run_study(study_of(folder, with_sensitivity('{ thickness = "3 cm", density = 0.2 }')))
     (thick,) = rows_of(results, "thickness", CAPACITY, "dmi2008-linear")
     assert (thick.unit, thick.base, thick.level_pga_g) == ("m", pytest.approx(0.6, rel=1e-12), None)
     assert thick.at_base is not None
@@ -80,9 +80,11 @@ def test_capacity_of_a_plain_block_is_proportional_to_thickness_and_free_of_dens
 
 def test_what_decides_is_told_by_its_index(folder: Path) -> None:
     """Demand over capacity of the approximate method at the site's own PGA; without a basis there is none."""
-    assert not rows_of(run_study(study_of(folder, asked("true"))), "thickness", "index", "asce43-05-spectrum")
+    assert not rows_of(
+        run_study(study_of(folder, with_sensitivity("true"))), "thickness", "index", "asce43-05-spectrum"
+    )
     basis = '[verdict]\nbasis = "asce43-05"\nprocedures = ["asce43-05-spectrum"]\n[site]\nlimit_state = "DBE"\n'
-    results = run_study(study_of(folder, asked('{ thickness = "3 cm" }', project=basis + PROJECT)))
+    results = run_study(study_of(folder, with_sensitivity('{ thickness = "3 cm" }', project=basis + PROJECT)))
     (index,) = rows_of(results, "thickness", "index", "asce43-05-spectrum")
     ratio = next(row for row in rows_of(results, "thickness", RATIO, "asce43-05-spectrum") if row.role == "deciding")
     assert (index.index, index.level_pga_g) == ("D/C", 0.2)
@@ -97,7 +99,9 @@ def test_a_share_of_nothing_changes_nothing(folder: Path) -> None:
     """At share 0 both sides are the mechanism as assessed: to the last digit at keys, to rounding for the thickness."""
     project = PROJECT.replace('["asce43-05-spectrum", "dmi2008-linear"]', '["asce43-05-history", "dmi2008-linear"]')
     joint = 'blocks = ["wall"]\ninterface = { model = "flexible", stiffness = "1 GPa/m", strength = "1 MPa" }'
-    results = run_study(study_of(folder, asked("{ vary = 0 }", project=project.replace('blocks = ["wall"]', joint))))
+    results = run_study(
+        study_of(folder, with_sensitivity("{ vary = 0 }", project=project.replace('blocks = ["wall"]', joint)))
+    )
     found = {row.parameter for row in results.sensitivity}
     assert found == {"thickness", "density", "compressive_strength", "stiffness", "restitution"}
     for row in results.sensitivity:
@@ -114,7 +118,9 @@ def test_a_tie_holds_in_proportion_to_its_force(folder: Path) -> None:
     loads_ = 'loads = [{ kind = "tie", force = "20 kN", at = [0, 4], direction = [-1, 0] }]'
     tie = f'blocks = ["wall"]\nsides = "one"\n{loads_}'
     results = run_study(
-        study_of(folder, asked(only("{ tie_force = 0.25 }"), project=PROJECT.replace('blocks = ["wall"]', tie)))
+        study_of(
+            folder, with_sensitivity(only("{ tie_force = 0.25 }"), project=PROJECT.replace('blocks = ["wall"]', tie))
+        )
     )
     (row,) = rows_of(results, "tie_force", CAPACITY, "dmi2008-linear")
     assert (row.key, row.unit, row.base) == ("mechanisms.wall.loads[1].force", "N", 20e3)
@@ -125,7 +131,7 @@ def test_a_tie_holds_in_proportion_to_its_force(folder: Path) -> None:
 
 def test_a_case_is_the_project_with_that_number(folder: Path) -> None:
     project = PROJECT.replace('["asce43-05-spectrum", "dmi2008-linear"]', '["asce43-05-history", "dmi2008-linear"]')
-    results = run_study(study_of(folder, asked("{ thickness = 0.1, restitution = 0.02 }", project=project)))
+    results = run_study(study_of(folder, with_sensitivity("{ thickness = 0.1, restitution = 0.02 }", project=project)))
     thick = run_study(study_of(folder, project.replace("thickness = 0.6", "thickness = 0.66")))
     row = rows_of(results, "thickness", RATIO, "dmi2008-linear")[-1]
     assert row.at_high == pytest.approx(thick.mechanisms[0].checks[-1].ratio, rel=1e-9)
@@ -142,7 +148,10 @@ def test_a_mesh_is_made_thicker_as_a_box_is(folder: Path) -> None:
     wall.apply_translation((7.0, 0.0, 2.25))
     wall.export(folder / "wall.stl")
     mesh = PROJECT.replace("box = { thickness = 0.6, length = 4.0, height = 4.5 }", 'mesh = "wall.stl"')
-    found = [run_study(study_of(folder, asked(only("{ thickness = 0.05 }"), project=text))) for text in (PROJECT, mesh)]
+    found = [
+        run_study(study_of(folder, with_sensitivity(only("{ thickness = 0.05 }"), project=text)))
+        for text in (PROJECT, mesh)
+    ]
     for one, other in zip(*(results.sensitivity for results in found), strict=True):
         wanted = (one.low, one.high, one.at_low, one.at_base, one.at_high)
         np.testing.assert_allclose(
@@ -156,7 +165,7 @@ def test_a_cut_is_thickened_about_its_own_middle(folder: Path) -> None:
     profile = "profile = [[0, 0], [1.2, 0], [0.6, 4.5], [0, 4.5]]\nlength = 4.0"
     text = PROJECT.replace("box = { thickness = 0.6, length = 4.0, height = 4.5 }", profile)
     text = text.replace('blocks = ["wall"]', 'blocks = ["wall"]\ncut = 1.5')
-    (variable,) = study_of(folder, asked(only("{ thickness = 0.1 }"), project=text)).variables
+    (variable,) = study_of(folder, with_sensitivity(only("{ thickness = 0.1 }"), project=text)).variables
     assert isinstance(variable, Variable)
     assert variable.base == pytest.approx(1.0, rel=1e-9)  # half-way up a third of the taper
     (mechanism,) = variable.study_at(variable.high).mechanisms
@@ -173,7 +182,7 @@ def test_where_joints_and_loads_stand_their_keys_are_varied(folder: Path) -> Non
     )
     stone = 'density = 2000\nyoung_modulus = "1 GPa"\ncompressive_strength = "2 MPa"\nfriction = 0.6'
     text = PROJECT.replace('blocks = ["wall"]', table).replace("density = 2000", stone)
-    found = {each.parameter: each.key for each in study_of(folder, asked("true", project=text)).variables}  # type: ignore[union-attr]
+    found = {each.parameter: each.key for each in study_of(folder, with_sensitivity("true", project=text)).variables}  # type: ignore[union-attr]
     assert found == {
         "thickness": "thickness of wall",
         "density": "materials.stone.density",
@@ -184,7 +193,11 @@ def test_where_joints_and_loads_stand_their_keys_are_varied(folder: Path) -> Non
         "restitution": "mechanisms.wall.restitution",
     }
     inner = text.replace("course_thickness = 0.3", 'stiffness = "1 GPa/m", strength = "1 MPa"')
-    keys = [each.key for each in study_of(folder, asked("true", project=inner)).variables if isinstance(each, Variable)]
+    keys = [
+        each.key
+        for each in study_of(folder, with_sensitivity("true", project=inner)).variables
+        if isinstance(each, Variable)
+    ]
     assert "mechanisms.wall.interface.stiffness" in keys
     assert "mechanisms.wall.interface.strength" in keys
 
@@ -194,7 +207,7 @@ def test_an_equivalent_block_has_its_own_parameters(folder: Path) -> None:
         '[mechanisms.published]\nkind = "equivalent-block"\np = 1.6\nuplift = 0.14\nradius = 2.84\nrestitution = 0.97\n'
     )
     text = PROJECT.replace("[records]", f"{block}[records]")
-    results = run_study(study_of(folder, asked("{ vary = 0.1 }", project=text)))
+    results = run_study(study_of(folder, with_sensitivity("{ vary = 0.1 }", project=text)))
     own = [row for row in results.sensitivity if row.mechanism == "published"]
     assert {row.parameter for row in own} == {"uplift", "p", "restitution"}
     (row,) = (
@@ -222,14 +235,14 @@ def test_what_cannot_be_varied_says_why(folder: Path) -> None:
         (PROJECT.replace(solid, direct).replace(wall, hinged), "no geometry"),
         (PROJECT.replace(wall, shape), "by its sizes"),
     ):
-        variables = study_of(folder, asked("true", project=text)).variables
+        variables = study_of(folder, with_sensitivity("true", project=text)).variables
         assert why in next(each.why for each in variables if each.parameter == "thickness")
-    (none,) = study_of(folder, asked("true"), sweep).variables
+    (none,) = study_of(folder, with_sensitivity("true"), sweep).variables
     assert "parametric study" in none.why
-    results = run_study(study_of(folder, asked("true") + sweep))
+    results = run_study(study_of(folder, with_sensitivity("true") + sweep))
     assert [(row.quantity, row.base, row.procedure) for row in results.sensitivity] == [("", None, "")]
     assert results.sensitivity[0].remark.startswith("not varied: a parametric study")
-    (large,) = study_of(folder, asked(only('{ thickness = "1 m" }'))).variables
+    (large,) = study_of(folder, with_sensitivity(only('{ thickness = "1 m" }'))).variables
     assert isinstance(large, UnvariedNumber)
     assert "leaves nothing" in large.why
 
@@ -239,7 +252,7 @@ def test_a_case_that_cannot_be_assessed_is_told_and_the_others_stand(folder: Pat
     weight = 2000 * 0.6 * 4.0 * 4.5 * g
     thrust = 0.95 * weight * 0.3 / 4.0
     loads_ = f'blocks = ["wall"]\nsides = "one"\nloads = [{{ kind = "force", force = [{thrust}, 0], at = [0, 4] }}]'
-    text = asked(only("{ density = 0.1 }"), project=PROJECT.replace('blocks = ["wall"]', loads_))
+    text = with_sensitivity(only("{ density = 0.1 }"), project=PROJECT.replace('blocks = ["wall"]', loads_))
     rows = run_study(study_of(folder, text)).sensitivity
     assert {row.verdict_low for row in rows} == {None}
     assert all("not assessed at the low value, 1800: " in row.remark and "\n" not in row.remark for row in rows)
@@ -248,13 +261,16 @@ def test_a_case_that_cannot_be_assessed_is_told_and_the_others_stand(folder: Pat
 
 def test_a_sought_direction_is_kept(folder: Path) -> None:
     swept, plain = PROJECT.replace("direction = [1, 0, 0]", 'direction = "sweep"'), PROJECT
-    found = [run_study(study_of(folder, asked(only("{ thickness = 0.05 }"), project=text))) for text in (swept, plain)]
+    found = [
+        run_study(study_of(folder, with_sensitivity(only("{ thickness = 0.05 }"), project=text)))
+        for text in (swept, plain)
+    ]
     assert found[0].mechanisms[0].direction_sweep is not None
     assert found[0].sensitivity == found[1].sensitivity
 
 
 def test_the_bytes_do_not_depend_on_jobs_and_are_read_back(folder: Path) -> None:
-    study = study_of(folder, asked("{ thickness = 0.05, restitution = 0.02 }"))
+    study = study_of(folder, with_sensitivity("{ thickness = 0.05, restitution = 0.02 }"))
     stages: list[tuple[str, int, int]] = []
     one, two = (run_study(study, jobs=n, progress=lambda *stage: stages.append(stage)) for n in (1, 2))
     assert dumps(one) == dumps(two)
@@ -281,7 +297,7 @@ def test_the_bytes_do_not_depend_on_jobs_and_are_read_back(folder: Path) -> None
     ],
 )
 def test_what_is_wrong_in_the_table_is_one_line(folder: Path, table: str, told: str) -> None:
-    (folder / "project.toml").write_text(asked(table))
+    (folder / "project.toml").write_text(with_sensitivity(table))
     with pytest.raises(ProjectError) as caught:
         load(folder)
     assert told.replace("sensitivity", "analysis.sensitivity", 1) in str(caught.value)
@@ -289,12 +305,12 @@ def test_what_is_wrong_in_the_table_is_one_line(folder: Path, table: str, told: 
 
 
 def test_the_changes_stand_among_the_values_of_the_project(folder: Path) -> None:
-    study = study_of(folder, asked('{ vary = 0.2, thickness = "2 cm", density = false }'))
+    study = study_of(folder, with_sensitivity('{ vary = 0.2, thickness = "2 cm", density = false }'))
     found = {key: each for key, each in study.resolved.items() if key.startswith("analysis.sensitivity.")}
     assert found["analysis.sensitivity.thickness"] == ResolvedValue([0.02, "m"], True)
     assert found["analysis.sensitivity.density"] == ResolvedValue(None, True)
     assert found["analysis.sensitivity.friction"] == ResolvedValue([0.2, "share"], False)
-    percent = study_of(folder, asked('{ thickness = "2 %" }')).resolved
+    percent = study_of(folder, with_sensitivity('{ thickness = "2 %" }')).resolved
     assert percent["analysis.sensitivity.thickness"].value == [0.02, "share"]
 
 
@@ -318,6 +334,6 @@ def test_a_case_that_the_floor_governs_stands_beside_one_that_the_ground_governs
         for force in ("10 kN", "19 kN")
     ]
     assert [check.input_at for check in ends] == ["ground", "mechanism base"]
-    results = run_study(study_of(folder, asked(only("{ loads = 0.9 }"), project=text)))
+    results = run_study(study_of(folder, with_sensitivity(only("{ loads = 0.9 }"), project=text)))
     row = rows_of(results, "loads", RATIO, "dmi2008-nonlinear")[-1]
     assert (row.at_base, row.at_high) == tuple(pytest.approx(check.ratio, rel=1e-9) for check in ends)

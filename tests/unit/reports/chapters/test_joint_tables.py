@@ -45,7 +45,7 @@ def mechanisms(tmp_path_factory) -> dict[str, MechanismResult]:
     return {found.name: found for found in parameters(build(load(path)))}
 
 
-def shaken(mechanism: MechanismResult, rotation: float | None) -> MechanismResult:
+def with_one_history(mechanism: MechanismResult, rotation: float | None) -> MechanismResult:
     """The mechanism with one history that reaches a rotation [rad], or overturns it."""
     fell, trace = rotation is None, HistoryTrace((0.0,), (0.0,), (0.0,))
     ratio = None if rotation is None else abs(rotation) / mechanism.oscillator.overturning_rad
@@ -58,7 +58,7 @@ def shaken(mechanism: MechanismResult, rotation: float | None) -> MechanismResul
 def test_the_contact_at_the_peak_is_that_of_the_closed_form(mechanisms, rotation):
     """Thesis 6.6: partial contact, elastic, a = sqrt(2 W / (k l phi)), stress k phi a, resultant a / 3."""
     a = sqrt(2 * W / (K * L * sin(abs(rotation))))
-    mechanism = shaken(mechanisms["flexible"], rotation)
+    mechanism = with_one_history(mechanisms["flexible"], rotation)
     assert peak_rotation(mechanism, mechanism.histories[0]) == abs(rotation)
     (joint,) = joints_of_branch(mechanism, mechanism.histories[0].branch)
     stress, resultant, opened, crushed = values_at(joint, abs(rotation))
@@ -75,8 +75,8 @@ def test_the_contact_at_the_peak_is_that_of_the_closed_form(mechanisms, rotation
 def test_what_has_no_peak_says_so(mechanisms):
     flexible = mechanisms["flexible"]
     assert "No time history" in letters(annex_sheets.joints_at_peak(flexible))
-    assert "overturns the mechanism" in letters(annex_sheets.joints_at_peak(shaken(flexible, None)))
-    assert "does not move" in letters(annex_sheets.joints_at_peak(shaken(flexible, 0.0)))
+    assert "overturns the mechanism" in letters(annex_sheets.joints_at_peak(with_one_history(flexible, None)))
+    assert "does not move" in letters(annex_sheets.joints_at_peak(with_one_history(flexible, 0.0)))
 
 
 def test_a_history_counts_from_rest_and_a_joint_from_upright(mechanisms):
@@ -84,7 +84,7 @@ def test_a_history_counts_from_rest_and_a_joint_from_upright(mechanisms):
     two = mechanisms["two"]
     rest = two.oscillator.equilibrium_rad
     assert rest < 0.0
-    there, back = shaken(two, 0.02), shaken(two, -0.02)
+    there, back = with_one_history(two, 0.02), with_one_history(two, -0.02)
     assert peak_rotation(there, there.histories[0]) == pytest.approx(0.02 + rest, rel=1e-12)
     assert peak_rotation(back, back.histories[0]) == pytest.approx(0.02 - rest, rel=1e-12)
 

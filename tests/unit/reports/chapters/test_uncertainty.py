@@ -28,7 +28,7 @@ def sampled(results: Results) -> Results:
     return with_uncertainty(results)
 
 
-def said(results: Results) -> str:
+def densities_text(results: Results) -> str:
     assert results.uncertainty is not None
     texts = uncertainty.densities_without_effect(results, results.uncertainty)
     return " ".join(map(Locale().text, texts))
@@ -59,16 +59,16 @@ def test_an_answer_that_nothing_changes_has_no_figure(sampled: Results) -> None:
 
 def test_a_density_that_changes_nothing_is_told_of_the_mechanisms_where_that_is_so(sampled: Results) -> None:
     both = "For M1 Wall 6, eroded base; M2 parapet"
-    assert said(sampled).startswith(f"{both}, {KEYS[1]} changes nothing") or said(sampled).startswith(
-        f"For M1 Wall 6, eroded base and M2 parapet, {KEYS[1]} changes nothing"
-    )
+    assert densities_text(sampled).startswith(f"{both}, {KEYS[1]} changes nothing") or densities_text(
+        sampled
+    ).startswith(f"For M1 Wall 6, eroded base and M2 parapet, {KEYS[1]} changes nothing")
     found = sampled.uncertainty
     assert found is not None
     moving = tuple(replace(each, rank_correlation=0.3) for each in found.answers[0].influences)
     one = replace(found, answers=(replace(found.answers[0], influences=moving), found.answers[1]))
-    assert said(replace(sampled, uncertainty=one)).startswith(f"For M2 parapet, {KEYS[1]} changes nothing")
+    assert densities_text(replace(sampled, uncertainty=one)).startswith(f"For M2 parapet, {KEYS[1]} changes nothing")
     none = replace(found, answers=one.answers[:1])
-    assert said(replace(sampled, uncertainty=none)) == ""
+    assert densities_text(replace(sampled, uncertainty=none)) == ""
 
 
 def test_means_have_the_unit_of_their_key(sampled: Results) -> None:

@@ -15,8 +15,8 @@ YES, NO, OPEN = Decision.PASS, Decision.FAIL, Decision.INCOMPLETE
 HISTORY, NONLINEAR, LINEAR = "ntc2018-history", "ntc2018-nonlinear", "ntc2018-linear"
 
 
-def of(basis, checks, **asked):
-    return decide(question(basis, **asked), checks)
+def verdict_of(basis, checks, **more):
+    return decide(question(basis, **more), checks)
 
 
 def test_bases_of_sites_whose_code_tells():
@@ -24,7 +24,7 @@ def test_bases_of_sites_whose_code_tells():
 
 
 def test_without_a_basis_nothing_is_decided():
-    found = of(None, [check(NONLINEAR, PASS)])
+    found = verdict_of(None, [check(NONLINEAR, PASS)])
     assert (found.outcome, found.basis, found.missing[0].key) == (OPEN, "", "verdict.basis")
 
 
@@ -50,7 +50,7 @@ def test_without_a_basis_nothing_is_decided():
 def test_ntc2018_slv(named, history, nonlinear, linear, outcome, by):
     """verdict.md 2: history (if declared) > non-linear > linear, the last never for a non-linear that was asked."""
     checks = [check(HISTORY, history), check(NONLINEAR, nonlinear), check(LINEAR, linear)]
-    found = of("ntc2018", checks, procedures=named, use_class="II")
+    found = verdict_of("ntc2018", checks, procedures=named, use_class="II")
     (answer,) = found.mechanisms[0].answers
     assert (found.outcome, answer.procedure) == (outcome, by)
 
@@ -61,13 +61,13 @@ def test_ntc2018_slv(named, history, nonlinear, linear, outcome, by):
 )
 def test_ntc2018_one_of_slv_and_slc_is_chosen_for_the_building(chosen, slv, slc, outcome):
     checks = [check(NONLINEAR, slv), check(NONLINEAR, slc, state="SLC")]
-    found = of("ntc2018", checks, limit_state=chosen, periods=True, use_class="II")
+    found = verdict_of("ntc2018", checks, limit_state=chosen, periods=True, use_class="II")
     assert (found.outcome, found.limit_states) == (outcome, (chosen or "SLV",))
 
 
 def test_ntc2018_slc_has_no_linear_method():
     checks = [check(LINEAR, PASS, state="SLC"), check(LINEAR, PASS)]
-    found = of("ntc2018", checks, limit_state="SLC", state="SLC", procedures=(LINEAR,), use_class="II")
+    found = verdict_of("ntc2018", checks, limit_state="SLC", state="SLC", procedures=(LINEAR,), use_class="II")
     assert found.outcome == OPEN
 
 
@@ -75,7 +75,7 @@ def test_ntc2018_slc_has_no_linear_method():
     ("declared", "outcome"), [("SLV", YES), ("SLC", OPEN), ("SLD", OPEN), (None, OPEN), ("DBE", OPEN)]
 )
 def test_a_single_spectrum_decides_only_what_the_site_declares(declared, outcome):
-    found = of("ntc2018", [check(NONLINEAR, PASS)], state=declared, use_class="II")
+    found = verdict_of("ntc2018", [check(NONLINEAR, PASS)], state=declared, use_class="II")
     assert found.outcome == outcome
     assert {each.key for each in found.missing} == (set() if outcome == YES else {"site.limit_state"})
     assert found.provisional == (None if outcome == YES else YES)
@@ -97,7 +97,7 @@ def test_a_single_spectrum_decides_only_what_the_site_declares(declared, outcome
 )
 def test_ntc2018_sld_decides_too_in_class_iv(use_class, sld, outcome):
     checks = [check(NONLINEAR, PASS), check(LINEAR, sld, state="SLD")]
-    found = of("ntc2018", checks, periods=True, use_class=use_class)
+    found = verdict_of("ntc2018", checks, periods=True, use_class=use_class)
     assert found.outcome == outcome
     if use_class is None and sld == FAIL:
         assert [each.key for each in found.missing] == ["building.use_class"]
@@ -127,7 +127,7 @@ def test_ntc2018_targets_of_works(works, more, index, outcome):
     """NTC 8.4.1 to 8.4.3."""
     said = PASS if index >= 1.0 else FAIL
     checks = [check(NONLINEAR, said, ratio=1.0 / index), check(LINEAR, PASS, state="SLD")]
-    found = of("ntc2018", checks, periods=True, works=works, **{"use_class": "II", **more})
+    found = verdict_of("ntc2018", checks, periods=True, works=works, **{"use_class": "II", **more})
     assert found.outcome == outcome
 
 
@@ -153,7 +153,7 @@ def test_below_the_full_target_a_check_that_may_not_pass_is_not_answered():
 )
 def test_dmi2008_equals_must_both_hold_where_none_is_named(named, linear, nonlinear, outcome):
     checks = [check("dmi2008-linear", linear), check("dmi2008-nonlinear", nonlinear), check("dmi2008-history", PASS)]
-    assert of("dmi2008", checks, procedures=named, use_class="II").outcome == outcome
+    assert verdict_of("dmi2008", checks, procedures=named, use_class="II").outcome == outcome
 
 
 @pytest.mark.parametrize(
@@ -172,7 +172,7 @@ def test_dmi2008_equals_must_both_hold_where_none_is_named(named, linear, nonlin
 )
 def test_nzsee2017_by_the_target_and_with_its_grade(target, share, outcome, grade):
     one = check("nzsee2017-face-loaded", PASS if share >= 1.0 else FAIL, state="ULS", ratio=1.0 / share)
-    found = of("nzsee2017", [one], state="ULS", target_nbs=target)
+    found = verdict_of("nzsee2017", [one], state="ULS", target_nbs=target)
     assert found.outcome == outcome
     assert found.mechanisms[0].answers[0].index is None or found.mechanisms[0].answers[0].index.grade == grade
     assert ({each.key for each in found.missing} == {"verdict.target_nbs"}) is (target is None)
@@ -180,7 +180,7 @@ def test_nzsee2017_by_the_target_and_with_its_grade(target, share, outcome, grad
 
 def test_nzsee2017_without_a_target_says_what_the_whole_standard_would_make_of_it():
     one = check("nzsee2017-face-loaded", FAIL, state="ULS", ratio=2.0)
-    assert of("nzsee2017", [one], state="ULS").provisional == NO
+    assert verdict_of("nzsee2017", [one], state="ULS").provisional == NO
 
 
 @pytest.mark.parametrize(
@@ -195,13 +195,13 @@ def test_nzsee2017_without_a_target_says_what_the_whole_standard_would_make_of_i
 )
 def test_asce41_13_at_the_declared_level(declared, chosen, outcome, state):
     one = check("asce41-13-ht", PASS, state="life safety, collapse prevention")
-    found = of("asce41-13", [one], state=declared, limit_state=chosen)
+    found = verdict_of("asce41-13", [one], state=declared, limit_state=chosen)
     assert (found.outcome, found.limit_states) == (outcome, state)
 
 
 def test_asce41_13_has_nothing_to_say_of_cantilevers():
     one = check("asce41-13-ht", NOT_FOR, state="life safety, collapse prevention")
-    assert of("asce41-13", [one], state="BSE-1E").outcome == OPEN
+    assert verdict_of("asce41-13", [one], state="BSE-1E").outcome == OPEN
 
 
 @pytest.mark.parametrize(
@@ -219,18 +219,18 @@ def test_asce41_13_has_nothing_to_say_of_cantilevers():
 def test_asce43_05_histories_decide_and_a2_only_where_named(named, history, spectrum, outcome):
     state = "no overturning"
     checks = [check("asce43-05-history", history, state=state), check("asce43-05-spectrum", spectrum, state=state)]
-    assert of("asce43-05", checks, state="DBE", procedures=named).outcome == outcome
+    assert verdict_of("asce43-05", checks, state="DBE", procedures=named).outcome == outcome
 
 
 def test_asce43_05_needs_the_dbe():
     one = check("asce43-05-history", PASS, state="no overturning")
-    assert of("asce43-05", [one], state=None).missing[0].key == "site.limit_state"
+    assert verdict_of("asce43-05", [one], state=None).missing[0].key == "site.limit_state"
 
 
 @pytest.mark.parametrize(("said", "outcome"), [(PASS, YES), (FAIL, NO), (SILENT, OPEN), (NOT_FOR, OPEN)])
 def test_ec8_elements(said, outcome):
     """A wall that carries floors has no accepted method: not applicable, so incomplete."""
-    assert of("ec8", [check("ec8-element", said, state="element")], state="ULS").outcome == outcome
+    assert verdict_of("ec8", [check("ec8-element", said, state="element")], state="ULS").outcome == outcome
 
 
 @pytest.mark.parametrize(
@@ -258,7 +258,7 @@ def test_methods_that_must_both_hold_would_pass_only_where_both_would(first, sec
         check("dmi2008-linear", SILENT, provisional=first),
         check("dmi2008-nonlinear", SILENT, provisional=second),
     ]
-    found = of("dmi2008", checks, use_class="II")
+    found = verdict_of("dmi2008", checks, use_class="II")
     assert (found.outcome, found.mechanisms[0].answers[0].provisional) == (OPEN, provisional)
 
 
@@ -273,13 +273,13 @@ def test_methods_that_must_both_hold_would_pass_only_where_both_would(first, sec
 def test_an_italian_hazard_is_not_the_action_of_another_code(basis, method, state):
     """It gives SLO to SLC; that of SLV is neither a DBE nor New Zealand's ULS."""
     more = {"target_nbs": 34} if basis == "nzsee2017" else {}
-    found = of(basis, [check(method, PASS, state=state)], periods=True, **more)
+    found = verdict_of(basis, [check(method, PASS, state=state)], periods=True, **more)
     assert (found.outcome, [each.key for each in found.missing]) == (OPEN, ["site.spectrum"])
 
 
 def test_what_the_project_lacks_as_a_whole_leaves_nothing_to_show():
     lacking = (Missing("site.pga", "less than the hazard's"),)
-    found = of("ntc2018", [check(NONLINEAR, PASS)], use_class="II", missing=lacking)
+    found = verdict_of("ntc2018", [check(NONLINEAR, PASS)], use_class="II", missing=lacking)
     assert (found.outcome, found.missing, found.mechanisms[0].provisional) == (OPEN, lacking, None)
 
 
@@ -289,8 +289,8 @@ def test_what_informs_other_levels_and_thesis_readings_never_decide():
         check(NONLINEAR, FAIL, level_pga_g=0.3),
         check(NONLINEAR, FAIL, reading="thesis"),
     ]
-    assert of("ntc2018", [*others, check(NONLINEAR, PASS)], use_class="II").outcome == YES
-    assert of("ntc2018", others, use_class="II").outcome == OPEN
+    assert verdict_of("ntc2018", [*others, check(NONLINEAR, PASS)], use_class="II").outcome == YES
+    assert verdict_of("ntc2018", others, use_class="II").outcome == OPEN
 
 
 def test_a_premise_that_is_missing_makes_a_pass_incomplete_and_leaves_a_fail():

@@ -22,7 +22,7 @@ class Edit:
 
 
 @dataclass(frozen=True)
-class Case:
+class FuzzInput:
     """A command on files in an empty folder.
 
     group : the class of inputs; files : content by relative path; target : the one that is mutated, "" for none;
@@ -43,7 +43,7 @@ class Case:
         """The content of the target."""
         return self.files[self.target]
 
-    def edited(self, edits: Sequence[Edit]) -> Case:
+    def edited(self, edits: Sequence[Edit]) -> FuzzInput:
         """The same after `edits` of its target, the last in the file first, so that offsets stay true."""
         data = self.data
         edits = [replace(each, lost=self.data[each.offset : each.offset + each.removed]) for each in edits]
@@ -52,7 +52,7 @@ class Case:
         return replace(self, files=self.files | {self.target: data}, edits=tuple(edits))
 
 
-def rewritten(case: Case, data: bytes, *, where: str, what: str) -> tuple[Edit, ...]:
+def rewritten(case: FuzzInput, data: bytes, *, where: str, what: str) -> tuple[Edit, ...]:
     """The edit that makes the target `data`: the smallest stretch that differs."""
     old = case.data
     start = _alike(old, data)
@@ -69,7 +69,7 @@ def _alike(one: bytes, other: bytes) -> int:
     return low
 
 
-def saved(case: Case, path: Path, **more: object) -> Path:
+def saved(case: FuzzInput, path: Path, **more: object) -> Path:
     """The case, whole, as a file of JSON, and beside it what is told of it."""
     plain = asdict(case)
     plain["files"] = {name: base64.b64encode(data).decode() for name, data in case.files.items()}
@@ -80,13 +80,13 @@ def saved(case: Case, path: Path, **more: object) -> Path:
     return path
 
 
-def reopened(path: Path) -> Case:
+def reopened(path: Path) -> FuzzInput:
     """The case that `saved` wrote."""
     plain = json.loads(path.read_text(encoding="utf-8"))
     edits = tuple(
         Edit(**(each | {key: base64.b64decode(each[key]) for key in ("inserted", "lost")})) for each in plain["edits"]
     )
     files = {name: base64.b64decode(data) for name, data in plain["files"].items()}
-    return Case(
+    return FuzzInput(
         plain["group"], plain["name"], files, plain["target"], tuple(plain["arguments"]), edits, plain.get("shows", "")
     )

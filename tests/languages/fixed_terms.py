@@ -1,4 +1,4 @@
-"""Every fixed English term that results can carry, read out of the source: what a catalogue needs besides messages.
+"""Every fixed English term that results can carry, read out of the source, and the objects that results hold.
 
 A term is a literal that reaches a field of the results: an argument of a function that makes lines of calculation
 sheets, a keyword such as `caveat` or `damping_rule`, a member of a table, or what `Term(…)` holds. A name is followed
@@ -10,10 +10,14 @@ from __future__ import annotations
 import ast
 import re
 from collections.abc import Iterator, Mapping
+from dataclasses import fields, is_dataclass
 from functools import cache
 from pathlib import Path
+from typing import TypeVar
 
 from tests.support.places import SOURCES
+
+T = TypeVar("T")
 
 FOLDERS = (
     "assess/codes",
@@ -117,6 +121,20 @@ def fixed_terms() -> tuple[str, ...]:
     files = [file for folder in FOLDERS for file in sorted((SOURCES / folder).rglob("*.py"))]
     found = {term for file in files for term in _of_file(file)}
     return tuple(sorted(term for term in found if any(map(str.isalpha, term)) and not IDENTIFIER.fullmatch(term)))
+
+
+def objects_in(data: object, kind: type[T]) -> Iterator[T]:
+    """Yield every object of a class within data, those that stand in others of the class too."""
+    if isinstance(data, kind):
+        yield data
+    if is_dataclass(data):
+        parts: tuple[object, ...] = tuple(getattr(data, each.name) for each in fields(data))
+    elif isinstance(data, dict):
+        parts = tuple(data.values())
+    else:
+        parts = tuple(data) if isinstance(data, tuple | list) and not (data and isinstance(data[0], float)) else ()
+    for each in parts:
+        yield from objects_in(each, kind)
 
 
 def _of_file(file: Path) -> Iterator[str]:

@@ -7,8 +7,7 @@ import pytest
 from assess.codes.bases import BASES
 from assess.codes.procedures import PROCEDURES
 from assess.messages.message import Term
-from tests.languages.fixed_terms import fixed_terms
-from tests.support.objects import objects_in
+from tests.languages.fixed_terms import fixed_terms, objects_in
 from tests.support.subjects import subjects
 
 

@@ -16,8 +16,8 @@ from assess.project.build import build
 from assess.project.project_file import load
 from assess.results.json import dumps, loads
 from assess.study.run import run_study
+from tests.languages.fixed_terms import objects_in
 from tests.support.examples import example_results
-from tests.support.objects import objects_in
 from tests.support.places import SOURCES
 
 FOLDERS = ("assess", "records", "spectra")

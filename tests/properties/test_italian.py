@@ -18,7 +18,7 @@ from assess.codes.italian_limit_states import ItalianOptions
 from assess.mechanisms.single_block import equivalent_block
 from spectra import ntc
 from tests.support.answered import context_at, ratio_of
-from tests.support.curved import both, pulled
+from tests.support.blocks import both, pulled
 
 SPECTRUM = ntc.elastic_spectrum(ntc.Hazard(0.25 * g, 2.4, 0.35), place=ntc.SoilAndTopography("C"))
 HOUSE = Building(9.0, 3, 0.3, 0.05)

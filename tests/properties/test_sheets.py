@@ -15,9 +15,9 @@ import pytest
 from assess.codes.calculation_sheet import Step, SymbolValue, substitute
 from assess.codes.procedures import PROCEDURES
 from tests.support.formula import NoFormulaError, evaluate
+from tests.support.printed_sheet import Sheet
 from tests.support.readings import LINES
-from tests.support.sheet import Sheet
-from tests.support.sheets import comes_to, faults, faults_of
+from tests.support.sheet_faults import comes_to, faults, faults_of
 from tests.support.subjects import LEVELS, subjects
 
 EVERY = pytest.mark.parametrize("name", PROCEDURES)

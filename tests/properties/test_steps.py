@@ -14,7 +14,7 @@ from assess.project.build import build
 from assess.project.project_file import load
 from assess.study.run import run_study
 from tests.support.formula import NoFormulaError, evaluate
-from tests.support.sheets import comes_to
+from tests.support.sheet_faults import comes_to
 from tests.support.subjects import subjects
 
 CLOSE = 6e-6  # relative: by Simpson's rule or between two points of a table at most

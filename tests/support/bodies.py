@@ -1,10 +1,13 @@
-"""Planar bodies of tests, from the blocks of a chain or from boxes that face +x, and the walls made of them."""
+"""Planar bodies of tests, from blocks of a chain or boxes that face +x, walls made of them, and regions of contact."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from math import hypot
 from typing import Any
+
+import numpy as np
+import shapely
 
 from assess.geometry.planar import PlanarBody, planar_body, planar_body_from_values
 from assess.geometry.solid import box
@@ -120,3 +123,12 @@ def rigid_wall(
     if sides == "one":
         hinges["hinge_negative"] = None
     return single_block("w", body, **hinges, loads=loads, sides=sides, restitution=restitution)
+
+
+def in_joint_frame(region: shapely.Geometry, direction: Sequence[float]) -> shapely.Geometry:
+    """Return the region with the depth from its foremost point as x, the offset to the left of its centroid as y."""
+    along = np.asarray(direction) / np.hypot(*direction)
+    across = np.array([-along[1], along[0]])
+    middle = shapely.get_coordinates(region.centroid)[0]
+    ahead = (shapely.get_coordinates(region) @ along).max()
+    return shapely.transform(region, lambda p: np.column_stack([ahead - p @ along, (p - middle) @ across]))

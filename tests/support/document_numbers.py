@@ -1,9 +1,10 @@
-"""Every number of a document, as it is kept and as a locale writes it, and the numbers of results that it may be."""
+"""Every number of a document, as it is kept, as a locale writes it and read back, and the numbers of results."""
 
 from __future__ import annotations
 
 import bisect
 import dataclasses
+import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from math import isfinite, pi
@@ -21,7 +22,6 @@ from reports.chapters.declaration import WITHIN_ROUNDING
 from reports.document import Column, Document, Figure, Table
 from reports.language.locale import UNITS, Locale
 from reports.render.table_text import cell_text
-from tests.support.written_numbers import read_number
 
 FIXED = (WITHIN_ROUNDING,)
 """Numbers of the program that a sentence names: below which difference a control is within rounding."""
@@ -168,3 +168,27 @@ def strange_numbers(results: Results) -> set[tuple[str, str]]:
         for each in shown_numbers(document, document.writer)
         if not is_known(each.value, known) and not (each.value == int(each.value) and 0 <= each.value < 1000)
     }
+
+
+_NUMBER = re.compile(r"(−?)(\d+)(?:([.,])(\d+))?(?:×10([⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+))?")
+_RAISED = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
+
+
+@dataclass(frozen=True)
+class WrittenNumber:
+    """A number as it is read. last_digit: what one unit of its last digit is worth, of a whole number of its zeros."""
+
+    value: float
+    last_digit: float
+
+
+def read_number(text: str, *, point: str = ".") -> WrittenNumber:
+    """Return the number that a text begins with; raises ValueError where it begins with none."""
+    found = _NUMBER.match(text)
+    if found is None or (found[3] is not None and found[3] != point):
+        raise ValueError(f"{text!r} does not begin with a number")
+    sign, whole, _, decimals, power = found.groups()
+    scale = 10.0 ** int((power or "⁰").translate(_RAISED))
+    value = float(f"{whole}.{decimals or '0'}") * scale * (-1 if sign else 1)
+    zeros = len(whole) - len(whole.rstrip("0")) if decimals is None and value else 0
+    return WrittenNumber(value, 10.0 ** (zeros - len(decimals or "")) * scale)

@@ -12,8 +12,8 @@ import numpy as np
 from scipy.constants import g
 
 from assess.oscillator import interpolant
+from tests.support.printed_sheet import Sheet
 from tests.support.readings import breaking, first_to_slide, floor_demands, shares
-from tests.support.sheet import Sheet
 from tests.support.subjects import AMPLIFIED, FRICTION, S_X1, VERTICAL
 
 

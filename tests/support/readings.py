@@ -14,7 +14,7 @@ from scipy.constants import g
 
 from assess.codes.check import branch_of
 from assess.oscillator import Branch, HingeForces, interpolant
-from tests.support.sheet import Sheet
+from tests.support.printed_sheet import Sheet
 from tests.support.subjects import FRICTION, SLIDING
 
 PERMISSIBLE = {"other": (20.0, 16.0, 13.0), "first": (20.0, 18.0, 15.0), "top": (14.0, 14.0, 9.0)}  # Table 11-5

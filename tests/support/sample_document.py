@@ -1,4 +1,4 @@
-"""A document with every block and every kind of text, in which all that a user can write is hostile."""
+"""A document with every block and every kind of text, all that a user can write being hostile, and its page."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ from base64 import b64encode
 from functools import partial
 from io import BytesIO
 from math import radians
+from pathlib import Path
 
 from matplotlib.figure import Figure as Drawn
 from PIL import Image
@@ -52,7 +53,9 @@ from reports.language.texts import (
     say,
     say_count,
 )
+from reports.render.html import write_html
 from reports.render.table_text import PlainCell, plain_cell
+from reports.render.vector import svg_picture, trace_figure
 
 HOSTILE = "=cmd|'/c calc'!A0 <b>&amp;</p> <script>alert(1)</script> ]]> $x$ {gap} %s ../../etc \u202e \x07"
 """What a user may write: a formula of spreadsheets, markup, gaps of templates, a path, characters that are not seen."""
@@ -239,3 +242,9 @@ def _unknown() -> Step:
 def plain_rows(table: Table, locale: Locale) -> list[list[PlainCell]]:
     """Return the cells of a table as files hold them."""
     return [[plain_cell(*each, locale) for each in zip(row, table.columns, strict=True)] for row in table.rows]
+
+
+def write_page(document: Document, path: Path) -> Path:
+    """Write the page; the path written."""
+    pictures = {figure.name: svg_picture(trace_figure(figure.draw(document.writer))) for figure in document.figures}
+    return write_html(document, path, pictures=pictures)

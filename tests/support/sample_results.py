@@ -1,8 +1,9 @@
-"""A whole set of results made by hand: two mechanisms, several levels, five procedures, histories, curves."""
+"""A whole set of results made by hand: two mechanisms, levels, procedures, histories, curves; and changes of it."""
 
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 from scipy.constants import g
@@ -46,11 +47,11 @@ from assess.results import (
     View,
 )
 
-LEVELS = (0.067, 0.2, 0.45)
-PERIODS = tuple(float(period) for period in np.concatenate([[0.0], np.linspace(0.05, 4.0, 80)]))
+_LEVELS = (0.067, 0.2, 0.45)
+_PERIODS = tuple(float(period) for period in np.concatenate([[0.0], np.linspace(0.05, 4.0, 80)]))
 
 
-def asce_shape(period: float, s_ds: float = 0.167, s_d1: float = 0.053) -> float:
+def _asce_shape(period: float, s_ds: float = 0.167, s_d1: float = 0.053) -> float:
     """Return the ordinate of the design spectrum at a period [g]."""
     corner = s_d1 / s_ds
     if period < 0.2 * corner:
@@ -58,7 +59,7 @@ def asce_shape(period: float, s_ds: float = 0.167, s_d1: float = 0.053) -> float
     return s_ds if period < corner else s_d1 / period
 
 
-def block_curve(mass: float, radius: float, alpha: float, p: float) -> BranchCurve:
+def _block_curve(mass: float, radius: float, alpha: float, p: float) -> BranchCurve:
     """Return the curve of a rectangular block."""
     phi = np.linspace(0.0, 1.5 * alpha, 61)
     inertia, excitation = mass * g * radius / p**2, mass * radius * np.cos(alpha - phi)
@@ -67,7 +68,7 @@ def block_curve(mass: float, radius: float, alpha: float, p: float) -> BranchCur
     return BranchCurve(*(tuple(map(float, column)) for column in columns))
 
 
-def oscillator(mass: float, radius: float, alpha: float, p: float, *, flexible: float | None) -> OscillatorResult:
+def _oscillator(mass: float, radius: float, alpha: float, p: float, *, flexible: float | None) -> OscillatorResult:
     """Return the numbers of a rectangular block; flexible : its overturning on joints [rad]."""
     inertia, tangent, kept = mass * g * radius / p**2, float(np.tan(alpha)), 1 - 1.5 * float(np.sin(alpha)) ** 2
     linear = LinearisedResult(inertia, p**2 * inertia, mass * radius, 0.0, alpha, alpha, alpha)
@@ -77,7 +78,7 @@ def oscillator(mass: float, radius: float, alpha: float, p: float, *, flexible: 
     )
 
 
-STEPS = (
+_STEPS = (
     ("h", "height of the centroid above the hinge", "ASCE 43-05 A.1", "h = B_0 / M", "52 400 / 18 700", 2.802, "m"),
     ("f_1", "factor of the weight", "ASCE 43-05 eq. A-1", "f_1 = cos θ + (b/h) sin θ", "cos 0.07 + 0.141 sin 0.07",
      1.0074, "-"),
@@ -89,7 +90,9 @@ STEPS = (
 """The lines of a calculation sheet before the ratio."""
 
 
-def check(procedure: str, level: float, alpha: float, verdict: str, ratio: float | None, demand: float | None) -> Check:
+def _check(
+    procedure: str, level: float, alpha: float, verdict: str, ratio: float | None, demand: float | None
+) -> Check:
     """Return an answer of a procedure at a level [g]."""
     if verdict == "not-answered":
         counts = {"n": whole_number(4), "fallen": whole_number(0), "least": whole_number(5)}
@@ -128,15 +131,15 @@ def check(procedure: str, level: float, alpha: float, verdict: str, ratio: float
         capacity_rotation_ratio=None if linear else 0.5,
         rotation_ratio=None if demand is None or linear else demand / alpha,
         pga_curve=PgaCurve((), ()) if linear else curve,
-        steps=() if verdict == "not-answered" else tuple(Step(*each) for each in (*STEPS, last)),
+        steps=() if verdict == "not-answered" else tuple(Step(*each) for each in (*_STEPS, last)),
         caveat="clauses not checked against the printed standard" if "dmi" in procedure else "",
     )
 
 
-def checks(alpha: float, weak: bool) -> tuple[Check, ...]:
+def _checks(alpha: float, weak: bool) -> tuple[Check, ...]:
     """Return the answers of five procedures at every level."""
     made = []
-    for place, level in enumerate(LEVELS):
+    for place, level in enumerate(_LEVELS):
         r = (0.0, 0.37, 1.31 if weak else 0.84)[place]
         outcome, turned = "pass" if r <= 1 else "fail", 0.5 * r * alpha
         history = ("fail", None, None) if place == 2 else ("pass", r, turned)
@@ -147,11 +150,11 @@ def checks(alpha: float, weak: bool) -> tuple[Check, ...]:
             "dmi2008-nonlinear": (outcome, 1.1 * r if r <= 0.9 else 3.4, turned),
             "asce43-05-history": history if weak else ("not-answered", None, None),
         }
-        made += [check(name, level, alpha, *answer) for name, answer in answers.items()]
+        made += [_check(name, level, alpha, *answer) for name, answer in answers.items()]
     return tuple(made)
 
 
-def trace(alpha: float, *, sides: str) -> HistoryTrace:
+def _trace(alpha: float, *, sides: str) -> HistoryTrace:
     """Return what a history recorded: the ground, and a block that swells and dies or overturns."""
     t = np.arange(0.0, 20.0, 0.01)
     shape = (t / 4) ** 2 * np.exp(2 * (1 - t / 4))
@@ -163,11 +166,13 @@ def trace(alpha: float, *, sides: str) -> HistoryTrace:
     return HistoryTrace(*(tuple(map(float, column)) for column in (t, turned, ground)))
 
 
-def histories(alpha: float, records: tuple[RecordResult, ...], *, sides: str, falls: bool) -> tuple[HistoryResult, ...]:
+def _histories(
+    alpha: float, records: tuple[RecordResult, ...], *, sides: str, falls: bool
+) -> tuple[HistoryResult, ...]:
     """Return a history of each record at each level; of the one that falls the second record overturns."""
     made = []
     for place, record in enumerate(records):
-        for level in LEVELS:
+        for level in _LEVELS:
             fell = falls and level > 0.3 and place == 1
             turned = 0.0 if level < 0.1 else alpha * level * (0.7 + 0.15 * place)
             made.append(
@@ -183,17 +188,17 @@ def histories(alpha: float, records: tuple[RecordResult, ...], *, sides: str, fa
                     0 if turned == 0 else 7,
                     fell,
                     5.61 if fell else None,
-                    trace(alpha, sides=sides) if level > 0.3 and place == 1 else None,
+                    _trace(alpha, sides=sides) if level > 0.3 and place == 1 else None,
                     "positive",
                 )
             )
     return tuple(made)
 
 
-def suites(history: tuple[HistoryResult, ...]) -> tuple[SuiteResult, ...]:
+def _suites(history: tuple[HistoryResult, ...]) -> tuple[SuiteResult, ...]:
     """Return what the histories at each level come to."""
     made = []
-    for level in LEVELS:
+    for level in _LEVELS:
         ratios = [h.max_rotation_ratio for h in history if h.level_pga_g == level]
         standing = [ratio for ratio in ratios if ratio is not None]
         fell = len(ratios) - len(standing)
@@ -201,10 +206,10 @@ def suites(history: tuple[HistoryResult, ...]) -> tuple[SuiteResult, ...]:
     return tuple(made)
 
 
-def record(number: int) -> RecordResult:
+def _record(number: int) -> RecordResult:
     """Return an artificial record by its number."""
-    wobble = [1 + 0.25 * np.sin(5 * period + number) * np.cos(2.1 * number * period) for period in PERIODS]
-    spectrum = RecordSpectrum(PERIODS, tuple(float(asce_shape(p) * w) for p, w in zip(PERIODS, wobble, strict=True)))
+    wobble = [1 + 0.25 * np.sin(5 * period + number) * np.cos(2.1 * number * period) for period in _PERIODS]
+    spectrum = RecordSpectrum(_PERIODS, tuple(float(_asce_shape(p) * w) for p, w in zip(_PERIODS, wobble, strict=True)))
     return RecordResult(
         f"artificial-{number}",
         "",
@@ -221,7 +226,7 @@ def record(number: int) -> RecordResult:
     )
 
 
-def turned(points: tuple[Point, ...], about: float, base: float, angle: float) -> tuple[Point, ...]:
+def _turned(points: tuple[Point, ...], about: float, base: float, angle: float) -> tuple[Point, ...]:
     """The points after a rotation by `angle` towards +x about (about, base)."""
     s, c = np.sin(angle), np.cos(angle)
     return tuple(
@@ -230,7 +235,7 @@ def turned(points: tuple[Point, ...], about: float, base: float, angle: float) -
     )
 
 
-def rectangle(thickness: float, height: float, base: float, *, two: bool) -> Drawing:
+def _rectangle(thickness: float, height: float, base: float, *, two: bool) -> Drawing:
     """Return the drawing of a wall, at rest and displaced."""
     t = thickness / 2
     outline = ((-t, base), (t, base), (t, base + height), (-t, base + height))
@@ -240,18 +245,18 @@ def rectangle(thickness: float, height: float, base: float, *, two: bool) -> Dra
     sides = [
         DisplacedDrawing(
             0.07,
-            (turned(outline, hinge.at[0], base, angle),),
+            (_turned(outline, hinge.at[0], base, angle),),
             (0,),
             (hinge,),
-            tuple(replace(load, at=turned((load.at,), hinge.at[0], base, angle)[0]) for load in loads),
-            turned((centre,), hinge.at[0], base, angle),
+            tuple(replace(load, at=_turned((load.at,), hinge.at[0], base, angle)[0]) for load in loads),
+            _turned((centre,), hinge.at[0], base, angle),
         )
         for hinge, angle in zip(hinges, (0.07, -0.07), strict=False)
     ]
     return Drawing((outline,), hinges, loads, centre, (0,), (centre,), sides[0], sides[1] if two else None, ())
 
 
-def box_view(thickness: float, height: float) -> View:
+def _box_view(thickness: float, height: float) -> View:
     """A box on a base: eight corners each, the upper one moves."""
     x, y = thickness / 2, 1.5
     corners = [(i, j) for i in (-x, x) for j in (-y, y)]
@@ -266,26 +271,26 @@ def box_view(thickness: float, height: float) -> View:
     return View(tuple(vertices), tuple(triangles), owner, axes, (section,), (1.0, 0.0, 0.0), size, 24)
 
 
-FOUND = 'share 0.5 (statics; the rest on "<b>rear & $x$"); bears on 0.8 m2'
-LOADS = (
-    LoadResult("floor <beam>", "mass", 0, (0.2, 6.1), 1160.0, True, None, FOUND),
+_FOUND = 'share 0.5 (statics; the rest on "<b>rear & $x$"); bears on 0.8 m2'
+_LOADS = (
+    LoadResult("floor <beam>", "mass", 0, (0.2, 6.1), 1160.0, True, None, _FOUND),
     LoadResult("=cmd()", "force", 0, (0.2, 6.4), None, None, (8250.5, -120.0), "given"),
 )
 
 
-def mechanism(
+def _mechanism(
     name: str, label: str, kind: str, *, sides: str, records: tuple[RecordResult, ...], weak: bool
 ) -> MechanismResult:
     """Return a mechanism with all that the report may show of it."""
     mass, radius, alpha, p = (18_730.0, 2.84, 0.14, 1.60) if not weak else (1.0, 4.31, 0.11, 1.29)
     two = sides == "two"
     curve, parameters = (
-        block_curve(mass, radius, alpha, p),
-        oscillator(mass, radius, alpha, p, flexible=None if two else 0.92 * alpha),
+        _block_curve(mass, radius, alpha, p),
+        _oscillator(mass, radius, alpha, p, flexible=None if two else 0.92 * alpha),
     )
     thickness, height = 2 * radius * float(np.sin(alpha)), 2 * radius * float(np.cos(alpha))
-    drawing = rectangle(thickness, height, 4.77 if two else 0.0, two=two)
-    history = histories(alpha, records, sides=sides, falls=weak)
+    drawing = _rectangle(thickness, height, 4.77 if two else 0.0, two=two)
+    history = _histories(alpha, records, sides=sides, falls=weak)
     return MechanismResult(
         name,
         label,
@@ -293,7 +298,7 @@ def mechanism(
         sides,  # type: ignore[arg-type]
         "exact" if two else "linearised",
         drawing,
-        box_view(thickness, height) if two else None,
+        _box_view(thickness, height) if two else None,
         parameters,
         parameters if two else None,
         CapacityCurve(curve, curve if two else None),
@@ -301,32 +306,32 @@ def mechanism(
         AmplificationResult(
             "srss" if weak else "none", tuple(AmplificationFactor(r.id, 1.25) for r in records) if weak else ()
         ),
-        checks(alpha, weak),
+        _checks(alpha, weak),
         history,
-        suites(history),
+        _suites(history),
         None,
         "Housner 1963, thesis eq. 3.44" if two else "given",
-        () if two else LOADS,
-        ROUND_TOWER if two else None,
-        hinge_forces=HINGE_FORCES if two else (),
+        () if two else _LOADS,
+        _ROUND_TOWER if two else None,
+        hinge_forces=_HINGE_FORCES if two else (),
     )
 
 
 LEVEL, DOWN = (0.0, 1.0), (0.0, -1.0)
-HINGE_FORCES = (
+_HINGE_FORCES = (
     HingeForceResult("A", "positive", -4310.0, 5000.0, 0.862, 0.6, 5000.0, -4310.0, LEVEL, True, 0.4, 0.278, False),
     HingeForceResult("B", "positive", 310.0, 2500.0, 0.124, 0.6, 2500.0, 310.0, LEVEL, False, 0.4, None, False),
     HingeForceResult("A'", "negative", -410.0, -20.0, None, 0.6, -20.0, -410.0, LEVEL, True, 0.3, 0.0, False),
     HingeForceResult("C", "positive", -910.0, -700.0, 1.3, None, 700.0, 910.0, DOWN, True, 0.4, None, True),
 )
 """A hinge that slides first, one that rocks first, one that lifts, and the top of a wall."""
-MULTIPLIERS = tuple(float(0.141 * (1 + 0.004 * k % 7)) for k in range(72))
-ROUND_TOWER = DirectionSweep(
-    tuple(5.0 * k for k in range(72)), MULTIPLIERS, (1.6,) * 72, (0.14,) * 72, 0.0, 0.027, 131.25
+_MULTIPLIERS = tuple(float(0.141 * (1 + 0.004 * k % 7)) for k in range(72))
+_ROUND_TOWER = DirectionSweep(
+    tuple(5.0 * k for k in range(72)), _MULTIPLIERS, (1.6,) * 72, (0.14,) * 72, 0.0, 0.027, 131.25
 )
 
 
-def question_at(pga_g: float = LEVELS[0]) -> Question:
+def question_at(pga_g: float = _LEVELS[0]) -> Question:
     """ASCE 43-05 at a site of this PGA; the approximate method is named too."""
     methods = ("asce43-05-history", "asce43-05-spectrum")
     return Question(BASES["asce43-05"], Action(pga_g, "DBE"), procedures=methods)
@@ -345,10 +350,10 @@ def with_decision(results: Results, question: Question | None = None) -> Results
 
 def sample_results() -> Results:
     """Return all of it."""
-    records = tuple(record(number) for number in range(1, 6))
+    records = tuple(_record(number) for number in range(1, 6))
     mechanisms = (
-        mechanism("wall-6", "Wall 6, eroded base", "single-block", sides="two", records=records, weak=False),
-        mechanism("parapet", "", "equivalent-block", sides="one", records=records, weak=True),
+        _mechanism("wall-6", "Wall 6, eroded base", "single-block", sides="two", records=records, weak=False),
+        _mechanism("parapet", "", "equivalent-block", sides="one", records=records, weak=True),
     )
     comparison = tuple(
         ComparisonRow(m.name, c.level_pga_g, c.procedure, c.rotation_ratio, c.capacity_rotation_ratio, c.ratio)
@@ -367,7 +372,7 @@ def sample_results() -> Results:
         "mechanisms.wall-6.direction": ResolvedValue([1, 0, 0], False),
         "mechanisms.wall-6.cut": ResolvedValue(4.77, True),
         "mechanisms.wall-6.hinges.A": ResolvedValue({"x": 0.396, "z": 4.77}, True),
-        "analysis.levels": ResolvedValue(list(LEVELS), True),
+        "analysis.levels": ResolvedValue(list(_LEVELS), True),
         "procedures.dmi2008.confidence_factor": ResolvedValue(1.0, False),
         "report.paper": ResolvedValue("A4", False),
     }
@@ -378,8 +383,8 @@ def sample_results() -> Results:
         "ASCE 7-16 Table 17.5-1, B factor",
         "ASCE 7-16 11.4.6",
         0.067,
-        PERIODS,
-        tuple(asce_shape(p) for p in PERIODS),
+        _PERIODS,
+        tuple(_asce_shape(p) for p in _PERIODS),
     )
     made = Results(
         SCHEMA_VERSION,
@@ -421,3 +426,20 @@ def sample_results() -> Results:
         ),
     )
     return with_decision(made)
+
+
+def with_verdict(results: Results, **changes: Any) -> Results:
+    """Return the results with these fields of their verdict."""
+    assert results.verdict is not None
+    return replace(results, verdict=replace(results.verdict, **changes))
+
+
+def with_mechanisms(results: Results, **changes: Any) -> Results:
+    """Return the results with these fields of every mechanism."""
+    return replace(results, mechanisms=tuple(replace(each, **changes) for each in results.mechanisms))
+
+
+def with_project(results: Results, *, instead: bool = False, **values: ResolvedValue) -> Results:
+    """Return the results with these values of the project, beside or `instead` of its own; `__` is a dot of a key."""
+    project = {key.replace("__", "."): value for key, value in values.items()}
+    return replace(results, project=project if instead else {**results.project, **project})

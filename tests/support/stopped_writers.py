@@ -14,8 +14,8 @@ from tempfile import TemporaryDirectory
 from aim import aim
 
 from assess.outputs.signals import Terminated, raise_on_signals
+from tests.support.files import write_output
 from tests.support.places import ROOT
-from tests.support.written import run
 
 
 class StoppedWriters:
@@ -24,7 +24,7 @@ class StoppedWriters:
     def __init__(self, process: subprocess.Popen[str]) -> None:
         self._process = process
 
-    def write(self, folder: Path, files: Mapping[str, str], *, at: int, number: int) -> int:
+    def write_files(self, folder: Path, files: Mapping[str, str], *, at: int, number: int) -> int:
         """Write the files in a process that is sent the signal `number` before step `at`; its status, as of `wait`."""
         assert self._process.stdin is not None
         assert self._process.stdout is not None
@@ -56,7 +56,7 @@ def _status_of_copy(folder: Path, files: dict[str, str], *, at: int, number: int
             os.dup2(os.open(os.devnull, os.O_WRONLY), 2)
             with raise_on_signals():
                 aim(folder, at=at, number=number)
-                run(folder, files)
+                write_output(folder, files)
             os._exit(0)
         except Terminated:
             os._exit(3)
@@ -67,7 +67,7 @@ def _status_of_copy(folder: Path, files: dict[str, str], *, at: int, number: int
 
 if __name__ == "__main__":
     with TemporaryDirectory() as place:
-        run(Path(place) / "out", {"results.json": "1"})  # so that what writing imports is there to be copied
+        write_output(Path(place) / "out", {"results.json": "1"})  # so that what writing imports is there to be copied
     for line in sys.stdin:
         folder, files, at, number = json.loads(line)
         sys.stdout.write(f"{_status_of_copy(Path(folder), files, at=at, number=number)}\n")

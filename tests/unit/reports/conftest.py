@@ -10,8 +10,7 @@ from typing import TYPE_CHECKING
 import pytest
 
 from assess.results import Results
-from tests.support.changed_results import with_verdict
-from tests.support.sample_results import question_at, sample_results, with_decision
+from tests.support.sample_results import question_at, sample_results, with_decision, with_verdict
 
 if TYPE_CHECKING:
     from reports.document import Document

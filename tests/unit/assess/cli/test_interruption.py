@@ -8,9 +8,8 @@ from pathlib import Path
 
 import pytest
 
-from tests.support.command import ended
+from tests.support.command import Interrupted, ended, interrupt
 from tests.support.projects import write_blocks
-from tests.support.terminal import Interrupted, interrupt
 
 pytestmark = pytest.mark.skipif(not Path("/proc/self/stat").exists(), reason="processes are counted in /proc")
 

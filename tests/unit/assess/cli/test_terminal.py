@@ -7,9 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from tests.support.command import ended
+from tests.support.command import Screen, ended, terminal
 from tests.support.projects import write_blocks
-from tests.support.terminal import Screen, terminal
 
 QUICK = {"samples": 12, "draws": 100}
 SHORT = {"amplitude": {"from": "0 g", "to": "4 g", "count": 3}, "frequency": {"from": "1 Hz", "to": "4 Hz", "count": 3}}

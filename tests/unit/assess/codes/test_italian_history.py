@@ -17,7 +17,7 @@ from assess.codes.italian_histories import required_pga
 from assess.codes.italian_limit_states import ItalianOptions
 from assess.codes.procedures import apply_procedure
 from spectra.asce7 import design_spectrum
-from tests.support.slender import ALPHA, BLOCK, D0, RADIUS, displacement
+from tests.support.straight import ALPHA, D0, RADIUS, SLENDER, displacement
 
 LEVEL = 0.2 * g
 SEVEN = (0.1, 0.2, 0.3, 0.3, 0.4, 0.5, 0.6)
@@ -31,7 +31,7 @@ def context(*ratios, pga=LEVEL, levels=(LEVEL,), **more):
 
 
 def one(*ratios, state="SLV", **more):
-    (check,) = ntc2018.assess_history(BLOCK, context(*ratios, **more), options=ItalianOptions(limit_states=(state,)))
+    (check,) = ntc2018.assess_history(SLENDER, context(*ratios, **more), options=ItalianOptions(limit_states=(state,)))
     return check
 
 
@@ -77,9 +77,9 @@ def test_confidence_factor_goes_with_the_motion():
         SuiteResponse(pga * g, (ratio,) * 7, "positive") for pga, ratio in ((0.2, 0.1), (0.24, 0.3), (0.3, 0.5))
     )
     at = dataclasses.replace(context(*(0.1,) * 7), incremental=scan, extra_suites=scan[1:2])
-    (plain,) = ntc2018.assess_history(BLOCK, at, options=ItalianOptions())
+    (plain,) = ntc2018.assess_history(SLENDER, at, options=ItalianOptions())
     (less,) = ntc2018.assess_history(
-        BLOCK, dataclasses.replace(at, knowledge={"ntc2018": "LC2"}), options=ItalianOptions()
+        SLENDER, dataclasses.replace(at, knowledge={"ntc2018": "LC2"}), options=ItalianOptions()
     )
     assert plain.ratio == pytest.approx(displacement(0.1) / D0 / 0.4, rel=1e-9)
     assert less.ratio == pytest.approx(displacement(0.3) / D0 / 0.4, rel=1e-9)
@@ -91,7 +91,7 @@ def test_confidence_factor_goes_with_the_motion():
 def test_without_crushing_the_suite_of_1_35_times_the_pga_decides_whatever_the_level():
     beside = SuiteResponse(1.35 * LEVEL, (0.3,) * 7, "positive")
     at = dataclasses.replace(context(*(0.1,) * 7), crushing=False, extra_suites=(beside,))
-    deciding, informing = ntc2018.assess_history(BLOCK, at, options=ItalianOptions(confidence_factor=1.0))
+    deciding, informing = ntc2018.assess_history(SLENDER, at, options=ItalianOptions(confidence_factor=1.0))
     assert (deciding.ratio, deciding.informative) == (pytest.approx(displacement(0.3) / D0 / 0.4, rel=1e-9), False)
     assert (informing.ratio, informing.informative) == (pytest.approx(displacement(0.1) / D0 / 0.4, rel=1e-9), True)
 
@@ -114,7 +114,7 @@ def test_a_suite_that_fails_beside_the_levels_ends_the_scan():
     scan = (*scan, SuiteResponse(0.5 * g, (None,) * 7, "positive"))
     beside = SuiteResponse(0.27 * g, (None, *(0.1,) * 6), "positive")
     at = dataclasses.replace(context(*(0.1,) * 7), incremental=scan, extra_suites=(beside,), crushing=False)
-    (check,) = ntc2018.assess_history(BLOCK, at, options=ItalianOptions())
+    (check,) = ntc2018.assess_history(SLENDER, at, options=ItalianOptions())
     assert check.verdict == "fail"
     assert check.capacity_pga_g == pytest.approx(0.26 / 1.35, rel=1e-9)
     assert check.safety_index < 1.0
@@ -125,15 +125,15 @@ def test_histories_of_the_ground_cannot_pass_a_mechanism_above_it():
     procedure = partial(ntc2018.assess_history, options=ItalianOptions())
     applied = partial(apply_procedure, "ntc2018-history", procedure)
     low = dataclasses.replace(context(*(0.1,) * 7), elevation=5.0)
-    (check,) = applied(BLOCK, low)
+    (check,) = applied(SLENDER, low)
     assert (check.verdict, check.reason.key) == ("not-answered", Reason.GROUND_MOTION)
     filtered = dataclasses.replace(low, histories_at="mechanism base", transfer="by a filter")
-    assert applied(BLOCK, filtered)[0].verdict == "pass"
-    assert applied(BLOCK, dataclasses.replace(context(*(0.9,) * 7), elevation=5.0))[0].verdict == "fail"
+    assert applied(SLENDER, filtered)[0].verdict == "pass"
+    assert applied(SLENDER, dataclasses.replace(context(*(0.9,) * 7), elevation=5.0))[0].verdict == "fail"
 
 
 def test_edition_of_2008_has_one_limit_state_and_the_same_share():
-    checks = dmi2008.assess_history(BLOCK, context(*SEVEN), options=ItalianOptions(limit_states=("SLD", "SLV")))
+    checks = dmi2008.assess_history(SLENDER, context(*SEVEN), options=ItalianOptions(limit_states=("SLD", "SLV")))
     assert [check.limit_state for check in checks] == ["SLV"]
     assert checks[0].ratio == pytest.approx(one(*SEVEN).ratio, rel=1e-12)
 

@@ -16,8 +16,8 @@ from assess.codes.context import Context, LocalLimit
 from assess.codes.italian_limit_states import ItalianOptions
 from spectra import ntc
 from tests.support.answered import step_values
-from tests.support.curved import both, pulled, thrust
-from tests.support.slender import ALPHA, BLOCK, D0, RADIUS, displacement
+from tests.support.blocks import both, pulled, thrust
+from tests.support.straight import ALPHA, D0, RADIUS, SLENDER, displacement
 
 LC1 = 1.35
 SPECTRUM = ntc.elastic_spectrum(ntc.Hazard(0.2 * g, 2.4, 0.35), place=ntc.SoilAndTopography("B"))
@@ -25,12 +25,12 @@ SPECTRUM = ntc.elastic_spectrum(ntc.Hazard(0.2 * g, 2.4, 0.35), place=ntc.SoilAn
 
 def moment(lam):
     """Restoring moment of a multiplier of the block at rest [N m]."""
-    return lam * g * float(BLOCK.positive.excitation[0])
+    return lam * g * float(SLENDER.positive.excitation[0])
 
 
 def check_of(procedure=ntc2018.assess_nonlinear, *, rocker=None, state="SLV", **more):
     context = Context(SPECTRUM, (SPECTRUM.pga,), 0.0, 0.0, None, **more)
-    (check,) = procedure(rocker or BLOCK, context, options=ItalianOptions(limit_states=(state,)))
+    (check,) = procedure(rocker or SLENDER, context, options=ItalianOptions(limit_states=(state,)))
     return check
 
 
@@ -39,14 +39,14 @@ def ending(share, kind="break", branch="positive"):
 
 
 def tied(lam, share):
-    return both(pulled(BLOCK.positive, moment(lam), until=share * ALPHA), BLOCK)
+    return both(pulled(SLENDER.positive, moment(lam), until=share * ALPHA), SLENDER)
 
 
 def test_a_break_that_takes_more_than_half_of_the_largest_acceleration_limits_slv():
     """lambda 0.1 + 0.2 at rest, 0.08 after the break at 0.2 alpha: less than 0.15. a(d_SLV) still has the tie."""
     check = check_of(breaking=tied(0.2, 0.2), limits=(ending(0.2), ending(0.2, branch="negative")))
     assert check.capacity == pytest.approx(displacement(0.2), rel=1e-9)
-    held = tan(0.8 * ALPHA) + moment(0.2) / (g * BLOCK.mass * RADIUS * sin(pi / 2 - 0.8 * ALPHA))
+    held = tan(0.8 * ALPHA) + moment(0.2) / (g * SLENDER.mass * RADIUS * sin(pi / 2 - 0.8 * ALPHA))
     assert step_values(check)["a(d_SLV)"] == pytest.approx(held * g / LC1, rel=1e-6)
     assert step_values(check)["λ / λ_max"] == pytest.approx(tan(0.8 * ALPHA) / (tan(ALPHA) + 0.2), rel=1e-6)
 
@@ -88,7 +88,7 @@ def test_an_inward_tie_and_an_outward_thrust_of_one_size_leave_d0_to_the_thrust(
 
     alpha0 is the block's in the linear check; no bound of the non-linear one, where it is 1 - 0.4 of that.
     """
-    rocker, half = BLOCK, 0.4 * sin(ALPHA)
+    rocker, half = SLENDER, 0.4 * sin(ALPHA)
     driven = thrust(rocker.positive, half * g * rocker.mass * RADIUS)
     check = check_of(rocker=both(driven, rocker), starting=rocker)
     assert step_values(check)["d0*"] == pytest.approx(RADIUS * (sin(ALPHA) - half), rel=1e-6)
@@ -101,7 +101,7 @@ def test_an_inward_tie_and_an_outward_thrust_of_one_size_leave_d0_to_the_thrust(
 
 def test_curves_are_paired_by_the_name_of_the_branch():
     """A tie on one side only: the mechanism without it is symmetric, and the other side is the worse."""
-    rocker = BLOCK
+    rocker = SLENDER
     starting = replace(rocker, negative=pulled(rocker.positive, moment(0.2), until=10 * ALPHA))
     one_way = replace(rocker, positive=starting.negative, negative=rocker.positive)
     for state, worse in ((starting, "positive"), (one_way, "negative")):

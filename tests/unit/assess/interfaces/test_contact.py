@@ -14,7 +14,7 @@ from scipy.optimize import brentq
 from assess.errors import InterfaceError
 from assess.interfaces.contact import Contact, JointLaw, contact, out_of_plane_warning, semi_flexible_shift, thresholds
 from assess.interfaces.section import ContactSection, annulus, circle, hollow_rectangle, mirror, polygon, rectangle
-from tests.support.regions import in_joint_frame
+from tests.support.bodies import in_joint_frame
 
 K, F = 3e8, 2.5e6
 LAW = JointLaw(K, F)

@@ -15,7 +15,7 @@ from assess.geometry.cut import divide, heading, inclined_plane, level_plane
 from assess.geometry.solid import box, profile
 from assess.interfaces.kernel.moments import BEGIN, SUM_A, SUM_S, SUM_T, V0, V1, V2, W0, W1, A, S, T
 from assess.interfaces.section import ContactSection, annulus, circle, hollow_rectangle, mirror, polygon, rectangle
-from tests.support.regions import in_joint_frame
+from tests.support.bodies import in_joint_frame
 
 EXACT = 1e-13
 L_SHAPE = shapely.Polygon([(0, 0), (2, 0), (2, 1), (1, 1), (1, 3), (0, 3)])

@@ -13,7 +13,7 @@ import pytest
 from assess.errors import HeldError
 from assess.outputs import lock
 from assess.outputs.lock import LOCK, Holder, is_abandoned
-from tests.support.written import content, run
+from tests.support.files import contents_of, write_output
 
 HOLD = """
 import sys, time
@@ -34,12 +34,12 @@ def test_a_second_command_is_told_who_is_writing(tmp_path: Path, monkeypatch: py
         monkeypatch.setattr(lock.time, "sleep", lambda _: pytest.fail("it waits"))
         words = rf"{tmp_path}: is being written by assess run \(process {first.pid} on {socket.gethostname()}, since 20"
         with pytest.raises(HeldError, match=words):
-            run(tmp_path, {"results.json": "1"})
+            write_output(tmp_path, {"results.json": "1"})
         assert not is_abandoned(tmp_path / LOCK)
         first.kill()
     assert is_abandoned(tmp_path / LOCK)
-    run(tmp_path, {"results.json": "1"})
-    assert content(tmp_path) == {"results.json": "1"}
+    write_output(tmp_path, {"results.json": "1"})
+    assert contents_of(tmp_path) == {"results.json": "1"}
     assert not (tmp_path / LOCK).exists()
 
 
@@ -52,9 +52,9 @@ def test_children_of_a_holder_that_was_killed_are_waited_for(tmp_path: Path) -> 
         assert [first.stdout.readline() for _ in range(2)] == ["held\n"] * 2
         first.kill()
         first.wait()
-        run(tmp_path, {"results.json": "1"})
+        write_output(tmp_path, {"results.json": "1"})
         assert first.stdout.read() == ""  # the child has ended too
-    assert content(tmp_path) == {"results.json": "1"}
+    assert contents_of(tmp_path) == {"results.json": "1"}
 
 
 def signed(folder: Path, **changed: object) -> Path:
@@ -67,35 +67,35 @@ def signed(folder: Path, **changed: object) -> Path:
 def test_a_holder_on_another_machine_is_believed(tmp_path: Path) -> None:
     file = signed(tmp_path, host="far-away", boot="another")
     with pytest.raises(HeldError, match=rf"on far-away.*if it is certain that it has ended, delete {LOCK} in that"):
-        run(tmp_path, {"results.json": "1"})
+        write_output(tmp_path, {"results.json": "1"})
     assert file.exists()
 
 
 @pytest.mark.parametrize("text", ["", "{", "[]", '{"pid": "x"}'])
 def test_a_lock_without_a_name_is_taken_over(tmp_path: Path, text: str) -> None:
     (tmp_path / LOCK).write_text(text)
-    run(tmp_path, {"results.json": "1"})
+    write_output(tmp_path, {"results.json": "1"})
     assert not (tmp_path / LOCK).exists()
 
 
 def test_a_number_of_a_process_that_came_again_does_not_matter(tmp_path: Path) -> None:
     signed(tmp_path)  # this process itself is said to hold it
-    run(tmp_path, {"results.json": "1"})
+    write_output(tmp_path, {"results.json": "1"})
     signed(tmp_path, boot="before the machine was started anew", pid=1)
-    run(tmp_path, {"results.json": "2"})
-    assert content(tmp_path) == {"results.json": "2"}
+    write_output(tmp_path, {"results.json": "2"})
+    assert contents_of(tmp_path) == {"results.json": "2"}
 
 
 def test_on_a_disk_without_locks_the_process_counts(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(lock, "_try_lock", lambda _: None)
     signed(tmp_path)
     with pytest.raises(HeldError, match="delete"):
-        run(tmp_path, {"results.json": "1"})
+        write_output(tmp_path, {"results.json": "1"})
     ended = subprocess.Popen([sys.executable, "-c", ""])
     ended.wait()
     signed(tmp_path, pid=ended.pid)
-    run(tmp_path, {"results.json": "1"})
-    assert content(tmp_path) == {"results.json": "1"}
+    write_output(tmp_path, {"results.json": "1"})
+    assert contents_of(tmp_path) == {"results.json": "1"}
 
 
 @pytest.mark.skipif(not hasattr(os, "O_NOFOLLOW"), reason="links are not told apart")
@@ -103,5 +103,5 @@ def test_a_lock_that_is_a_link_is_not_followed(tmp_path: Path) -> None:
     (tmp_path / "precious").write_text("x")
     (tmp_path / LOCK).symlink_to(tmp_path / "precious")
     with pytest.raises(OSError, match="symbolic link"):
-        run(tmp_path, {"results.json": "1"})
+        write_output(tmp_path, {"results.json": "1"})
     assert (tmp_path / "precious").read_text() == "x"

@@ -14,8 +14,8 @@ from assess.outputs import writing
 from assess.outputs.lock import LOCK
 from assess.outputs.manifest import MANIFEST
 from assess.outputs.writing import recover_for_reading
+from tests.support.files import contents_of, write_files, write_output
 from tests.support.stopped_writers import StoppedWriters, stopped_writers
-from tests.support.written import content, run, write
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="processes are copied, and ended by signals")
 
@@ -40,19 +40,19 @@ def test_a_stop_at_any_step_loses_nothing(tmp_path: Path, writers: StoppedWriter
     ends = set()
     for at in range(1, STEPS):
         out = tmp_path / f"{at}"
-        write(out, MINE)
-        run(out, FIRST)
+        write_files(out, MINE)
+        write_output(out, FIRST)
         status = writers.write(out, SECOND, at=at, number=number)
         if number != signal.SIGKILL:  # it cleans up behind itself
             assert set(hidden(out)) <= {LOCK}
         told: list[Message] = []
         recover_for_reading(out, tell=told.append)  # a command that reads
-        found = {name: text for name, text in content(out).items() if "partial" not in name}
+        found = {name: text for name, text in contents_of(out).items() if "partial" not in name}
         assert found in ({**FIRST, **MINE}, {**SECOND, **MINE}), f"step {at}"
         assert len(told) <= 1
         ends.add(found["results.json"])
-        run(out, SECOND)  # one that writes
-        assert content(out) == {**SECOND, **MINE}
+        write_output(out, SECOND)  # one that writes
+        assert contents_of(out) == {**SECOND, **MINE}
         assert hidden(out) == []
         if status == 0:
             break
@@ -67,8 +67,8 @@ def test_a_new_folder_of_a_run_that_was_killed_is_used_again(tmp_path: Path, wri
     for at in range(1, STEPS):
         out = tmp_path / f"{at}" / "out"
         status = writers.write(out, FIRST, at=at, number=signal.SIGKILL)
-        run(out, SECOND)
-        assert content(out) == SECOND
+        write_output(out, SECOND)
+        assert contents_of(out) == SECOND
         assert hidden(out) == []
         if status == 0:
             break
@@ -77,20 +77,20 @@ def test_a_new_folder_of_a_run_that_was_killed_is_used_again(tmp_path: Path, wri
 def test_making_good_may_be_stopped_too(tmp_path: Path, writers: StoppedWriters) -> None:
     for at in range(1, STEPS, 3):
         out = tmp_path / f"{at}"
-        run(out, FIRST)
+        write_output(out, FIRST)
         writers.write(out, SECOND, at=at, number=signal.SIGKILL)
         for again in (2, 5, 8):
             writers.write(out, SECOND, at=again, number=signal.SIGKILL)
         recover_for_reading(out, tell=lambda _: None)
-        found = {name: text for name, text in content(out).items() if "partial" not in name}
+        found = {name: text for name, text in contents_of(out).items() if "partial" not in name}
         assert found in (FIRST, SECOND)
-        run(out, FIRST)
-        assert content(out) == FIRST
+        write_output(out, FIRST)
+        assert contents_of(out) == FIRST
 
 
 def left_half_way(folder: Path, writers: StoppedWriters) -> Path:
     """A folder in which a run was killed after two of its files were in place; its stage."""
-    run(folder, FIRST)
+    write_output(folder, FIRST)
     for at in range(1, STEPS):
         if writers.write(folder, SECOND, at=at, number=signal.SIGKILL) == 0:
             pytest.fail("it was never half-way")
@@ -98,7 +98,7 @@ def left_half_way(folder: Path, writers: StoppedWriters) -> Path:
         if texts == {"1", "2"}:
             (stage,) = folder.glob(".assess-partial-*")
             return stage
-        run(folder, FIRST)
+        write_output(folder, FIRST)
     raise AssertionError
 
 
@@ -110,8 +110,8 @@ def test_what_came_since_into_the_place_of_a_file_stays_and_nothing_is_lost(
     (out / "report.pdf").write_text("signed meanwhile")
     recover_for_reading(out, tell=told.append)
     assert [each.key for each in told] == ["writing-taken-back"]
-    assert content(out) == {**FIRST, "report.pdf": "signed meanwhile"}
-    beside = content(tmp_path / "out-new-1")
+    assert contents_of(out) == {**FIRST, "report.pdf": "signed meanwhile"}
+    beside = contents_of(tmp_path / "out-new-1")
     assert beside.pop("old/report.pdf", "1") == "1"
     assert beside.items() <= {**SECOND, "report.pdf": "2"}.items()
     assert hidden(out) == []
@@ -126,9 +126,9 @@ def test_a_damaged_journal_is_undone(tmp_path: Path, writers: StoppedWriters, da
     (stage / writing.JOURNAL).write_text(damage)
     recover_for_reading(out, tell=told.append)
     assert [each.key for each in told] == ["writing-taken-back"]
-    assert content(out) == FIRST
-    run(out, SECOND)
-    assert content(out) == SECOND
+    assert contents_of(out) == FIRST
+    write_output(out, SECOND)
+    assert contents_of(out) == SECOND
 
 
 def test_a_new_file_that_is_damaged_in_its_stage_is_not_put_in_place(tmp_path: Path, writers: StoppedWriters) -> None:
@@ -136,33 +136,33 @@ def test_a_new_file_that_is_damaged_in_its_stage_is_not_put_in_place(tmp_path: P
     stage = left_half_way(out, writers)
     (stage / "made" / "tables" / "new.csv").write_text("flipped")
     recover_for_reading(out, tell=lambda _: None)
-    assert content(out) == FIRST
-    assert content(tmp_path / "out-new-1")["tables/new.csv"] == "flipped"
+    assert contents_of(out) == FIRST
+    assert contents_of(tmp_path / "out-new-1")["tables/new.csv"] == "flipped"
 
 
 def test_a_journal_cannot_lead_out_of_its_folder(tmp_path: Path) -> None:
     out = tmp_path / "out"
-    move = '{"name": "../precious", "new": null, "old": null}'
-    write(tmp_path, {"precious": "x", "out/.assess-partial-x/journal.json": f'{{"format": 1, "moves": [{move}]}}'})
+    journal = '{"format": 1, "moves": [{"name": "../precious", "new": null, "old": null}]}'
+    write_files(tmp_path, {"precious": "x", "out/.assess-partial-x/journal.json": journal})
     recover_for_reading(out, tell=lambda _: None)
-    assert content(tmp_path) == {"precious": "x"}
+    assert contents_of(tmp_path) == {"precious": "x"}
 
 
 def test_a_folder_that_is_read_is_not_written_where_nobody_was_stopped(tmp_path: Path) -> None:
-    write(tmp_path, {".assess-partial-x/made/half": "x"})
+    write_files(tmp_path, {".assess-partial-x/made/half": "x"})
     before = sorted(tmp_path.rglob("*"))
     recover_for_reading(tmp_path, tell=lambda _: pytest.fail("told"))
     recover_for_reading(tmp_path / "absent", tell=lambda _: pytest.fail("told"))
     assert sorted(tmp_path.rglob("*")) == before
     with pytest.raises(OutputError):
-        run(tmp_path / ".assess-partial-x" / "made" / "half", FIRST)
+        write_output(tmp_path / ".assess-partial-x" / "made" / "half", FIRST)
 
 
 def test_a_journal_does_not_reach_through_links(tmp_path: Path) -> None:
     """As in a folder that came from elsewhere."""
     out, home = tmp_path / "out", tmp_path / "home"
     stage = out / ".assess-partial-1"
-    write(stage, {"old/tables/key": "theirs"})
+    write_files(stage, {"old/tables/key": "theirs"})
     (stage / "made").mkdir()
     home.mkdir()
     (out / "tables").symlink_to(home)

@@ -11,8 +11,8 @@ from assess.errors import ProjectError
 from assess.portfolio.projects import KeyColumn, Task, find_tasks, project_tree, read_template, row_fault
 from assess.project.project_file import Project, load, load_tree
 from assess.verbs import unit_fault
+from tests.support.files import write_file
 from tests.support.projects import block, project_toml
-from tests.support.written import made_file
 
 FORCE = {"kind": "force", "force": "2 kN", "direction": [1, 0, 0], "at": [0.0, 0.0, 3.0]}
 TEMPLATE = project_toml(
@@ -25,7 +25,7 @@ THICKNESS = "bodies.wall.box.thickness"
 
 def table(folder: Path, text: str | bytes, *, template: str = TEMPLATE) -> tuple[Task, ...]:
     """Return the tasks of a table with this text."""
-    return find_tasks(made_file(folder / "walls.csv", text), made_file(folder / "template.toml", template))
+    return find_tasks(write_file(folder / "walls.csv", text), write_file(folder / "template.toml", template))
 
 
 def project(task: Task) -> Project:
@@ -135,7 +135,7 @@ def test_trailing_empty_cells_keep_the_values_of_the_template(tmp_path: Path) ->
 
 
 def test_unit_of_a_head_is_checked_by_the_key(tmp_path: Path) -> None:
-    tables = read_template(made_file(tmp_path / "template.toml", TEMPLATE))
+    tables = read_template(write_file(tmp_path / "template.toml", TEMPLATE))
     for key, units, wrong in (
         (THICKNESS, ("m", "mm", "ft"), ("kg", "kg/m^3", "wide")),
         ("materials.brick.density", ("kg/m^3", "kN/m^3"), ("kg", "m")),
@@ -241,7 +241,7 @@ def test_content_of_a_task_is_its_row_alone(tmp_path: Path) -> None:
 
 
 def test_tasks_are_counted_while_they_are_found(tmp_path: Path) -> None:
-    made_file(tmp_path / "template.toml", TEMPLATE)
+    write_file(tmp_path / "template.toml", TEMPLATE)
     (tmp_path / "walls.csv").write_text("title\n" + "a\n" * 3)
     counted: list[int] = []
     find_tasks(tmp_path / "walls.csv", tmp_path / "template.toml", progress=counted.append)

@@ -7,7 +7,7 @@ import pytest
 
 from assess.errors import HazardError
 from assess.risk.hazard import read_hazard
-from tests.support.written import made_file
+from tests.support.files import write_file
 
 NEW = """\
 #,,,,"generated_by='OpenQuake engine 3.18.0', start_date='2023-10-03T06:09:08', checksum=2107362341, kind='mean', \
@@ -30,7 +30,7 @@ PGA = "hazard_curve-mean-PGA_23.csv"
 
 
 def test_nearest_site_of_a_new_version(tmp_path):
-    found = read_hazard(made_file(tmp_path / PGA, NEW), longitude=13.5, latitude=42.3)
+    found = read_hazard(write_file(tmp_path / PGA, NEW), longitude=13.5, latitude=42.3)
     np.testing.assert_allclose(found.curve.intensity, [0.1, 0.4, 0.6])
     np.testing.assert_allclose(found.curve.annual_rate, -np.log(1 - np.array([0.455386, 0.05754042, 0.006354511])) / 50)
     assert (found.measure, found.period) == ("pga", None)
@@ -38,32 +38,32 @@ def test_nearest_site_of_a_new_version(tmp_path):
 
 
 def test_other_site_loses_what_never_happens(tmp_path):
-    found = read_hazard(made_file(tmp_path / PGA, NEW), longitude=16.0, latitude=39.0)
+    found = read_hazard(write_file(tmp_path / PGA, NEW), longitude=16.0, latitude=39.0)
     np.testing.assert_allclose(found.curve.intensity, [0.1, 0.4])
 
 
 def test_a_site_far_from_all_of_the_file_is_refused(tmp_path):
     with pytest.raises(HazardError, match=r"nearest site is 3\d\d km from longitude 9\.2, latitude 45\.5"):
-        read_hazard(made_file(tmp_path / PGA, NEW.replace("16.10000,39.3", "12.5,42.9")), longitude=9.2, latitude=45.5)
+        read_hazard(write_file(tmp_path / PGA, NEW.replace("16.10000,39.3", "12.5,42.9")), longitude=9.2, latitude=45.5)
 
 
 def test_only_site_needs_no_place(tmp_path):
-    found = read_hazard(made_file(tmp_path / PGA, OLD))
+    found = read_hazard(write_file(tmp_path / PGA, OLD))
     np.testing.assert_allclose(found.curve.annual_rate, -np.log(1 - np.array([0.4528811, 0.05589804, 0.005585141])))
     assert found.distance is None
 
 
 def test_measure_is_taken_from_the_name_where_the_comment_has_none(tmp_path):
-    speed = read_hazard(made_file(tmp_path / "hazard_curve-mean-PGV_1.csv", TYPED))
+    speed = read_hazard(write_file(tmp_path / "hazard_curve-mean-PGV_1.csv", TYPED))
     np.testing.assert_allclose(speed.curve.intensity, [1e-4, 0.1])  # cm/s in the file, m/s here
     assert speed.measure == "pgv"
-    spectral = read_hazard(made_file(tmp_path / "quantile_curve-0.15-SA(0.5)_1.csv", TYPED))
+    spectral = read_hazard(write_file(tmp_path / "quantile_curve-0.15-SA(0.5)_1.csv", TYPED))
     assert (spectral.measure, spectral.period) == ("sa", 0.5)
 
 
 @pytest.mark.parametrize("quoted", ["imt='SA(0.3)'", 'imt=""SA(0.3)""', 'imt=\\"SA(0.3)\\"', "imt=SA(0.3)"])
 def test_quotes_of_the_comment(tmp_path, quoted):
-    found = read_hazard(made_file(tmp_path / PGA, OLD.replace('imt="PGA"', quoted)))
+    found = read_hazard(write_file(tmp_path / PGA, OLD.replace('imt="PGA"', quoted)))
     assert (found.measure, found.period) == ("sa", 0.3)
 
 
@@ -89,7 +89,7 @@ def test_byte_order_mark_and_windows_lines(tmp_path):
     ],
 )
 def test_what_cannot_be_read_is_one_line_with_the_file(tmp_path, change, words):
-    path = made_file(tmp_path / PGA, NEW.replace(*change))
+    path = write_file(tmp_path / PGA, NEW.replace(*change))
     with pytest.raises(HazardError) as caught:
         read_hazard(path, longitude=16.0, latitude=39.0)
     assert str(caught.value).startswith(str(path))
@@ -99,12 +99,12 @@ def test_what_cannot_be_read_is_one_line_with_the_file(tmp_path, change, words):
 
 def test_several_sites_ask_for_a_place(tmp_path):
     with pytest.raises(HazardError, match="2 sites; give longitude and latitude"):
-        read_hazard(made_file(tmp_path / PGA, NEW))
+        read_hazard(write_file(tmp_path / PGA, NEW))
 
 
 def test_nothing_tells_the_measure(tmp_path):
     with pytest.raises(HazardError, match="keep the name that OpenQuake gave it"):
-        read_hazard(made_file(tmp_path / "mine.csv", TYPED))
+        read_hazard(write_file(tmp_path / "mine.csv", TYPED))
 
 
 @pytest.mark.parametrize(
@@ -116,7 +116,7 @@ def test_nothing_tells_the_measure(tmp_path):
     ],
 )
 def test_plain_columns(tmp_path, text, intensity, rates, measure):
-    found = read_hazard(made_file(tmp_path / "site.csv", text))
+    found = read_hazard(write_file(tmp_path / "site.csv", text))
     np.testing.assert_allclose(found.curve.intensity, intensity, rtol=1e-12)
     np.testing.assert_allclose(found.curve.annual_rate, rates, rtol=1e-12)
     assert found.measure == measure
@@ -137,7 +137,7 @@ def test_plain_columns(tmp_path, text, intensity, rates, measure):
     ],
 )
 def test_plain_columns_that_cannot_be_read(tmp_path, text, words):
-    path = made_file(tmp_path / "site.csv", text)
+    path = write_file(tmp_path / "site.csv", text)
     with pytest.raises(HazardError) as caught:
         read_hazard(path)
     assert str(caught.value).startswith(str(path))

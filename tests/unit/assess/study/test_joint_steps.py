@@ -13,7 +13,7 @@ from assess.codes.calculation_sheet import Step, substitute
 from assess.interfaces.section import annulus, hollow_rectangle, rectangle, stress_integrals
 from tests.languages.fixed_terms import fixed_terms
 from tests.support.projects import parameters_of
-from tests.support.sheets import of_formula
+from tests.support.sheet_faults import of_formula
 from tests.unit.assess.model.test_joints import ARCH, LEGS, SINGLE, STONE
 
 W, B, L = 1800 * 12 * g, 1.0, 2.0  # N, m, m: of the wall of STONE

@@ -8,8 +8,8 @@ from assess.results import ResolvedValue, Results
 from reports.chapters import assumptions, site
 from reports.language.texts import Reference, say
 from reports.language.value_names import PARAMETER_NAMES
-from tests.support.changed_results import with_mechanisms, with_project
 from tests.support.letters import letters, lines, rows
+from tests.support.sample_results import with_mechanisms, with_project
 
 
 def given(value: object, kind: str = "") -> ResolvedValue:

@@ -9,8 +9,8 @@ import pytest
 from assess.codes.verdict import Index
 from assess.results import ChecklistItem, ReportMatter, Results
 from reports.chapters import key_plan
-from tests.support.changed_results import with_verdict
 from tests.support.letters import letters, lines, rows
+from tests.support.sample_results import with_verdict
 
 GABLE = ChecklistItem("gable", None, "examined", ("parapet",))
 CORNER = ChecklistItem("corner", None, "absent")

@@ -12,8 +12,8 @@ from assess.results import Results
 from reports.chapters import comparison
 from reports.document import Figure, OutcomeCell
 from reports.language.locale import Locale
-from tests.support.changed_results import with_verdict
 from tests.support.letters import cell_letters, lines_of
+from tests.support.sample_results import with_verdict
 
 EN = Locale()
 

@@ -10,8 +10,8 @@ from assess.messages.message import Message, Severity
 from assess.results import Control, Input, Program, ReportMatter, Results
 from reports.chapters import declaration
 from reports.document import OutcomeCell, Signatures, WritingBox
-from tests.support.changed_results import with_verdict
 from tests.support.letters import letters, lines, rows, text_of
+from tests.support.sample_results import with_verdict
 
 NOTE = Message("n", Severity.NOTE, "", "by moments about the hinges")
 MULTIPLIER = Control("hand-multiplier", "wall-6", "uplift multiplier", 0.14, 0.14, "ratio", 0.0, 1e-6, True, NOTE)

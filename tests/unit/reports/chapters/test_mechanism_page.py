@@ -16,8 +16,8 @@ from reports.chapters.cells import required_increase
 from reports.document import Figure, FigureRow, OutcomeCell
 from reports.figures.key_plan import building_of
 from reports.language.locale import Locale
-from tests.support.changed_results import with_verdict
 from tests.support.letters import lines_of
+from tests.support.sample_results import with_verdict
 
 US = Locale(system="US")
 

@@ -8,8 +8,8 @@ from assess.codes.calculation_sheet import step
 from assess.results import LoadResult, ResolvedValue, Results
 from reports.chapters import verdict
 from reports.chapters.cells import factor_text, knowledge_text, mechanism_knowledge, stated_premises
-from tests.support.changed_results import with_project
 from tests.support.letters import letters, lines
+from tests.support.sample_results import with_project
 
 TIE = LoadResult("tie 1", "tie", 0, (0.0, 6.0), None, None, (-20e3, 0.0), "given", lasting="to collapse")
 EXCLUDED = {"materials__stone__disintegration": ResolvedValue("excluded", True)}

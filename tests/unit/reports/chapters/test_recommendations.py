@@ -12,8 +12,8 @@ from assess.codes.verdict import Decision
 from assess.messages.message import Quantity
 from assess.results import ChecklistItem, ReportMatter, Results, SensitivityResult
 from reports.chapters import recommendations
-from tests.support.changed_results import with_verdict
 from tests.support.letters import letters, table_of, text_of
+from tests.support.sample_results import with_verdict
 
 JudgedAt = Callable[[Results, float], Results]
 THICKNESS = SensitivityResult(

@@ -8,8 +8,8 @@ from assess.codes.check import Outcome
 from assess.messages.message import note
 from assess.results import ResolvedValue, Results
 from reports.chapters import scope
-from tests.support.changed_results import with_mechanisms
 from tests.support.letters import letters, lines, lines_of, rows
+from tests.support.sample_results import with_mechanisms
 
 
 def test_notes_of_the_engineer_are_signed(results: Results) -> None:

@@ -11,8 +11,8 @@ from assess.results import GroundMotionResult, RequirementResult, ResolvedValue,
 from reports.chapters import site, suite
 from reports.document import OutcomeCell, Table
 from reports.language.locale import Locale
-from tests.support.changed_results import with_project, with_verdict
 from tests.support.letters import lines_of, prose
+from tests.support.sample_results import with_project, with_verdict
 
 EN = Locale()
 

@@ -13,8 +13,8 @@ from assess.messages.message import Message, Severity, warning
 from assess.results import ChecklistItem, ReportMatter, ResolvedValue, Results
 from reports.chapters import recommendations, scope, site, verdict
 from reports.document import Banner, FileLines
-from tests.support.changed_results import with_verdict
 from tests.support.letters import letters, lines, text_of
+from tests.support.sample_results import with_verdict
 
 JudgedAt = Callable[[Results, float], Results]
 WEAK = Missing("materials.old stone.disintegration", "whether it may disintegrate", 'disintegration = "excluded"')

@@ -13,8 +13,8 @@ from assess.results import Results
 from reports.chapters import comparison, recommendations, verdict
 from reports.chapters.cells import margin_text
 from reports.document import OutcomeCell, Table
-from tests.support.changed_results import with_verdict
 from tests.support.letters import letters, rows
+from tests.support.sample_results import with_verdict
 
 JudgedAt = Callable[[Results, float], Results]
 PROCEDURES = ("ntc2018-linear", "ntc2018-nonlinear", "ntc2018-history", "nzsee2017-face-loaded", "asce41-13-ht")

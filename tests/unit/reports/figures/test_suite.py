@@ -11,7 +11,7 @@ from assess.results import Results
 from assess.results.run import GroundMotionResult, RequirementResult
 from reports.figures import spectrum
 from reports.language.locale import Locale
-from tests.support.changed_results import with_verdict
+from tests.support.sample_results import with_verdict
 
 PERIOD = tuple(np.geomspace(0.02, 5.0, 60).tolist())
 

@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from reports.language.locale import numeral
-from tests.support.written_numbers import read_number
+from tests.support.document_numbers import read_number
 
 
 @pytest.mark.parametrize(

@@ -21,8 +21,7 @@ from reports.render.table_text import (
     write_csv,
 )
 from tests.support.letters import without_spaces
-from tests.support.sample_document import plain_rows, sample_document
-from tests.support.sample_page import write_page
+from tests.support.sample_document import plain_rows, sample_document, write_page
 
 LOCALES = pytest.mark.parametrize("locale", [Locale(), Locale("it"), Locale("en", "US")], ids=str)
 

@@ -14,8 +14,7 @@ from lxml import html
 from reports.document import Document, Section, Table
 from reports.language.locale import Locale, visible
 from reports.render.html import FRAME, SCRIPTS, web_resource
-from tests.support.sample_document import sample_document
-from tests.support.sample_page import write_page
+from tests.support.sample_document import sample_document, write_page
 
 
 @pytest.fixture(scope="module")

@@ -48,8 +48,7 @@ from reports.document import (
 )
 from reports.language.texts import Verbatim
 from reports.portfolio import write_ranking
-from tests.support.sample_document import HOSTILE, box, draw_sample, sample_document
-from tests.support.sample_page import write_page
+from tests.support.sample_document import HOSTILE, box, draw_sample, sample_document, write_page
 
 DRIVER = shutil.which("chromedriver")
 pytestmark = pytest.mark.skipif(DRIVER is None, reason="needs chromium and chromedriver: .venv/browser of the Makefile")

@@ -13,9 +13,9 @@ from assess.errors import GeometryError
 from assess.geometry.formats.readers import read_mesh_file as read_file
 from assess.geometry.mesh import load_solid
 from assess.geometry.solid import Solid, box
+from tests.support.files import write_file
 from tests.support.mesh_files import glb, gltf, mf3, off
 from tests.support.solids import assert_same_mass
-from tests.support.written import made_file
 
 DENSITY = 2000.0
 WALL = box(thickness=1.25, length=3.0, height=8.5, base=[0.5, 0.25, 2.0], density=DENSITY, name="wall")
@@ -23,7 +23,7 @@ TO_Y_UP = Rotation.from_euler("x", -90, degrees=True).as_matrix()  # z goes to y
 
 
 def read(folder: Path, file: str, content: bytes, **options) -> Solid:
-    return load_solid(made_file(folder / file, content), density=DENSITY, name="wall", **options)
+    return load_solid(write_file(folder / file, content), density=DENSITY, name="wall", **options)
 
 
 def test_off(tmp_path: Path) -> None:

@@ -8,7 +8,7 @@ import pytest
 from assess.geometry.formats import text_blocks
 from assess.geometry.formats.obj import read_obj
 from assess.geometry.formats.off import read_off
-from tests.support.written import made_file
+from tests.support.files import write_file
 
 TWO = """# two triangles, each behind its own vertices
 o north wall
@@ -35,7 +35,7 @@ def test_objects_and_numbers_that_count_back(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, block: int, ending: str
 ) -> None:
     monkeypatch.setattr(text_blocks, "BLOCK", block)
-    north, south = read_obj(made_file(tmp_path / "mesh", TWO.replace("\n", ending))).meshes
+    north, south = read_obj(write_file(tmp_path / "mesh", TWO.replace("\n", ending))).meshes
     assert (north.element.names, south.element.names) == (("north wall",), ("south",))
     np.testing.assert_array_equal(north.vertices[north.triangles], [[[0, 0, 0], [1, 0, 0], [0, 1, 0]]])
     np.testing.assert_array_equal(
@@ -50,15 +50,15 @@ def test_objects_and_numbers_that_count_back(
 
 def test_groups_are_the_parts_where_there_are_no_objects(tmp_path: Path) -> None:
     text = "v 0 0 0\nv 1 0 0\nv 0 1 0\ng a\nf 1 2 3\ng b\nf 3 2 1\ng a\nf 2 3 1\n"
-    one, two = read_obj(made_file(tmp_path / "mesh", text)).meshes
+    one, two = read_obj(write_file(tmp_path / "mesh", text)).meshes
     assert (one.element.names, two.element.names) == (("a",), ("b",))
     assert (len(one.triangles), len(two.triangles)) == (2, 1)
 
 
 def test_points_without_faces_are_told_as_such(tmp_path: Path) -> None:
     with pytest.raises(ValueError, match="it holds 2 points and no faces; make a closed surface of the points first"):
-        read_obj(made_file(tmp_path / "mesh", "v 0 0 0\nv 1 0 0\n"))
-    assert read_obj(made_file(tmp_path / "mesh", "# nothing\n")).meshes == ()
+        read_obj(write_file(tmp_path / "mesh", "v 0 0 0\nv 1 0 0\n"))
+    assert read_obj(write_file(tmp_path / "mesh", "# nothing\n")).meshes == ()
 
 
 @pytest.mark.parametrize(
@@ -76,7 +76,7 @@ def test_points_without_faces_are_told_as_such(tmp_path: Path) -> None:
 )
 def test_text_that_is_not_so_is_refused(tmp_path: Path, text: str, told: str) -> None:
     with pytest.raises(ValueError, match=told):
-        read_obj(made_file(tmp_path / "mesh", text))
+        read_obj(write_file(tmp_path / "mesh", text))
 
 
 SQUARE = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]]
@@ -92,7 +92,7 @@ SQUARE = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]]
     ],
 )
 def test_off_with_comments_colours_and_faces_of_more_corners(tmp_path: Path, text: str) -> None:
-    (found,) = read_off(made_file(tmp_path / "mesh", text)).meshes
+    (found,) = read_off(write_file(tmp_path / "mesh", text)).meshes
     np.testing.assert_array_equal(found.vertices, SQUARE)
     assert sorted(found.triangles.tolist()) == [[0, 1, 2], [0, 2, 3]]
 
@@ -113,7 +113,7 @@ def test_off_with_comments_colours_and_faces_of_more_corners(tmp_path: Path, tex
 )
 def test_off_that_does_not_add_up_is_refused(tmp_path: Path, text: str, told: str) -> None:
     with pytest.raises(ValueError, match=told):
-        read_off(made_file(tmp_path / "mesh", text))
+        read_off(write_file(tmp_path / "mesh", text))
 
 
 def test_what_is_held_is_a_few_times_the_numbers(tmp_path: Path) -> None:
@@ -123,7 +123,7 @@ def test_what_is_held_is_a_few_times_the_numbers(tmp_path: Path) -> None:
     rng = np.random.default_rng(1)
     places, corners = rng.random((40_000, 3)), rng.integers(1, 40_000, (80_000, 3))
     text = [*(f"v {x:.6f} {y:.6f} {z:.6f}" for x, y, z in places), *(f"f {a} {b} {c}" for a, b, c in corners)]
-    file = made_file(tmp_path / "mesh", "\n".join(text) + "\n")
+    file = write_file(tmp_path / "mesh", "\n".join(text) + "\n")
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(text_blocks, "BLOCK", 1 << 16)
         tracemalloc.start()

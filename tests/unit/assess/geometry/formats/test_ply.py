@@ -12,7 +12,7 @@ from trimesh.exchange.ply import export_ply, load_ply
 
 from assess.geometry.formats.mesh_file import ElementMesh
 from assess.geometry.formats.ply import read_ply
-from tests.support.written import made_file
+from tests.support.files import write_file
 
 BALL = icosphere(subdivisions=1, radius=3.0)
 PLY = export_ply(BALL, vertex_normal=True)
@@ -23,7 +23,7 @@ SQUARE = [(0.0, 0.0, 0.0), (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (1.0, 1.0, 0.0), (0
 
 
 def read(folder: Path, data: bytes) -> ElementMesh:
-    (found,) = read_ply(made_file(folder / "mesh.ply", data)).meshes
+    (found,) = read_ply(write_file(folder / "mesh.ply", data)).meshes
     return found
 
 

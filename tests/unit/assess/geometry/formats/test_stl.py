@@ -12,7 +12,7 @@ from trimesh.exchange.ply import export_ply
 from trimesh.exchange.stl import export_stl, export_stl_ascii, load_stl
 
 from assess.geometry.formats import stl
-from tests.support.written import made_file
+from tests.support.files import write_file
 
 BALL = icosphere(subdivisions=1, radius=3.0)
 STL = export_stl(BALL)
@@ -31,7 +31,7 @@ TEXT = export_stl_ascii(BALL).encode()
     ],
 )
 def test_stl_as_trimesh_reads_it(data: bytes, tmp_path: Path) -> None:
-    (found,) = stl.read_stl(made_file(tmp_path / "mesh", data)).meshes
+    (found,) = stl.read_stl(write_file(tmp_path / "mesh", data)).meshes
     wanted = load_stl(io.BytesIO(data.lower() if data.isupper() else data))
     corners = wanted.get("geometry", {"": wanted}).popitem()[1]
     np.testing.assert_array_equal(found.vertices[found.triangles], corners["vertices"][corners["faces"]])
@@ -41,7 +41,7 @@ def test_stl_as_trimesh_reads_it(data: bytes, tmp_path: Path) -> None:
 def test_the_solids_of_a_text_are_its_parts(tmp_path: Path) -> None:
     one = TEXT.replace(b"solid", b"solid north wall", 1)
     two = TEXT.replace(b"solid", b"solid south wall", 1)
-    found = stl.read_stl(made_file(tmp_path / "mesh", one + b"\n" + two)).meshes
+    found = stl.read_stl(write_file(tmp_path / "mesh", one + b"\n" + two)).meshes
     assert [part.element.names for part in found] == [("north wall",), ("south wall",)]
     np.testing.assert_array_equal(found[0].vertices, found[1].vertices)
 
@@ -63,7 +63,7 @@ def test_no_other_stl_is_plain(data: bytes) -> None:
 )
 def test_what_does_not_add_up_is_refused(data: bytes, told: str, tmp_path: Path) -> None:
     with pytest.raises(ValueError, match=told):
-        stl.read_stl(made_file(tmp_path / "mesh", data))
+        stl.read_stl(write_file(tmp_path / "mesh", data))
 
 
 def test_plain_files_are_read_without_trimesh(tmp_path: Path) -> None:

@@ -9,8 +9,8 @@ from assess.codes.calculation_sheet import RESULT_FIGURES, Step, substitute
 from assess.messages.message import DIMENSIONS
 from tests.support.formula import NoFormulaError, evaluate
 from tests.support.givens import given_value
+from tests.support.printed_sheet import Sheet
 from tests.support.readings import LINES
-from tests.support.sheet import Sheet
 from tests.support.subjects import Subject
 
 CLOSE, ALIKE = 1e-3, 1e-6  # relative: of what a curve comes to, and of an input to what it repeats

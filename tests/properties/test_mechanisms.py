@@ -26,7 +26,7 @@ from assess.mechanisms.single_block import single_block
 from assess.mechanisms.two_block import two_block
 from assess.oscillator import energy, interpolant, multiplier
 from tests.support import projects
-from tests.support.bodies import body_of_block, rectangle_block
+from tests.support.bodies import PORTAL_HINGES, UNEVEN_HINGES, body_of_block, portal_blocks, rectangle_block
 from tests.support.differences import slope
 from tests.support.projects import mechanism_of, project_toml
 
@@ -86,10 +86,8 @@ block_of = partial(rectangle_block, density=2000.0)
 WALL = block_of(-0.4, 0.0, 0.8, 5.0)
 LEANING = RigidBlock(9000.0, (0.15, 2.6), 21000.0)
 HALVES = block_of(-0.25, 0.0, 0.5, 2.6), block_of(-0.25, 2.6, 0.5, 1.6)
-PORTAL = block_of(0.0, 0.0, 0.8, 4.0), block_of(0.0, 4.0, 4.6, 0.7), block_of(3.8, 0.0, 0.8, 4.0)
-UNEVEN = block_of(0.0, 0.0, 0.8, 4.0), RigidBlock(7000.0, (2.4, 4.9), 15000.0), block_of(3.6, 1.2, 1.0, 3.4)
+PORTAL, UNEVEN = portal_blocks(density=2000.0), portal_blocks(uneven=True, density=2000.0)
 EDGES = ((0.25, 0.0), (-0.25, 2.6), (0.25, 4.2)), ((-0.25, 0.0), (0.25, 2.6), (-0.25, 4.2))
-LEGS = ((0.8, 0.0), (0.0, 4.0), (3.6, 4.6), (4.6, 1.2)), ((0.0, 0.0), (0.8, 4.0), (4.6, 4.6), (3.6, 1.2))
 
 CASES = {
     "wall": HingedBlocks((WALL,), ((0.4, 0.0),), ((-0.4, 0.0),)),
@@ -104,10 +102,9 @@ CASES = {
         Force("overburden", (0.0, -21000.0), (0.15, 4.2), block=1), PointMass("floor", 700.0, (0.1, 2.0), True),
         PointMass("beside", 300.0, (-0.2, 3.0), False, 1), Tie("tie", 900.0, (0.25, 3.4), anchor=(-2.0, 3.3), block=1),
     )),
-    "symmetric portal": HingedBlocks(PORTAL, ((0.8, 0.0), (0.0, 4.0), (3.8, 4.0), (4.6, 0.0)),
-                             ((0.0, 0.0), (0.8, 4.0), (4.6, 4.0), (3.8, 0.0))),
-    "asymmetric portal": HingedBlocks(UNEVEN, *LEGS),
-    "portal with loads": HingedBlocks(UNEVEN, *LEGS, (
+    "symmetric portal": HingedBlocks(PORTAL, *PORTAL_HINGES),
+    "asymmetric portal": HingedBlocks(UNEVEN, *UNEVEN_HINGES),
+    "portal with loads": HingedBlocks(UNEVEN, *UNEVEN_HINGES, (
         PointMass("roof", 2000.0, (1.7, 5.4), True, 1), PointMass("wall beside", 500.0, (4.2, 3.0), False, 2),
         Force("vault", (1100.0, -400.0), (0.8, 3.0)), Force("lift", (-200.0, 500.0), (4.4, 4.0), block=2),
         Tie("tie", 1500.0, (0.4, 3.8), anchor=(7.0, 3.8)),
@@ -331,7 +328,7 @@ def frames(draw):
     blocks = tuple(
         RigidBlock(b.mass * draw(SOME), jogged(b.centroid, draw(ASIDE), 0.2), b.inertia * draw(SOME)) for b in UNEVEN
     )
-    return blocks, *(tuple(jogged(hinge, draw(ASIDE), 0.3) for hinge in hinges) for hinges in LEGS)
+    return blocks, *(tuple(jogged(hinge, draw(ASIDE), 0.3) for hinge in hinges) for hinges in UNEVEN_HINGES)
 
 
 @given(frame=frames())

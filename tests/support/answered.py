@@ -13,9 +13,10 @@ from assess.codes.bases import BASES
 from assess.codes.check import Check, Outcome, Reason, reason_message
 from assess.codes.context import Building, Context
 from assess.codes.histories import RecordRuns, SuiteResponse
+from assess.codes.procedures import PROCEDURES, CodeOptions, apply_procedure, with_options
 from assess.codes.question import Action, MechanismChecks, Missing, Question
 from assess.codes.verdict import Verdict, verdict
-from assess.oscillator import HingeForces, Pressure
+from assess.oscillator import HingeForces, Oscillator, Pressure
 from spectra.spectrum import Spectrum
 
 SITE = 0.2  # g
@@ -106,6 +107,12 @@ def context_at(
 ) -> Context:
     """Return a place [m] under a spectrum at levels of PGA [m/s2], without vertical motion."""
     return Context(spectrum, levels, 0.0, elevation, building, **more)
+
+
+def checks_of(procedure: str, rocker: Oscillator, context: Context, options: Any = None) -> tuple[Check, ...]:
+    """Return the checks of a procedure where it may be applied, with the options of its code or with none stated."""
+    stated = CodeOptions() if options is None else CodeOptions(**{PROCEDURES[procedure].options: options})
+    return apply_procedure(procedure, with_options(procedure, stated), rocker, context)
 
 
 def ratio_of(check: Check) -> float:

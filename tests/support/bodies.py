@@ -29,6 +29,21 @@ def rectangle_block(
     return RigidBlock(mass, (x + width / 2, z + height / 2), mass * (width**2 + height**2) / 12)
 
 
+PORTAL_HINGES = ((0.8, 0.0), (0.0, 4.0), (3.8, 4.0), (4.6, 0.0)), ((0.0, 0.0), (0.8, 4.0), (4.6, 4.0), (3.8, 0.0))
+"""Of the portal, as it moves towards +x and back."""
+UNEVEN_HINGES = ((0.8, 0.0), (0.0, 4.0), (3.6, 4.6), (4.6, 1.2)), ((0.0, 0.0), (0.8, 4.0), (4.6, 4.6), (3.6, 1.2))
+"""Of the portal whose columns have unlike heights, on bases at two levels."""
+
+
+def portal_blocks(*, uneven: bool = False, density: float = 1800.0) -> tuple[RigidBlock, RigidBlock, RigidBlock]:
+    """Return the column ahead, the beam and the other column of a portal 1 m long; density [kg/m3]."""
+    column = rectangle_block(0.0, 0.0, 0.8, 4.0, density=density)
+    if uneven:
+        return column, RigidBlock(7000.0, (2.4, 4.9), 15000.0), rectangle_block(3.6, 1.2, 1.0, 3.4, density=density)
+    beam = rectangle_block(0.0, 4.0, 4.6, 0.7, density=density)
+    return column, beam, rectangle_block(3.8, 0.0, 0.8, 4.0, density=density)
+
+
 def body_of_block(block: RigidBlock, *, name: str = "b") -> PlanarBody:
     """Return the planar body with the mass, the centroid and the inertia of a block."""
     return planar_body_from_values(mass=block.mass, centroid=block.centroid, inertia=block.inertia, name=name)

@@ -24,7 +24,7 @@ class StoppedWriters:
     def __init__(self, process: subprocess.Popen[str]) -> None:
         self._process = process
 
-    def write_files(self, folder: Path, files: Mapping[str, str], *, at: int, number: int) -> int:
+    def write(self, folder: Path, files: Mapping[str, str], *, at: int, number: int) -> int:
         """Write the files in a process that is sent the signal `number` before step `at`; its status, as of `wait`."""
         assert self._process.stdin is not None
         assert self._process.stdout is not None

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import dataclasses
-from functools import partial
 
 import numpy as np
 import pytest
@@ -19,11 +18,11 @@ from assess.codes.asce41_13 import (
 )
 from assess.codes.check import Reason
 from assess.codes.context import Building, Context, Wall
-from assess.codes.procedures import apply_procedure
 from assess.mechanisms.single_block import equivalent_block
 from spectra.asce7 import design_spectrum
 from spectra.ec8 import elastic_spectrum
 from spectra.table import table_spectrum
+from tests.support.answered import checks_of
 
 WALL = Wall(4.2, 0.33)
 SPECTRUM = design_spectrum(s_ds=1.0 * g, s_d1=0.45 * g, t_l=6.0)  # S_a(0) = 0.4 g, S_a(1 s) = 0.45 g
@@ -122,12 +121,7 @@ MISSING = {
 
 @pytest.mark.parametrize(("change", "verdict", "reason"), list(MISSING.values()), ids=list(MISSING))
 def test_what_is_missing_is_said(change, verdict, reason) -> None:
-    (check,) = apply_procedure(
-        ASCE41_13_SLENDERNESS.name,
-        partial(assess_slenderness, options=Asce41Options()),
-        BLOCK,
-        dataclasses.replace(AT, **change),
-    )
+    (check,) = checks_of(ASCE41_13_SLENDERNESS.name, BLOCK, dataclasses.replace(AT, **change))
     assert (check.verdict, check.reason.key) == (verdict, reason)
 
 

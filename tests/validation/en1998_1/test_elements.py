@@ -12,20 +12,17 @@ from scipy.constants import g
 from assess.codes.check import Reason
 from assess.codes.context import Building, Wall
 from assess.codes.en1998_1 import EC8_ELEMENT, Ec8Options, amplification, assess_element, element_period
-from assess.codes.procedures import apply_procedure
 from assess.mechanisms.single_block import equivalent_block
 from spectra.asce7 import design_spectrum
 from spectra.ec8 import elastic_spectrum
 from spectra.table import table_spectrum
-from tests.support.answered import context_at
+from tests.support.answered import checks_of, context_at
 
 SPECTRUM = elastic_spectrum(a_g=0.25 * g, ground_type="B")
 HOUSE = Building(height=10.0, storeys=3, period=0.4, damping=0.05)
 PARAPET = equivalent_block("parapet", p=3.0, uplift=0.2, radius=0.8).oscillator  # lambda = tan 0.2 = 0.20271
 
-
-ADMITTED = partial(apply_procedure, EC8_ELEMENT.name, partial(assess_element, options=Ec8Options()))
-"""The procedure where it may be asked."""
+parapet_checks = partial(checks_of, EC8_ELEMENT.name, PARAPET)
 at_height = partial(context_at, SPECTRUM, (0.3 * g,), building=HOUSE)
 
 
@@ -82,9 +79,9 @@ def test_an_element_that_vibrates_has_its_own_period() -> None:
 
 def test_above_ground_without_a_building_it_can_fail_but_not_pass() -> None:
     for level, verdict in ((0.1 * g, "not-answered"), (0.3 * g, "fail")):
-        (check,) = ADMITTED(PARAPET, dataclasses.replace(at_height(5.0, building=None), levels=(level,)))
+        (check,) = parapet_checks(dataclasses.replace(at_height(5.0, building=None), levels=(level,)))
         assert check.verdict == verdict
-    (above,) = ADMITTED(PARAPET, dataclasses.replace(at_height(11.0), levels=(0.01 * g,)))
+    (above,) = parapet_checks(dataclasses.replace(at_height(11.0), levels=(0.01 * g,)))
     assert (above.verdict, above.reason.key) == ("not-answered", Reason.ABOVE_BUILDING)
 
 
@@ -95,9 +92,9 @@ def test_on_a_spectrum_of_another_family_it_says_so() -> None:
 
 
 def test_a_wall_that_carries_floors_has_no_accepted_method() -> None:
-    (check,) = ADMITTED(PARAPET, dataclasses.replace(at_height(10.0), levels=(0.01 * g,), carries_floors=True))
+    (check,) = parapet_checks(dataclasses.replace(at_height(10.0), levels=(0.01 * g,), carries_floors=True))
     assert (check.verdict, check.reason.key) == ("not-answered", Reason.CARRIES_FLOORS)
-    (light,) = ADMITTED(PARAPET, dataclasses.replace(at_height(10.0), levels=(0.01 * g,)))
+    (light,) = parapet_checks(dataclasses.replace(at_height(10.0), levels=(0.01 * g,)))
     assert light.verdict == "pass"
 
 

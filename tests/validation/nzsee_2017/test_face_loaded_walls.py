@@ -7,7 +7,6 @@ terms of (t/h)^2, 0.3 % here, and by g = 9.81 m/s2 in the printed figures. The r
 from __future__ import annotations
 
 from dataclasses import replace
-from functools import partial
 
 import numpy as np
 import pytest
@@ -25,13 +24,13 @@ from assess.codes.nzsee2017 import (
     period_factor,
     straight_line,
 )
-from assess.codes.procedures import apply_procedure
 from assess.loads.load import Force, PointMass
 from assess.mechanisms.single_block import single_block
 from assess.mechanisms.two_block import two_block
 from assess.study.checks import wall_of
 from spectra.nzs1170_5 import site_spectrum
 from spectra.table import table_spectrum
+from tests.support.answered import checks_of
 from tests.support.bodies import free_wall, planar_box
 
 H, T = 4.0, 0.23
@@ -247,9 +246,7 @@ def test_what_is_no_face_loaded_wall_is_not_answered() -> None:
         (Context(WELLINGTON, (1.0,), 0.0, 0.0, None, support="hinged"), "not-applicable", Reason.NOT_A_WALL),
         (Context(WELLINGTON, (0.1,), 0.0, 9.0, HOUSE), "not-answered", Reason.ABOVE_BUILDING),
     ):
-        (check,) = apply_procedure(
-            NZSEE2017_FACE_LOADED.name, partial(assess_face_loaded_wall, options=Nzsee2017Options()), wall(), context
-        )
+        (check,) = checks_of(NZSEE2017_FACE_LOADED.name, wall(), context)
         assert (check.verdict, check.reason.key) == (verdict, reason)
 
 

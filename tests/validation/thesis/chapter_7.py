@@ -17,11 +17,11 @@ from assess.interfaces.contact import JointLaw
 from assess.interfaces.section import rectangle
 from assess.loads.load import Force
 from assess.mechanisms.assembly import add_joints
-from assess.mechanisms.chain import Joint, RigidBlock
+from assess.mechanisms.chain import Joint
 from assess.mechanisms.four_hinge import four_hinge
 from assess.mechanisms.single_block import single_block
 from assess.mechanisms.two_block import two_block
-from tests.support.bodies import body_of_block, rectangle_block
+from tests.support.bodies import PORTAL_HINGES, UNEVEN_HINGES, body_of_block, portal_blocks, rectangle_block
 from tests.support.motions import noise
 
 F_M = 1.28e6  # Pa
@@ -69,24 +69,8 @@ def storey(stiffness, model, *, over=2.0):
 @cache
 def frame(stiffness, model, *, even=True):
     """Columns of 0.8 x 4 m under a beam, or of two heights on bases at two levels, with 0.90 as in the thesis."""
-    if even:
-        blocks = (
-            rectangle_block(0.0, 0.0, 0.8, 4.0),
-            rectangle_block(0.0, 4.0, 4.6, 0.7),
-            rectangle_block(3.8, 0.0, 0.8, 4.0),
-        )
-        front = ((0.8, 0.0), (0.0, 4.0), (3.8, 4.0), (4.6, 0.0))
-        back = ((0.0, 0.0), (0.8, 4.0), (4.6, 4.0), (3.8, 0.0))
-        depths, kept = (0.8,) * 4, "thesis"
-    else:
-        blocks = (
-            rectangle_block(0.0, 0.0, 0.8, 4.0),
-            RigidBlock(7000.0, (2.4, 4.9), 15000.0),
-            rectangle_block(3.6, 1.2, 1.0, 3.4),
-        )
-        front = ((0.8, 0.0), (0.0, 4.0), (3.6, 4.6), (4.6, 1.2))
-        back = ((0.0, 0.0), (0.8, 4.0), (4.6, 4.6), (3.6, 1.2))
-        depths, kept = (0.8, 0.8, 1.0, 1.0), 0.90
+    blocks, (front, back) = portal_blocks(uneven=not even), PORTAL_HINGES if even else UNEVEN_HINGES
+    depths, kept = ((0.8,) * 4, "thesis") if even else ((0.8, 0.8, 1.0, 1.0), 0.90)
     rigid = four_hinge("f", [body_of_block(each) for each in blocks], hinges=front, hinges_negative=back,
                        restitution=(kept, kept))  # fmt: skip
     beds = [(w, d, 1.0) for w, d in zip((-1, 1, 1, -1), depths, strict=True)]

@@ -12,6 +12,7 @@ from scipy.constants import g
 
 from assess.mechanisms.chain import Chain, RigidBlock
 from assess.mechanisms.hinge_forces import incipient_motion
+from tests.support.bodies import PORTAL_HINGES
 
 
 def test_halves_of_tables_6_2_and_6_3_by_moments_of_the_beam():
@@ -19,7 +20,7 @@ def test_halves_of_tables_6_2_and_6_3_by_moments_of_the_beam():
     W1, W2, W3 = 40000.0, 90000.0, 70000.0
     centroids = ((0.4, 2.0), (2.3, 4.35), (4.2, 2.0))  # of columns 0.8 m thick and 4 m high, and of the beam
     blocks = (RigidBlock(W / g, at, 500.0) for W, at in zip((W1, W2, W3), centroids, strict=True))
-    chain = Chain(tuple(blocks), ((0.8, 0.0), (0.0, 4.0), (3.8, 4.0), (4.6, 0.0)))
+    chain = Chain(tuple(blocks), PORTAL_HINGES[0])
     far = (W2 * 2.3 + incipient_motion(chain).multiplier * W2 * 0.35) / 3.8
     np.testing.assert_allclose(
         np.abs(incipient_motion(chain).forces[:, 1]), [W1 + W2 - far, W2 - far, far, W3 + far], rtol=1e-12

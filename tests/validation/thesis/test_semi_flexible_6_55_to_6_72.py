@@ -21,7 +21,7 @@ from assess.mechanisms.flexible_chain import FlexibleChain
 from assess.mechanisms.four_hinge import four_hinge
 from assess.mechanisms.single_block import single_block
 from assess.mechanisms.two_block import two_block
-from tests.support.bodies import body_of_block, rectangle_block
+from tests.support.bodies import PORTAL_HINGES, body_of_block, portal_blocks, rectangle_block
 
 F_M, RHO, PHI = 1.28e6, 1800.0, np.array([0.004, 0.02, 0.05])
 STIFFNESS = pytest.mark.parametrize("stiffness", [85e6, 340e6, 13500e6])
@@ -95,13 +95,10 @@ def test_two_blocks_6_66_and_6_67(stiffness):
 
 @STIFFNESS
 def test_symmetric_frame_6_71_and_6_72(stiffness):
-    blocks = (rectangle_block(0.0, 0.0, 0.8, 4.0), rectangle_block(0.0, 4.0, 4.6, 0.7),
-              rectangle_block(3.8, 0.0, 0.8, 4.0))  # fmt: skip
+    blocks, (front, back) = portal_blocks(), PORTAL_HINGES
     (m1, I1), (m2, _), _ = ((each.mass, each.inertia) for each in blocks)
     a, b = a_SF((m1 + m2 / 2) * g), a_SF(m2 / 2 * g)  # Table 6.2
-    rigid = four_hinge("p", [body_of_block(each) for each in blocks],
-                       hinges=((0.8, 0.0), (0.0, 4.0), (3.8, 4.0), (4.6, 0.0)),
-                       hinges_negative=((0.0, 0.0), (0.8, 4.0), (4.6, 4.0), (3.8, 0.0)))  # fmt: skip
+    rigid = four_hinge("p", [body_of_block(each) for each in blocks], hinges=front, hinges_negative=back)
     joints = tuple(bed(way, 0.8, stiffness) for way in (-1, 1, 1, -1))
     found = add_joints(rigid, joints, joints, restitution=("thesis", "thesis"))
     (R1, a1), (R12, a12) = polar(0.4 - a, 2.0), polar(0.8 - a - b, 4.0)

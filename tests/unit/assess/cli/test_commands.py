@@ -27,7 +27,7 @@ from assess.results.json import dumps
 from assess.study.mechanism_results import parameters
 from tests.support.answered import rotation_check
 from tests.support.command import ended
-from tests.support.projects import block, project_toml, published
+from tests.support.projects import block, project_toml, published, write_project
 
 PROJECT = project_toml(
     title="<b>&",
@@ -41,9 +41,7 @@ PROJECT = project_toml(
 
 @pytest.fixture
 def project(tmp_path: Path) -> Path:
-    path = tmp_path / "walls.toml"
-    path.write_text(PROJECT)
-    return path
+    return write_project(tmp_path, PROJECT, name="walls.toml")
 
 
 rated = partial(rotation_check, rated=True)

@@ -9,7 +9,7 @@ import pytest
 from scipy.constants import g
 
 from tests.support.command import ended
-from tests.support.projects import ASCE7, published, tables_toml
+from tests.support.projects import ASCE7, published, tables_toml, write_project
 
 PROJECT = tables_toml(
     title="<b>&",
@@ -29,9 +29,7 @@ PROJECT = tables_toml(
 
 @pytest.fixture
 def project(tmp_path: Path) -> Path:
-    path = tmp_path / "walls.toml"
-    path.write_text(PROJECT)
-    return path
+    return write_project(tmp_path, PROJECT, name="walls.toml")
 
 
 def test_json_is_the_envelope_of_results(project: Path, capsys: pytest.CaptureFixture[str]) -> None:

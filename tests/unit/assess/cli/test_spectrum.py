@@ -14,7 +14,7 @@ from assess.results.json import dumps
 from assess.study.run import run_study
 from spectra.table import read_table
 from tests.support.command import ended
-from tests.support.projects import EC8, project_toml, published, tables_toml
+from tests.support.projects import EC8, project_toml, published, tables_toml, write_project
 
 PROJECT = tables_toml(
     site={"pga": "0.15 g", "spectrum": EC8 | {"damping": 0.08}},
@@ -40,9 +40,7 @@ PGA = {  # by hand [g]: 0.4 x 2/3 x 1.2 x 1.5; 0.4 x 1.5 x 0.167; 0.25 x 1.6 x 1
 
 @pytest.fixture
 def project(tmp_path: Path) -> Path:
-    path = tmp_path / "walls.toml"
-    path.write_text(PROJECT, encoding="utf-8")
-    return path
+    return write_project(tmp_path, PROJECT, name="walls.toml")
 
 
 def test_json_is_the_block_of_results(project: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -3,22 +3,17 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from functools import partial
 
 import numpy as np
 import pytest
 from scipy.constants import g
 
-from assess.codes import asce43_05
-from assess.codes.asce43_05 import Asce43Options
-from assess.codes.asce43_05_history import assess_history
 from assess.codes.check import Reason
-from assess.codes.context import Context
 from assess.codes.histories import SuiteResponse
-from assess.codes.procedures import apply_procedure
 from assess.mechanisms.single_block import equivalent_block
 from assess.oscillator import Branch, Oscillator
 from spectra.asce7 import design_spectrum
+from tests.support.answered import checks_of, context_at
 
 SPECTRUM = design_spectrum(s_ds=0.5 * g, s_d1=0.25 * g, t_l=6.0)
 WALL = equivalent_block("w", p=1.8, uplift=0.18, radius=2.4).oscillator
@@ -31,8 +26,7 @@ def on_joints(branch: Branch, share: float) -> Branch:
 
 def history_checks(rocker: Oscillator, *suites: SuiteResponse):
     levels = tuple(suite.pga for suite in suites)
-    context = Context(SPECTRUM, levels, 0.0, 0.0, None, suites=suites, incremental=suites)
-    return apply_procedure("asce43-05-history", partial(assess_history, options=Asce43Options()), rocker, context)
+    return checks_of("asce43-05-history", rocker, context_at(SPECTRUM, levels, suites=suites, incremental=suites))
 
 
 def test_each_record_counts_by_what_overturns_its_own_branch() -> None:
@@ -68,10 +62,7 @@ def test_the_rule_of_histories(ratio, verdict, reason) -> None:
 
 
 def spectrum_checks(rocker: Oscillator, *levels: float, **more):
-    context = Context(SPECTRUM, levels, 0.0, more.pop("elevation", 0.0), None, **more)
-    return apply_procedure(
-        "asce43-05-spectrum", partial(asce43_05.assess_spectrum, options=Asce43Options()), rocker, context
-    )
+    return checks_of("asce43-05-spectrum", rocker, context_at(SPECTRUM, levels, **more))
 
 
 def test_a_third_of_what_overturns_is_allowed_with_half_beside_it() -> None:

@@ -3,29 +3,26 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from functools import partial
 
 import numpy as np
 import pytest
 from scipy.constants import g
 
-from assess.codes import ntc2018
 from assess.codes.check import Outcome, Reason
 from assess.codes.context import Building, Context, OpenSeat, SiteHazard
 from assess.codes.italian_limit_states import ItalianOptions
 from assess.codes.ntc2018_clauses import floor_demand, ultimate_modes
-from assess.codes.procedures import apply_procedure
 from assess.mechanisms.single_block import equivalent_block
 from spectra import ntc
 from spectra.table import table_spectrum
-from tests.support.answered import step_values
+from tests.support.answered import checks_of, context_at, step_values
 
 SPECTRA = {
     state: ntc.elastic_spectrum(ntc.Hazard(a_g * g, 2.4, 0.35), place=ntc.SoilAndTopography())
     for state, a_g in (("SLD", 0.02), ("SLV", 0.05), ("SLC", 0.06))
 }
 FLOOR = OpenSeat("floor", "positive", np.linspace(0.0, 0.3, 301), 6.0 * np.linspace(0.0, 0.3, 301))
-PROCEDURES = {"ntc2018-linear": ntc2018.assess_linear, "ntc2018-nonlinear": ntc2018.assess_nonlinear}
+PROCEDURES = ("ntc2018-linear", "ntc2018-nonlinear")
 
 
 WALL = equivalent_block("w", p=1.6, uplift=0.2, radius=3.0).oscillator
@@ -33,9 +30,8 @@ WALL = equivalent_block("w", p=1.6, uplift=0.2, radius=3.0).oscillator
 
 def italian_checks(procedure="ntc2018-nonlinear", *, state="SLV", factor=None, spectrum=None, building=None, **more):
     used = spectrum or SPECTRA["SLV"]
-    context = Context(used, (used.pga,), 0.0, more.pop("elevation", 0.0), building, **more)
     options = ItalianOptions(factor, (state,))
-    return apply_procedure(procedure, partial(PROCEDURES[procedure], options=options), WALL, context)
+    return checks_of(procedure, WALL, context_at(used, (used.pga,), building=building, **more), options)
 
 
 @pytest.mark.parametrize("level", [None, "LC1", "LC2", "LC3"])

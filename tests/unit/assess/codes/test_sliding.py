@@ -3,20 +3,18 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from functools import partial
 
 import numpy as np
 import pytest
 from scipy.constants import g
 
-from assess.codes import en1998_1, sliding
+from assess.codes import sliding
 from assess.codes.context import Context
 from assess.codes.en1998_1 import Ec8Options
-from assess.codes.procedures import apply_procedure
 from assess.mechanisms.single_block import equivalent_block
 from assess.oscillator import HingeForces, Pressure
 from spectra.asce7 import design_spectrum
-from tests.support.answered import HINGE
+from tests.support.answered import HINGE, checks_of
 
 ROCKER = equivalent_block("w", p=1.8, uplift=0.18, radius=2.4).oscillator
 SPECTRUM = design_spectrum(s_ds=0.5 * g, s_d1=0.25 * g, t_l=6.0)
@@ -56,9 +54,9 @@ def test_amplified_at_its_base_it_slides_at_less() -> None:
 
 def test_above_the_ground_the_motion_of_the_ground_fails_it_and_cannot_pass_it() -> None:
     context = Context(SPECTRUM, LEVELS, 0.0, 8.0, None, hinges=(hinge(0.5),))
-    found = apply_procedure("sliding", sliding.assess_sliding, ROCKER, context)
+    found = checks_of("sliding", ROCKER, context)
     assert [check.verdict for check in found] == ["not-answered", "not-answered", "fail", "fail"]
-    raised = apply_procedure("sliding", sliding.assess_sliding, ROCKER, replace(context, transfer="by a factor"))
+    raised = checks_of("sliding", ROCKER, replace(context, transfer="by a factor"))
     assert [check.verdict for check in raised] == ["pass", "pass", "fail", "fail"]
 
 
@@ -67,7 +65,7 @@ def test_a_pass_by_rocking_of_what_slides_first_holds_where_it_is_kept_from_slid
     """Needs 0.5 at 0.4 g: with 0.3 it slides at 0.24 g, with 0.6 it rocks first."""
     context = Context(SPECTRUM, (0.2 * g, 0.35 * g), 0.0, 0.0, None, hinges=(hinge(0.5, friction=friction),))
     options = Ec8Options(behaviour_factor=2.0)
-    found = apply_procedure("ec8-element", partial(en1998_1.assess_element, options=options), HEAVY, context)
+    found = checks_of("ec8-element", HEAVY, context, options)
     assert {check.verdict for check in found} == {"pass"}
     assert [bool(check.conditions) for check in found] == held
 

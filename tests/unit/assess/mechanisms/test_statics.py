@@ -10,12 +10,12 @@ from assess.loads.load import Force
 from assess.mechanisms.chain import Chain, RigidBlock
 from assess.mechanisms.four_hinge import four_hinge
 from assess.mechanisms.hinge_forces import hinge_compressions
+from tests.support.bodies import PORTAL_HINGES
 
 COLUMN, BEAM = RigidBlock(6400.0, (0.4, 2.0), 9000.0), RigidBlock(6440.0, (2.3, 4.35), 11000.0)
 FAR = RigidBlock(6400.0, (4.2, 2.0), 9000.0)
 BLOCKS = (COLUMN, BEAM, FAR)
-HINGES = ((0.8, 0.0), (0.0, 4.0), (3.8, 4.0), (4.6, 0.0))
-BACK = ((0.0, 0.0), (0.8, 4.0), (4.6, 4.0), (3.8, 0.0))
+HINGES, BACK = PORTAL_HINGES
 
 
 def test_a_portal_presses_on_all_its_hinges_with_what_stands_on_them() -> None:

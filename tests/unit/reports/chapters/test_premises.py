@@ -39,10 +39,12 @@ def test_confidence_factors_are_told_by_mechanism(results: Results) -> None:
 
 
 def test_the_knowledge_level_stands_before_its_factor(results: Results) -> None:
-    code = next(check.procedure.partition("-")[0] for check in results.mechanisms[0].checks)
-    lowest = {f"procedures__{code}__knowledge_level": ResolvedValue("LC1", True)}
-    made = with_project(with_factors(results, 1.35, 1.35), **lowest)
-    level, factor = mechanism_knowledge(made, made.mechanisms[0]) or ("", 0.0)
+    made = with_project(
+        with_factors(results, 1.35, 1.35), procedures__ntc2018__knowledge_level=ResolvedValue("LC1", True)
+    )
+    first = made.mechanisms[0]
+    italian = replace(first, checks=tuple(replace(check, procedure="ntc2018-linear") for check in first.checks))
+    level, factor = mechanism_knowledge(made, italian) or ("", 0.0)
     assert letters(factor_text(level, factor)) == "LC1, confidence factor FC = 1.35"
 
 

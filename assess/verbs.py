@@ -35,6 +35,7 @@ if TYPE_CHECKING:
     from assess.results.fragility import FragilityResults
     from assess.study.block import Block
     from assess.study.histories import RockingResponse
+    from assess.study.study import Progress
     from records.pulses import PulseShape
     from records.record import Record
     from spectra.arrays import FloatArray
@@ -42,8 +43,6 @@ if TYPE_CHECKING:
 
 PROBES = ("1", "0.01", "100")
 """Numbers of which one at least is within the range of any key, in a unit of its dimension."""
-Progress = Callable[[str, int, int], None]
-"""Called during long work with the stage, how many of its parts are done, and how many there are."""
 Tell = Callable[[str], None]
 """Called with a line about what was found."""
 
@@ -465,10 +464,11 @@ def unit_fault(path: Path, tables: Mapping[str, Any], column: KeyColumn) -> str:
     tables : of the template
     column : with a unit
     """
-    from assess.portfolio.projects import key_text, keys_of, with_row
+    from assess.messages.message import format_key
+    from assess.portfolio.projects import keys_of, with_row
     from assess.project.project_file import load_tree
 
-    prefix, first = f"{path}: {key_text(keys_of(tables)[column.key])}: ", ""
+    prefix, first = f"{path}: {format_key(keys_of(tables)[column.key])}: ", ""
     for number in PROBES:
         try:
             load_tree(with_row(tables, {column.key: (number, column.unit)}), path, sha256="")

@@ -62,7 +62,7 @@ ROWS = f"SELECT {COLUMNS}, {', '.join(MEASURES)}, seal FROM records ORDER BY pat
 FILES = "SELECT path, size, mtime, sha256, asked, problem, records, seal FROM files"
 FLATFILE = ("nga", "event", "year", "station", "magnitude", "distance", "vs30", "files")
 
-Progress = Callable[[int, int], None]
+FileProgress = Callable[[int, int], None]
 
 
 class Catalogue(sqlite3.Connection):
@@ -136,7 +136,7 @@ def index(
     *,
     overrides: HeaderOverrides = NO_OVERRIDES,
     executor: Executor | None = None,
-    progress: Progress = lambda done, total: None,
+    progress: FileProgress = lambda done, total: None,
 ) -> IndexSummary:
     """Bring the catalogue of a folder and its subfolders up to date.
 
@@ -313,7 +313,7 @@ def _read_changed(
     overrides: HeaderOverrides,
     read_with: str,
     executor: Executor | None,
-    progress: Progress,
+    progress: FileProgress,
 ) -> None:
     describe = partial(describe_file, folder, overrides=overrides)
     results = map_files(describe, files, executor=executor)

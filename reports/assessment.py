@@ -164,7 +164,7 @@ def assessment(results: Results, *, detail: Detail | None = None) -> Document:
         subject=say("Seismic assessment of masonry by rocking dynamics"),
         author=front_matter.author(results),
         program=f"{results.program.name} {results.program.version}",
-        paper=_paper(results),
+        paper="letter" if project_text(results, "report.paper").lower() == "letter" else "A4",
         facts=front_matter.facts(results),
         sections=_numbered([*_main_sections(results), *(_annex_sections(results) if is_full(results, detail) else ())]),
         data=tuple(data_tables.tables(results)),
@@ -286,10 +286,6 @@ def locale_of(results: Results, language: str | None = None) -> Locale:
     """
     system: Literal["SI", "US"] = "US" if project_text(results, "report.units") == "US" else "SI"
     return Locale(language or project_text(results, "report.language") or ENGLISH, system)
-
-
-def _paper(results: Results) -> Literal["A4", "letter"]:
-    return "letter" if project_text(results, "report.paper").lower() == "letter" else "A4"
 
 
 def report_figure(name: str, results: Results, *, mechanism: str | None = None) -> Figure:

@@ -19,14 +19,14 @@ from reports.language.texts import Kind, Text, Verbatim
 if TYPE_CHECKING:
     from matplotlib.figure import Figure as Drawn
 
-Outcome = Literal["pass", "fail", "incomplete", "comparison"]
+OutcomeColour = Literal["pass", "fail", "incomplete", "comparison"]
 
 
 @dataclass(frozen=True)
 class OutcomeCell:
     """A cell coloured by an outcome; "comparison" for an answer that does not decide."""
 
-    outcome: Outcome
+    outcome: OutcomeColour
     text: Text
 
 

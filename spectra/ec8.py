@@ -19,7 +19,7 @@ DAMPING_RULE = "EN 1998-1 eq. (3.6): eta = √(10 / (5 + ξ)) ≥ 0.55; not chec
 
 
 @dataclass(frozen=True)
-class Ground:
+class GroundType:
     """Soil factor S [-] and corner periods [s] of a ground type; T_E and T_F only where Annex A has them."""
 
     s: float
@@ -30,20 +30,20 @@ class Ground:
     t_f: float = inf
 
 
-GROUNDS: Mapping[int, Mapping[str, Ground]] = {
+GROUNDS: Mapping[int, Mapping[str, GroundType]] = {
     1: {  # Table 3.2; T_E, T_F: Table A.1
-        "A": Ground(1.00, 0.15, 0.4, 2.0, 4.5, 10.0),
-        "B": Ground(1.20, 0.15, 0.5, 2.0, 5.0, 10.0),
-        "C": Ground(1.15, 0.20, 0.6, 2.0, 6.0, 10.0),
-        "D": Ground(1.35, 0.20, 0.8, 2.0, 6.0, 10.0),
-        "E": Ground(1.40, 0.15, 0.5, 2.0, 6.0, 10.0),
+        "A": GroundType(1.00, 0.15, 0.4, 2.0, 4.5, 10.0),
+        "B": GroundType(1.20, 0.15, 0.5, 2.0, 5.0, 10.0),
+        "C": GroundType(1.15, 0.20, 0.6, 2.0, 6.0, 10.0),
+        "D": GroundType(1.35, 0.20, 0.8, 2.0, 6.0, 10.0),
+        "E": GroundType(1.40, 0.15, 0.5, 2.0, 6.0, 10.0),
     },
     2: {  # Table 3.3
-        "A": Ground(1.00, 0.05, 0.25, 1.2),
-        "B": Ground(1.35, 0.05, 0.25, 1.2),
-        "C": Ground(1.50, 0.10, 0.25, 1.2),
-        "D": Ground(1.80, 0.10, 0.30, 1.2),
-        "E": Ground(1.60, 0.05, 0.25, 1.2),
+        "A": GroundType(1.00, 0.05, 0.25, 1.2),
+        "B": GroundType(1.35, 0.05, 0.25, 1.2),
+        "C": GroundType(1.50, 0.10, 0.25, 1.2),
+        "D": GroundType(1.80, 0.10, 0.30, 1.2),
+        "E": GroundType(1.60, 0.05, 0.25, 1.2),
     },
 }
 SPECIAL_STUDY = ("S1", "S2")  # ground types that 3.1.2(4) leaves to one
@@ -135,7 +135,7 @@ def _parameters(a_g: float, ground_type: str, spectrum_type: int, importance_fac
     }
 
 
-def _ground_type(ground_type: str, spectrum_type: int) -> Ground:
+def _ground_type(ground_type: str, spectrum_type: int) -> GroundType:
     if spectrum_type not in GROUNDS:
         raise SpectrumError(f"ec8 spectrum: type = {spectrum_type}; write 1 (M_s > 5.5) or 2 (EN 1998-1, 3.2.2.2(2)P)")
     if ground_type in SPECIAL_STUDY:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from assess.cli.options import Jobs, ProjectPath, flag, folder_option, optional_output, refuse_two_formats
+from assess.cli.options import JobsOption, ProjectPath, flag, folder_option, optional_output, refuse_two_formats
 from assess.cli.stderr import (
     NOTHING_WRITTEN,
     on_interruption,
@@ -33,7 +33,7 @@ def run(
     output: Annotated[
         Path | None, folder_option("Output folder (default: NAME-results beside the project file NAME.toml).")
     ] = None,
-    jobs: Jobs = None,
+    jobs: JobsOption = None,
     no_report: Annotated[bool, flag("--no-report", "Write only results.json.")] = False,
 ) -> None:
     """Assess every mechanism and write the report.
@@ -98,7 +98,7 @@ def batch(
     output: Annotated[
         Path | None, folder_option("Output folder (default: NAME-results beside the folder or table NAME).")
     ] = None,
-    jobs: Jobs = None,
+    jobs: JobsOption = None,
     resume: Annotated[bool, flag("--resume", "Keep the projects that are done, and go on with the others.")] = False,
     scheduler: Annotated[
         str | None,
@@ -174,7 +174,7 @@ def envelope(
     ] = None,
     as_json: Annotated[bool, flag("--json", "Print envelopes and critical mechanisms as in results.json.")] = False,
     as_csv: Annotated[bool, flag("--csv", "Print the lower bounds as CSV at full precision.")] = False,
-    jobs: Jobs = None,
+    jobs: JobsOption = None,
 ) -> None:
     """Find the ground pulses that overturn each mechanism, and the critical mechanism at each frequency.
 
@@ -241,7 +241,7 @@ def fragility(
     ] = None,
     as_json: Annotated[bool, flag("--json", "Print what fragility.json holds, in place of the table.")] = False,
     as_csv: Annotated[bool, flag("--csv", "Print medians, dispersions and rates as CSV.")] = False,
-    jobs: Jobs = None,
+    jobs: JobsOption = None,
 ) -> None:
     """Find how likely each mechanism is to rock and to overturn at each intensity, and how often it does so.
 

@@ -45,7 +45,7 @@ FigurePath = Annotated[
     Path | None, typer.Option("-o", "--output", metavar="FIGURE", help="Draw a figure: a .svg, .pdf or .png file.")
 ]
 
-Jobs = Annotated[
+JobsOption = Annotated[
     int | None,
     typer.Option(
         "--jobs",
@@ -226,7 +226,7 @@ def check_azimuth(azimuth: float | None) -> float | None:
 
 Files = Annotated[list[Path], typer.Argument(metavar="FILES…", help="Record files of any known format.")]
 
-Unit = Annotated[
+UnitOption = Annotated[
     str | None,
     typer.Option(
         metavar="UNIT",
@@ -236,7 +236,7 @@ Unit = Annotated[
     ),
 ]
 
-Step = Annotated[
+StepOption = Annotated[
     float | None, typer.Option(metavar="SECONDS", help="Time step where a file does not state it.", callback=check_step)
 ]
 
@@ -247,11 +247,11 @@ Response = Annotated[
     ),
 ]
 
-Flatfile = Annotated[
+FlatfileOption = Annotated[
     Path | None, typer.Option(metavar="CSV", help="PEER flatfile with magnitude, distance, Vs30 and NGA number.")
 ]
 
-Catalogue = Annotated[
+CatalogueOption = Annotated[
     Path | None, typer.Option(metavar="FILE", help="Path of the catalogue (default: in the folder itself).")
 ]
 TARGET = typer.Option(metavar="FILE", help="A project, for its site's spectrum, or a CSV of period and ordinate.")

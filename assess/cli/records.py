@@ -11,15 +11,15 @@ import typer
 
 from assess.cli.options import (
     TARGET,
-    Catalogue,
+    CatalogueOption,
     FigurePath,
     Files,
-    Flatfile,
-    Jobs,
+    FlatfileOption,
+    JobsOption,
     Response,
-    Step,
+    StepOption,
     Target,
-    Unit,
+    UnitOption,
     check_azimuth,
     check_damping,
     check_figure_path,
@@ -37,8 +37,8 @@ if TYPE_CHECKING:
 
 def list_records(
     files: Files,
-    unit: Unit = None,
-    step: Step = None,
+    unit: UnitOption = None,
+    step: StepOption = None,
     response: Response = None,
     as_json: Annotated[
         bool, typer.Option("--json", help="Print the records as in results.json, with their measures.")
@@ -62,19 +62,19 @@ Folder = Annotated[Path, typer.Argument(metavar="FOLDER", help="Folder of record
 
 def index(
     folder: Folder,
-    flatfile: Flatfile = None,
-    catalogue: Catalogue = None,
-    unit: Unit = None,
-    step: Step = None,
+    flatfile: FlatfileOption = None,
+    catalogue: CatalogueOption = None,
+    unit: UnitOption = None,
+    step: StepOption = None,
     response: Response = None,
-    jobs: Jobs = None,
+    jobs: JobsOption = None,
     as_json: Annotated[bool, typer.Option("--json", help="Print the counts and the unreadable files as JSON.")] = False,
 ) -> None:
     """Catalogue the records of a folder: metadata, measures and 5 % spectra.
 
     Later runs read only new and changed files; an interrupted run continues where it stopped.
     """
-    from assess.cli.tables.records import index_json, index_text
+    from assess.cli.tables.records import index_summary_json, index_summary_text
     from assess.workers import process_pool
     from records.catalogue import NAME, catalogue_candidates, open_catalogue, store_flatfile
     from records.catalogue import index as brought_up
@@ -107,7 +107,9 @@ def index(
     print_warnings(
         ["" if met is None or met.warning is None else met.warning.text, *(candidate_warning(one) for one in listed)]
     )
-    print((index_json if as_json else index_text)(found, place, described=described, merged=met), end="")
+    print(
+        (index_summary_json if as_json else index_summary_text)(found, place, described=described, merged=met), end=""
+    )
 
 
 Places = Annotated[list[Path], typer.Argument(metavar="FILES…|FOLDER", help="Record files, or a folder of them.")]
@@ -119,11 +121,11 @@ def spectra(
         float,
         typer.Option(metavar="NUMBER", help="Damping ratio; the spectra of a folder have 5 %.", callback=check_damping),
     ] = 0.05,
-    unit: Unit = None,
-    step: Step = None,
+    unit: UnitOption = None,
+    step: StepOption = None,
     response: Response = None,
-    catalogue: Catalogue = None,
-    jobs: Jobs = None,
+    catalogue: CatalogueOption = None,
+    jobs: JobsOption = None,
     as_csv: Annotated[
         bool, typer.Option("--csv", help="Print every period as CSV, with a column for each record.")
     ] = False,
@@ -146,8 +148,8 @@ def spectra(
 def convert(
     files: Files,
     output: Annotated[Path, typer.Option("-o", "--output", metavar="OUT", help="File to write, .csv or .at2.")],
-    unit: Unit = None,
-    step: Step = None,
+    unit: UnitOption = None,
+    step: StepOption = None,
     response: Response = None,
     component: Annotated[
         str | None,
@@ -298,10 +300,10 @@ def select(
         list[str] | None,
         typer.Option(metavar="TEXT", help="Keep only earthquakes with this in their name; may be repeated."),
     ] = None,
-    flatfile: Flatfile = None,
-    catalogue: Catalogue = None,
-    unit: Unit = None,
-    step: Step = None,
+    flatfile: FlatfileOption = None,
+    catalogue: CatalogueOption = None,
+    unit: UnitOption = None,
+    step: StepOption = None,
     response: Response = None,
     lock: Annotated[
         bool,
@@ -309,7 +311,7 @@ def select(
             "--lock", help="Also write records.lock.toml beside the project (or target): files, factors, hashes."
         ),
     ] = False,
-    jobs: Jobs = None,
+    jobs: JobsOption = None,
     as_json: Annotated[
         bool, typer.Option("--json", help="Print records and ground_motion as in results.json.")
     ] = False,
@@ -370,8 +372,8 @@ def scale(
         0.1,
         2.0,
     ),
-    unit: Unit = None,
-    step: Step = None,
+    unit: UnitOption = None,
+    step: StepOption = None,
     response: Response = None,
     as_json: Annotated[
         bool, typer.Option("--json", help="Print records and ground_motion as in results.json.")

@@ -13,14 +13,14 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from assess.cli.options import Language, check_share, refuse_two_formats
-from assess.cli.stderr import Progress, on_interruption, print_message, progress
+from assess.cli.stderr import ProgressDisplay, on_interruption, print_message, progress
 
 if TYPE_CHECKING:
     from assess.results import Results
     from reports.assessment import Form
 
 
-class Detail(StrEnum):
+class DetailOption(StrEnum):
     """How much of a report is written."""
 
     MAIN = "main"
@@ -44,7 +44,7 @@ def report(
         Language | None, typer.Option("--language", help="Language of the report (default: that of the project).")
     ] = None,
     detail: Annotated[
-        Detail | None,
+        DetailOption | None,
         typer.Option("--detail", help="The main part, or the full report with its annexes (default: as the project)."),
     ] = None,
 ) -> None:
@@ -98,7 +98,7 @@ def _report_fragility(path: Path, folder: Path, *, png: bool, language: Language
 
 
 @contextmanager
-def _output(folder: Path, *, source: Path, owner: str, stem: str) -> Iterator[tuple[Path, Progress]]:
+def _output(folder: Path, *, source: Path, owner: str, stem: str) -> Iterator[tuple[Path, ProgressDisplay]]:
     """Give a temporary folder for a report, and its progress; results from elsewhere are copied beside it."""
     from assess.outputs.writing import output_folder
 

@@ -84,7 +84,7 @@ def on_interruption(what_stands: str) -> Iterator[None]:
         raise
 
 
-class Progress(Protocol):
+class ProgressDisplay(Protocol):
     """The receiver of a long command's progress."""
 
     def count(self, stage: str, done: int, total: int) -> None:
@@ -121,7 +121,7 @@ class _TimedStages:
 
 
 @contextmanager
-def progress() -> Iterator[Progress]:
+def progress() -> Iterator[ProgressDisplay]:
     """Show progress while the block runs."""
     if is_verbose():
         with _progress_lines() as lines:
@@ -134,7 +134,7 @@ def progress() -> Iterator[Progress]:
 
 
 @contextmanager
-def _progress_lines() -> Iterator[Progress]:
+def _progress_lines() -> Iterator[ProgressDisplay]:
     begin, lines = time.time(), _TimedStages()
     yield lines
     lines.step("")
@@ -143,7 +143,7 @@ def _progress_lines() -> Iterator[Progress]:
 
 
 @contextmanager
-def _progress_bar() -> Iterator[Progress]:
+def _progress_bar() -> Iterator[ProgressDisplay]:
     from rich.console import Console
     from rich.markup import escape
     from rich.progress import BarColumn, MofNCompleteColumn, TextColumn, TimeElapsedColumn

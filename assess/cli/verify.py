@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from assess.cli.options import Jobs, Language, optional_output
+from assess.cli.options import JobsOption, Language, optional_output
 from assess.cli.stderr import NOTHING_WRITTEN, on_interruption, progress
 from assess.cli.tables import on_one_line
 from assess.messages.message import count_noun
@@ -66,7 +66,7 @@ def verify(
         Path | None,
         typer.Option("--cases", metavar="DIR", help="Read the cases from this folder, such as the one written before."),
     ] = None,
-    jobs: Jobs = None,
+    jobs: JobsOption = None,
 ) -> None:
     """Run solved cases and compare them with their sources.
 

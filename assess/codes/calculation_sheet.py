@@ -120,7 +120,7 @@ def step(
     inputs = tuple(_symbol_value(name, each) for name, each in (given or {}).items())
     places = tuple(_symbol_value(name, each) for name, each in (at or {}).items())
     written = (substitute(formula, inputs) if inputs else "", values_text(places), remark)
-    substituted = ", ".join(part for part in written if part) or _value_text(value)
+    substituted = ", ".join(part for part in written if part) or ("none" if value is None else write_plain(value))
     return Step(
         symbol,
         description,
@@ -183,10 +183,6 @@ def _operand(found: re.Match[str], number: str) -> str:
 def _pattern(symbols: list[str]) -> re.Pattern[str]:
     longest = sorted(map(re.escape, symbols), key=len, reverse=True)
     return re.compile(rf"(?<!{_PART})({'|'.join(longest)})(?!{_PART})")
-
-
-def _value_text(value: float | None) -> str:
-    return "none" if value is None else write_plain(value)
 
 
 def _symbol_value(symbol: str, given: float | tuple[float, str]) -> SymbolValue:

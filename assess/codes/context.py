@@ -16,7 +16,7 @@ from assess.oscillator import HingeForces, Oscillator
 from spectra.arrays import FloatArray, is_number
 from spectra.spectrum import Spectrum
 
-Support = Literal["free", "spanning", "hinged"]
+WallSupport = Literal["free", "spanning", "hinged"]
 
 PLINTH, PLINTH_SHARE = 0.5, 0.05  # m, and of the building's height: a support no higher than either is on the ground
 Transfer = Literal["not", "by a factor", "by a filter"]
@@ -240,7 +240,7 @@ class Context:
     not_lasting: tuple[Message, ...] = ()
     suite_faults: Mapping[str, tuple[Message, ...]] = field(default_factory=dict)
     amplification: float = 1.0
-    support: Support = "free"
+    support: WallSupport = "free"
     carries_floors: bool = False
     actions: tuple[str, ...] = ()
     wall: Wall | None = None

@@ -29,7 +29,7 @@ from assess.codes.check import (
     missing_ordinate,
     reason_message,
 )
-from assess.codes.context import Context, Support
+from assess.codes.context import Context, WallSupport
 from assess.messages.message import Term
 from assess.oscillator import Branch, Oscillator, elastic_frequency, linear_multiplier, threshold
 from spectra.floor import ec8_floor_factor
@@ -40,8 +40,8 @@ CAVEAT = (
     "(4.24), (4.25) and Table 4.4 are from memory, not checked against the printed standard; the clause covers "
     "non-structural elements, and its force check has no reserve beyond uplift but q_a"
 )
-BEHAVIOUR: dict[Support, float] = {"free": 1.0, "spanning": 2.0, "hinged": 1.0}  # q_a, Table 4.4
-ELEMENTS: dict[Support, str] = {
+BEHAVIOUR: dict[WallSupport, float] = {"free": 1.0, "spanning": 2.0, "hinged": 1.0}  # q_a, Table 4.4
+ELEMENTS: dict[WallSupport, str] = {
     "free": "stands free, as cantilever parapets",
     "spanning": "held at base and top, as walls and facades",
     "hinged": "chain of hinges, not in Table 4.4: the smallest value",

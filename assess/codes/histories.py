@@ -181,7 +181,7 @@ DRAWS, SEED = 500, 1
 HALF_OF_DRAWS, LOW_SHARE = 0.5, 0.16
 SPREAD_CLAUSE, SCAN_FORMULA = "numerical spread", "last PGA of the scan before the first that fails"
 
-Measure = Callable[[SuiteResponse], tuple[FloatArray, BoolArray]]
+DisplacementMeasure = Callable[[SuiteResponse], tuple[FloatArray, BoolArray]]
 """Of a suite, in every draw: the ratio that is compared with 1, inf where a record overturned, and whether the rule
 holds [draws], [draws]."""
 
@@ -226,7 +226,7 @@ def share_upright(suite: SuiteResponse) -> float:
 
 def capacities_by_share(
     incremental: Sequence[SuiteResponse],
-    measure: Measure,
+    measure: DisplacementMeasure,
     passes: Callable[[SuiteResponse], bool],
     *,
     least_records: int,
@@ -256,7 +256,7 @@ def capacities_by_share(
 
 
 def numerical_spread(
-    suite: SuiteResponse, measure: Measure, found: Capacities, *, FC: float = 1.0
+    suite: SuiteResponse, measure: DisplacementMeasure, found: Capacities, *, FC: float = 1.0
 ) -> NumericalSpread | None:
     """Return the numerical spread of an answer; None where the records were run without twins.
 

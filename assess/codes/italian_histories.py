@@ -22,7 +22,7 @@ from assess.codes.check import BranchName, Check, Outcome, PgaCurve, Reason, cav
 from assess.codes.context import Context, SiteHazard
 from assess.codes.histories import (
     Capacities,
-    Measure,
+    DisplacementMeasure,
     SuiteResponse,
     capacities_by_share,
     draw_values,
@@ -379,7 +379,7 @@ def beyond_collapse(found: SuiteDisplacements) -> int:
     return sum(1 for each in found.displacements if each.of_collapse is not None and each.of_collapse > 1.0)
 
 
-def measure_of(oscillator: Oscillator, context: Context, limit: DisplacementLimit) -> Measure:
+def measure_of(oscillator: Oscillator, context: Context, limit: DisplacementLimit) -> DisplacementMeasure:
     """Return the governing ratio and the rule in every draw, as functions of a suite."""
 
     def measure(suite: SuiteResponse) -> tuple[FloatArray, BoolArray]:

@@ -49,7 +49,7 @@ from assess.codes.check import (
     missing_ordinate,
     reason_message,
 )
-from assess.codes.context import Context, Gravity, Support
+from assess.codes.context import Context, Gravity, WallSupport
 from assess.codes.pga_rotation import pga_rotation, to_pga_curve
 from assess.messages.message import Message, Quantity, Term, message
 from assess.oscillator import Branch, Oscillator, energy, threshold
@@ -64,9 +64,9 @@ CAVEAT_FREE = (
 )
 SCORE = "%NBS"
 DAMPING = 0.05
-USABLE: dict[Support, float] = {"spanning": 0.6, "free": 0.3}  # phi_m / phi_i
+USABLE: dict[WallSupport, float] = {"spanning": 0.6, "free": 0.3}  # phi_m / phi_i
 THICKNESS = (0.975, 0.025)  # t_eff / t without overburden, and what each P/W takes off
-LET_GO: dict[Support, float] = {"spanning": 0.6, "free": 0.8}  # rotation from which T_p is counted, over phi_m
+LET_GO: dict[WallSupport, float] = {"spanning": 0.6, "free": 0.8}  # rotation from which T_p is counted, over phi_m
 LARGEST_FLOOR_FACTOR = 3.0  # C_Hi, NZS 1170.5, 8.3
 
 
@@ -358,7 +358,7 @@ def straight_line(branch: Branch) -> MomentLine:
     return MomentLine(b, b / phi_i)
 
 
-def part_period(wall: FaceLoadedWall, *, support: Support) -> float:
+def part_period(wall: FaceLoadedWall, *, support: WallSupport) -> float:
     """Return T_p = factor sqrt(J / a).
 
     Parameters
@@ -373,7 +373,7 @@ def part_period(wall: FaceLoadedWall, *, support: Support) -> float:
     return period_factor(support) * float(np.sqrt(wall.J / wall.line.a))
 
 
-def period_factor(support: Support) -> float:
+def period_factor(support: WallSupport) -> float:
     """Return 4 arcosh(1 / (1 - r)) [-]: 4.07 for a wall that spans, 3.10 for one that stands free."""
     r = USABLE[support] * LET_GO[support]
     return float(4.0 * np.arccosh(1.0 / (1.0 - r)))

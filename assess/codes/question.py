@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Literal
 
 from assess.codes.bases import Acceptance, Basis, IndexKind, LimitState, LimitStateRole, Method
 from assess.codes.check import Check, Family, Outcome, Reason
 from assess.codes.procedures import PROCEDURES
-from assess.messages.message import Message, Value, message
+from assess.messages.message import Message, Value, distinct, message
 from assess.short_repr import ShortRepr
 from spectra.ntc import EXCEEDANCE
 
@@ -118,15 +118,11 @@ def merge_missing(missing: Sequence[Missing]) -> tuple[Missing, ...]:
             group[0],
             text="; ".join(dict.fromkeys(each.text for each in group)),
             toml=_line_of(group),
-            reasons=_unique_messages(reason for each in group for reason in each.reasons),
-            why=_unique_messages(why for each in group for why in each.why),
+            reasons=distinct(reason for each in group for reason in each.reasons),
+            why=distinct(why for each in group for why in each.why),
         )
         for group in groups.values()
     )
-
-
-def _unique_messages(reasons: Iterable[Message]) -> tuple[Message, ...]:
-    return tuple({reason.text: reason for reason in reasons}.values())
 
 
 def _line_of(group: Sequence[Missing]) -> str:
@@ -153,7 +149,7 @@ def find_limit_states(question: Question) -> tuple[tuple[LimitState, ...], tuple
         names = [state.name for state in basis.chosen]
         why = message("missing-limit-state", {"states": join_with_or(names)})
         return (), (missing_input("verdict.limit_state", why, f'limit_state = "{names[0]}"'),)
-    return (*chosen, *_besides(basis, question.use_class)), ()
+    return (*chosen, *_additional_states(basis, question.use_class)), ()
 
 
 def _declared(basis: Basis, action: Action) -> str:
@@ -161,7 +157,7 @@ def _declared(basis: Basis, action: Action) -> str:
     return next((state.name for state in basis.chosen if action.limit_state in state.actions), "")
 
 
-def _besides(basis: Basis, use_class: str | None) -> tuple[LimitState, ...]:
+def _additional_states(basis: Basis, use_class: str | None) -> tuple[LimitState, ...]:
     every = (state for state in basis.states if state.role == LimitStateRole.BESIDES)
     return tuple(state for state in every if use_class is None or use_class in state.classes)
 

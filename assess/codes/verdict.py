@@ -651,7 +651,7 @@ def outcome_text(outcome: Decision, *, near: bool) -> str:
     return outcome.value + (AT_THE_LIMIT if near and outcome != Decision.INCOMPLETE else "")
 
 
-def index_text(index: Index | None) -> str:
+def named_index_text(index: Index | None) -> str:
     """Return an index with its name and grade, as "zeta_E 0.83" or "45 %NBS, grade C"; empty where there is none."""
     if index is None:
         return ""
@@ -665,7 +665,7 @@ def building_index_text(verdict: Verdict) -> str:
     if verdict.index is None:
         return ""
     bound = "at least" if verdict.index.name == "D/C" else "at most"
-    return f"{bound} {index_text(verdict.index)}"
+    return f"{bound} {named_index_text(verdict.index)}"
 
 
 def target_text(verdict: Verdict) -> str:

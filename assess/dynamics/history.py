@@ -29,7 +29,7 @@ from records.record import Record, make_record
 from spectra.arrays import BoolArray, FloatArray, IntArray
 
 Array = TypeVar("Array", FloatArray, IntArray, BoolArray)
-Run = Callable[[IntArray, IntArray, FloatArray, float, FloatArray, FloatArray, FloatArray], int]
+RunHistory = Callable[[IntArray, IntArray, FloatArray, float, FloatArray, FloatArray, FloatArray], int]
 
 TOLERANCE = 1e-10
 """Error allowed in one step of the exact equation, of phi / phi_ov and of its rate over the rate of the branch."""
@@ -342,19 +342,19 @@ def _release_coordinate(one: PackedOscillator, rotation: float) -> float:
     return one.sides[0].coordinate(rotation)
 
 
-def _linearised(oscillators: Sequence[PackedOscillator], motions: Sequence[Record], tolerance: float) -> Run:
+def _linearised(oscillators: Sequence[PackedOscillator], motions: Sequence[Record], tolerance: float) -> RunHistory:
     """Return the linearised kernel with oscillators and motions filled in; it has no error to tolerate."""
     return partial(linearised.rock_linearised, branches_of(oscillators), *_motions(motions))
 
 
-def _exact(oscillators: Sequence[PackedOscillator], motions: Sequence[Record], tolerance: float) -> Run:
+def _exact(oscillators: Sequence[PackedOscillator], motions: Sequence[Record], tolerance: float) -> RunHistory:
     """Return the exact kernel with oscillators and motions filled in."""
     ground, offset, dt, _ = _motions(motions)
     tables = tables_of(oscillators)
     return partial(exact.rock_exact, branches_of(oscillators), *tables, tolerance, ground, offset, dt)
 
 
-_RUNS: dict[Equation, Callable[[Sequence[PackedOscillator], Sequence[Record], float], Run]] = {
+_RUNS: dict[Equation, Callable[[Sequence[PackedOscillator], Sequence[Record], float], RunHistory]] = {
     "exact": _exact,
     "linearised": _linearised,
 }

@@ -164,7 +164,7 @@ class FrequencyBand:
     end: float
 
 
-Run = Callable[[IntArray, IntArray, FloatArray, FloatArray], None]
+RunPulses = Callable[[IntArray, IntArray, FloatArray, FloatArray], None]
 
 PIECES = 100
 """Number in one period: the error of a piece of a sine is (2 pi / 100)^6 / 46080 = 1e-12 of its peak."""
@@ -249,7 +249,7 @@ def make_pulse_solver(
     check_frequency(frequency)
     each = [pack(oscillator, equation) for oscillator in oscillators]
     if has_closed_form(shape, equation):
-        run: Run = partial(sine.sine_outcomes, branches_of(each), shape.end, kernel_array(frequency, np.float64))
+        run: RunPulses = partial(sine.sine_outcomes, branches_of(each), shape.end, kernel_array(frequency, np.float64))
     else:
         run = _KERNELS[equation](each, (*pulse_polynomials(shape), kernel_array(frequency, np.float64)))
 
@@ -290,11 +290,11 @@ def has_closed_form(shape: PulseShape, equation: Equation) -> bool:
     return equation == "linearised" and shape.name in ("sine", "half-sine")
 
 
-def _linearised(oscillators: Sequence[PackedOscillator], pulse: tuple[FloatArray, float, FloatArray]) -> Run:
+def _linearised(oscillators: Sequence[PackedOscillator], pulse: tuple[FloatArray, float, FloatArray]) -> RunPulses:
     return partial(linearised.pulse_linearised, branches_of(oscillators), *pulse)
 
 
-def _exact(oscillators: Sequence[PackedOscillator], pulse: tuple[FloatArray, float, FloatArray]) -> Run:
+def _exact(oscillators: Sequence[PackedOscillator], pulse: tuple[FloatArray, float, FloatArray]) -> RunPulses:
     return partial(exact.pulse_exact, branches_of(oscillators), *tables_of(oscillators), TOLERANCE, *pulse)
 
 

@@ -10,12 +10,12 @@ from pathlib import Path
 
 from assess.errors import ProjectError
 from assess.examples import casa_grande, house, street, surfaces
-from assess.examples.surfaces import Surface, ply
+from assess.examples.surfaces import ClosedSurface, ply
 from assess.outputs.writing import MADE, make_stage, remove_abandoned_stages
 
 SCHEMA = "project.schema.json"
 """The schema of project files, beside that of an example: editors that know `#:schema` check and complete with it."""
-Meshes = Callable[[], Mapping[str, Surface]]
+Meshes = Callable[[], Mapping[str, ClosedSurface]]
 
 
 @dataclass(frozen=True)

@@ -25,7 +25,7 @@ import numpy as np
 from scipy.constants import g
 from scipy.optimize import root
 
-from assess.examples.surfaces import Surface, slab
+from assess.examples.surfaces import ClosedSurface, slab
 from assess.geometry.solid import polyhedron
 from spectra.arrays import FloatArray
 
@@ -84,7 +84,7 @@ TABLE = {  # Tables 8.2 and 8.3
 }
 
 
-def surface(wall: ErodedWall, *, above: float = 0.0) -> Surface:
+def surface(wall: ErodedWall, *, above: float = 0.0) -> ClosedSurface:
     """Return the wall from the elevation `above` [m], the ground or a band, to its top."""
     rows = _rows(wall)
     rows = rows[rows >= above]
@@ -214,6 +214,6 @@ def walls() -> dict[str, ErodedWall]:
     }
 
 
-def meshes() -> dict[str, Surface]:
+def meshes() -> dict[str, ClosedSurface]:
     """Return the walls' surfaces, by the file that the project names."""
     return {f"walls/{name}.ply": surface(wall) for name, wall in walls().items()}

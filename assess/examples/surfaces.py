@@ -13,14 +13,14 @@ from spectra.arrays import FloatArray, IntArray
 
 
 @dataclass(frozen=True)
-class Surface:
+class ClosedSurface:
     """A closed surface: points [n, 3] [m]; triangles of them, anticlockwise seen from outside [m, 3]."""
 
     points: FloatArray
     triangles: IntArray
 
 
-def slab(front: ArrayLike, back: ArrayLike) -> Surface:
+def slab(front: ArrayLike, back: ArrayLike) -> ClosedSurface:
     """Return the body between two faces, each a grid of rows from bottom to top and columns along y.
 
     front, back : [rows, columns, 3] [m]; front is the face at larger x, the bottom and the top row close the body.
@@ -33,10 +33,10 @@ def slab(front: ArrayLike, back: ArrayLike) -> Surface:
     bottom = _split_quadrangles(around - 1 - j, around - 2 - j, j + 1, j)
     top = _split_quadrangles(j, j + 1, around - 2 - j, around - 1 - j) + around * (rows - 1)
     sides = _split_quadrangles(rings[:-1], np.roll(rings, -1, axis=1)[:-1], np.roll(rings, -1, axis=1)[1:], rings[1:])
-    return Surface(faces.reshape(-1, 3), np.concatenate([sides, bottom, top]))
+    return ClosedSurface(faces.reshape(-1, 3), np.concatenate([sides, bottom, top]))
 
 
-def revolve(profile: ArrayLike, *, faces: int) -> Surface:
+def revolve(profile: ArrayLike, *, faces: int) -> ClosedSurface:
     """Revolve a polygon of (radius, elevation) about the vertical axis, as a prism of so many `faces`.
 
     Faces touch the circles, an even number of them: the middles of two are at x = -r and x = r, and a section has the
@@ -57,7 +57,7 @@ def revolve(profile: ArrayLike, *, faces: int) -> Surface:
     )
 
 
-def ply(surface: Surface) -> bytes:
+def ply(surface: ClosedSurface) -> bytes:
     """Write the surface as a PLY file (binary, double precision), the same bytes on every machine."""
     header = (
         "ply\nformat binary_little_endian 1.0\ncomment metres\n"
@@ -74,19 +74,19 @@ def _split_quadrangles(a: IntArray, b: IntArray, c: IntArray, d: IntArray) -> In
     return np.stack([np.stack([a, b, c], -1), np.stack([a, c, d], -1)], -2).reshape(-1, 3)
 
 
-def _drop_degenerate(points: FloatArray, triangles: IntArray) -> Surface:
+def _drop_degenerate(points: FloatArray, triangles: IntArray) -> ClosedSurface:
     """Drop degenerate triangles and unused points."""
     a, b, c = triangles.T
     whole = triangles[(a != b) & (b != c) & (c != a)]
     used, numbers = np.unique(whole, return_inverse=True)
-    return Surface(points[used], numbers.reshape(whole.shape))
+    return ClosedSurface(points[used], numbers.reshape(whole.shape))
 
 
 FACADE_OUTSIDE, FACADE_INSIDE = -16.8, -16.0  # m, along the nave: its two faces
 FACADE_HALF_WIDTH, FACADE_EAVES, FACADE_RIDGE = 5.0, 7.5, 10.5  # m
 
 
-def facade_meshes() -> dict[str, Surface]:
+def facade_meshes() -> dict[str, ClosedSurface]:
     """Return the façade of `chiesa`, a wall with a gable of our own making, by its path in the folder."""
     return {"facade.ply": slab(_facade_face(FACADE_INSIDE), _facade_face(FACADE_OUTSIDE))}
 
@@ -108,7 +108,7 @@ SHAFT_AREA = TOWER_WEIGHT / (g * TOWER_DENSITY * TOWER_HEIGHT)  # m2: of the sha
 PRISM_AREA_FACTOR = TOWER_FACES * tan(pi / TOWER_FACES)  # area of the prism's section over r^2, in place of pi
 
 
-def tower_meshes() -> dict[str, Surface]:
+def tower_meshes() -> dict[str, ClosedSurface]:
     """Return two readings of the Dharahara tower, Kathmandu, by the file that the project names.
 
     Mehrotra gives the ring at the foot of the shaft and the tower's weight (Table 7.1), twenty layers of 3.0 m of which
@@ -121,7 +121,7 @@ def tower_meshes() -> dict[str, Surface]:
     return {"tower/tapered.ply": tapered_tower(), "tower/even.ply": prismatic_tower()}
 
 
-def tapered_tower() -> Surface:
+def tapered_tower() -> ClosedSurface:
     """Return a tower whose section shrinks evenly with height.
 
     The ring times a factor that falls evenly from 1 at the foot to q at the top: mean area A (1 + q + q^2) / 3.
@@ -134,13 +134,13 @@ def tapered_tower() -> Surface:
     )
 
 
-def prismatic_tower() -> Surface:
+def prismatic_tower() -> ClosedSurface:
     """Return a tower of constant section: a pipe of the outer radius."""
     inner = sqrt(RING_OUTER**2 - SHAFT_AREA / PRISM_AREA_FACTOR)
     return _tower_shell(np.full(TOWER_LAYERS + 1, RING_OUTER), np.full(TOWER_LAYERS + 1, inner))
 
 
-def _tower_shell(outer: FloatArray, inner: FloatArray) -> Surface:
+def _tower_shell(outer: FloatArray, inner: FloatArray) -> ClosedSurface:
     """Return the shell between two radii at the joints of the layers [LAYERS + 1] [m]."""
     z = np.linspace(0.0, TOWER_HEIGHT, TOWER_LAYERS + 1)
     return revolve([*zip(outer, z, strict=True), *zip(inner[::-1], z[::-1], strict=True)], faces=TOWER_FACES)
@@ -152,7 +152,7 @@ SPIRE_FACES = 24
 SPIRE_ROWS = 13
 
 
-def spire_meshes() -> dict[str, Surface]:
+def spire_meshes() -> dict[str, ClosedSurface]:
     """Return the spire of San Leonardo Limosino, a hollow cone, by the file that the project names.
 
     Mehrotra, Table 5.1, gives p and slenderness of what a crack leaves of the spire, for cracks that start at a depth
@@ -164,7 +164,7 @@ def spire_meshes() -> dict[str, Surface]:
     return {"spire.ply": spire()}
 
 
-def spire(*, radius: float = SPIRE_RADIUS, wall: float = SPIRE_WALL) -> Surface:
+def spire(*, radius: float = SPIRE_RADIUS, wall: float = SPIRE_WALL) -> ClosedSurface:
     """Return a cone of `radius` at its foot, hollow but for a wall of horizontal thickness `wall` [m]."""
     outer, inner = np.linspace(radius, 0.0, SPIRE_ROWS), np.linspace(0.0, radius - wall, SPIRE_ROWS)
     hollow = SPIRE_HEIGHT * (1.0 - wall / radius)

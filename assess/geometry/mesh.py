@@ -240,13 +240,13 @@ class SelectedMeshes:
     warnings: tuple[Message, ...] = ()
 
 
-Selection = tuple[
+FileSelection = tuple[
     Path, str | None
 ]  # a file, and which of its elements: a name, identifier, class or pattern; None: all
-MeshesBySelection = Mapping[Selection, SelectedMeshes]
+MeshesBySelection = Mapping[FileSelection, SelectedMeshes]
 
 
-def read_selected_meshes(selections: Mapping[str, Selection]) -> MeshesBySelection:
+def read_selected_meshes(selections: Mapping[str, FileSelection]) -> MeshesBySelection:
     """Read what each body takes of its file; every file is read once.
 
     Parameters
@@ -257,7 +257,7 @@ def read_selected_meshes(selections: Mapping[str, Selection]) -> MeshesBySelecti
     ------
     GeometryError : a file cannot be read, has no such elements, or has no mesh for one of those selected
     """
-    found: dict[Selection, SelectedMeshes] = {}
+    found: dict[FileSelection, SelectedMeshes] = {}
     for file in dict.fromkeys(path for path, _ in selections.values()):
         found |= _read_file({name: element for name, (path, element) in selections.items() if path == file}, file)
     return found

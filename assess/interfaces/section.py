@@ -17,8 +17,8 @@ from assess.interfaces.kernel.moments import BEGIN, EDGE, RADIUS, SIGN, W0, W1
 from assess.short_repr import ShortRepr
 from spectra.arrays import FloatArray, IntArray
 
-Direction = Sequence[float] | FloatArray
-ALONG_X: Direction = (1.0, 0.0)
+DirectionVector = Sequence[float] | FloatArray
+ALONG_X: DirectionVector = (1.0, 0.0)
 THINNEST = 1e-12  # of the extent squared: a region with less area is a line
 ROUNDING = 1e-14  # of the depth: vertices no further apart are at one depth
 
@@ -63,12 +63,12 @@ class ContactSection(ShortRepr):
     discs: FloatArray
 
     @property
-    def table(self) -> moments.Table:
+    def table(self) -> moments.MomentTable:
         """The arrays and numbers that the kernel reads."""
         return self.pieces, self.discs, self.depth, self.area, self.centroid
 
 
-def rectangle(width: float, length: float, *, direction: Direction = ALONG_X) -> ContactSection:
+def rectangle(width: float, length: float, *, direction: DirectionVector = ALONG_X) -> ContactSection:
     """Return a rectangle rocking in a direction of its plane.
 
     Parameters
@@ -80,7 +80,7 @@ def rectangle(width: float, length: float, *, direction: Direction = ALONG_X) ->
 
 
 def hollow_rectangle(
-    width: float, length: float, *, inner: tuple[float, float], direction: Direction = ALONG_X
+    width: float, length: float, *, inner: tuple[float, float], direction: DirectionVector = ALONG_X
 ) -> ContactSection:
     """Return a rectangle with a concentric rectangular hole.
 
@@ -113,7 +113,7 @@ def annulus(diameter: float, *, inner: float) -> ContactSection:
     return section_of_discs(diameter / 2.0, inner=inner / 2.0)
 
 
-def polygon(region: shapely.Polygon | shapely.MultiPolygon, *, direction: Direction) -> ContactSection:
+def polygon(region: shapely.Polygon | shapely.MultiPolygon, *, direction: DirectionVector) -> ContactSection:
     """Return a region of one or several parts, concave or with holes, rocking in a direction of its plane.
 
     The compressed edge is the extreme fibre in that direction. Between two vertices the width is linear.
@@ -210,7 +210,7 @@ def _require_area(region: shapely.Polygon | shapely.MultiPolygon) -> None:
         raise GeometryError(f"section: its area is {region.area:g} m2; give corners that enclose one")
 
 
-def _unit(direction: Direction) -> FloatArray:
+def _unit(direction: DirectionVector) -> FloatArray:
     """Return the unit vector [2] of a direction of any length, or raise GeometryError."""
     vector = np.asarray(direction, dtype=np.float64)
     if vector.shape != (2,) or not np.isfinite(vector).all() or not vector.any():

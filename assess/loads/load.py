@@ -253,7 +253,7 @@ class Tie:
         return _missing_keys({**shown, "source": self.evidence})
 
 
-Action = Force | Tie
+ForceOrTie = Force | Tie
 Load = PointMass | Force | Tie
 
 
@@ -267,7 +267,7 @@ def pull_at_rest(tie: Tie) -> Point:
     return (tie.tension * to_x / length, tie.tension * to_z / length)
 
 
-def lasts(action: Action) -> bool:
+def lasts(action: ForceOrTie) -> bool:
     """Return whether it is shown to last to collapse (NTC 2018, C8.7.1.2.1.6), but for a tie's fracture strain."""
     return action.until == "collapse" and not action.missing
 

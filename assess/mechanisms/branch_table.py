@@ -16,7 +16,7 @@ import numpy as np
 from scipy.optimize import brentq
 
 from assess.errors import MechanismError
-from assess.loads.load import Action, Force, PointMass, Tie, lasts
+from assess.loads.load import Force, ForceOrTie, PointMass, Tie, lasts
 from assess.mechanisms.chain import (
     FLAT,
     Chain,
@@ -262,7 +262,7 @@ def scan_rotations(chain: Chain) -> FloatArray:
     return np.linspace(0.0, geometric_limit(chain) * (1.0 - FLAT), STATIONS)
 
 
-def end_of(chain: Chain, action: Action) -> float:
+def end_of(chain: Chain, action: ForceOrTie) -> float:
     """Return the rotation up to which a force or tie is shown to act [rad]; 0 if nothing is shown, inf if it lasts."""
     broken = breaking_rotation(chain, action) if isinstance(action, Tie) else inf
     if isinstance(action.until, float | int):
@@ -298,7 +298,7 @@ def _horizontal_travel(path: PointPath) -> FloatArray:
 
 
 def rotation_reaching(
-    chain: Chain, load: Action | PointMass, amount: float, measure: Callable[[PointPath], FloatArray]
+    chain: Chain, load: ForceOrTie | PointMass, amount: float, measure: Callable[[PointPath], FloatArray]
 ) -> float:
     """Return the first rotation at which a measure of the path of a load reaches an amount [m]; inf if never [rad].
 
@@ -319,7 +319,7 @@ def rotation_reaching(
     return float(found)
 
 
-def load_displacement(chain: Chain, load: Action, rotation: float) -> float:
+def load_displacement(chain: Chain, load: ForceOrTie, rotation: float) -> float:
     """Return the displacement of the point of a load from rest [m].
 
     Parameters

@@ -45,7 +45,7 @@ from scipy.constants import g
 from assess.errors import FallingError, MechanismError
 from assess.interfaces.contact import JointLaw, JointModel
 from assess.interfaces.section import ContactSection
-from assess.loads.load import Action, Force, Load, Point, PointMass, Tie, mirror_load, pull_at_rest
+from assess.loads.load import Force, ForceOrTie, Load, Point, PointMass, Tie, mirror_load, pull_at_rest
 from assess.messages.message import Value, lengths
 from assess.short_repr import ShortRepr
 from spectra.arrays import ComplexArray, FloatArray
@@ -101,7 +101,7 @@ class Chain:
         return sum(block.mass for block in self.blocks) + carried
 
     @property
-    def actions(self) -> tuple[Action, ...]:
+    def actions(self) -> tuple[ForceOrTie, ...]:
         """The forces and ties on the chain."""
         return tuple(load for load in self.loads if not isinstance(load, PointMass))
 

@@ -231,15 +231,14 @@ class Mechanism:
     def crushing(self) -> bool:
         """Whether every hinge presses on a joint of finite strength; the top of a wall may carry nothing."""
         chains = [chain for chain in (self.positive, self.negative) if chain is not None]
-        return all(chain.joints and all(map(_crushes, _pressing_joints(chain))) for chain in chains)
+        return all(
+            chain.joints and all(joint is not None and joint.law.strength < inf for joint in _pressing_joints(chain))
+            for chain in chains
+        )
 
 
 def _pressing_joints(chain: Chain) -> tuple[Joint | None, ...]:
     return chain.joints[:2] if len(chain.blocks) == 2 and chain.joints[2] is None else chain.joints
-
-
-def _crushes(joint: Joint | None) -> bool:
-    return joint is not None and joint.law.strength < inf
 
 
 LEVEL = (0.0, 1.0)

@@ -16,7 +16,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from assess.errors import InterfaceError, MechanismError
-from assess.loads.load import Action, Force, lasts
+from assess.loads.load import Force, ForceOrTie, lasts
 from assess.mechanisms.branch_table import (
     ActionMoments,
     ChainStage,
@@ -232,7 +232,7 @@ class ChainActions:
     ends: tuple[float, ...]
 
     @property
-    def actions(self) -> tuple[Action, ...]:
+    def actions(self) -> tuple[ForceOrTie, ...]:
         """The forces and ties on the chain."""
         return self.chain.actions
 

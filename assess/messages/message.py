@@ -150,6 +150,16 @@ def lengths(**values: float) -> dict[str, Value]:
     return {name: Quantity(round(float(value), 4) + 0.0, "length", 6) for name, value in values.items()}
 
 
+def format_key(key: Sequence[str | int]) -> str:
+    """Write a key of a project as its messages do, with dots, and items of lists in brackets, from 1.
+
+    Parameters
+    ----------
+    key : names of tables and keys, and places in lists from 0
+    """
+    return "".join(f"[{step + 1}]" if isinstance(step, int) else f".{step}" for step in key).lstrip(".")
+
+
 def distinct(messages: Iterable[Message]) -> tuple[Message, ...]:
     """Return messages in their order, each sentence once.
 

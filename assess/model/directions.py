@@ -47,7 +47,7 @@ from assess.mechanisms.oscillators import collapse_branch
 from assess.mechanisms.restitution import Restitution
 from assess.mechanisms.single_block import SingleBlock, build_single_block
 from assess.mechanisms.two_block import TwoBlock
-from assess.messages.message import Message, Quantity, Severity, Term, Value, message, warning
+from assess.messages.message import Message, Quantity, Severity, Term, Value, format_key, message, warning
 from assess.model.assembly import Built, mechanism_of, on_rigid_hinges
 from assess.model.bodies import Bodies, cut_of
 from assess.model.loading import loads_of
@@ -143,11 +143,6 @@ def reasons_for_given_direction(definition: BlockMechanism) -> Iterator[str]:
         yield 'with sides = "one" it says which way the mechanism is free'
     for key in definition.keys_along():
         yield f"{format_key(key)} is measured along it"
-
-
-def format_key(key: Sequence[str | int]) -> str:
-    """Write a key of a mechanism as the user does, with entries of lists counted from 1."""
-    return "".join(f"[{step + 1}]" if isinstance(step, int) else f".{step}" for step in key).lstrip(".")
 
 
 def list_directions(known: Sequence[CandidateDirection]) -> str:
@@ -421,17 +416,17 @@ def near_least(pool: Sequence[CandidateDirection]) -> list[CandidateDirection]:
 def weakest_of(near: Sequence[CandidateDirection]) -> CandidateDirection:
     """Return the candidate of least d0*; ties go to the least multiplier, then to the nearest to +x, then +y."""
     return min(
-        near, key=lambda each: (round_figures(inf if each.displacement is None else each.displacement), *rank_key(each))
+        near, key=lambda each: (round_rank(inf if each.displacement is None else each.displacement), *rank_key(each))
     )
 
 
 def rank_key(candidate: CandidateDirection) -> tuple[float, float, float]:
     """Return what candidates are sorted by: the multiplier, then nearness to +x, then to +y."""
     x, y, _ = candidate.direction
-    return round_figures(multiplier_of(candidate)), -round(x, DIGITS), -round(y, DIGITS)
+    return round_rank(multiplier_of(candidate)), -round(x, DIGITS), -round(y, DIGITS)
 
 
-def round_figures(value: float) -> float:
+def round_rank(value: float) -> float:
     """Round to so many figures that equals stay equal."""
     return float(f"{value:.{DIGITS}g}")
 

@@ -29,7 +29,7 @@ PREFIX = ".assess-partial-"
 MADE, OLD, JOURNAL = "made", "old", "journal.json"
 _MOST_NAMES = 5  # of files in an error
 _DAY = 86400.0  # s
-Tell = Callable[[Message], None]
+TellMessage = Callable[[Message], None]
 
 
 def _ignore(_: Message) -> None:
@@ -43,7 +43,7 @@ def output_folder(
     command: str,
     owner: str = RESULTS,
     expected: Sequence[str] = (),
-    tell: Tell = _ignore,
+    tell: TellMessage = _ignore,
     patient: bool = False,
 ) -> Iterator[Path]:
     """Give a temporary folder; after the block, its files are moved into `folder`, unless the block raised.
@@ -278,7 +278,7 @@ def _refuse_another(made: Path, path: Path) -> None:
         raise OutputError(f"{path}: is there already and holds something else; move it away, or give another name")
 
 
-def recover_for_reading(folder: Path, *, tell: Tell) -> None:
+def recover_for_reading(folder: Path, *, tell: TellMessage) -> None:
     """Recover a folder for a command that only reads in it.
 
     Waits for a command that is moving files at this moment; does nothing if no command was stopped there.
@@ -295,7 +295,7 @@ def recover_for_reading(folder: Path, *, tell: Tell) -> None:
             recover(folder, tell=tell)
 
 
-def recover(folder: Path, *, tell: Tell) -> None:
+def recover(folder: Path, *, tell: TellMessage) -> None:
     """Recover a folder whose lock the caller holds; remove stages that are left behind."""
     for stage in left_behind(folder, locked=True):
         if (stage / JOURNAL).is_file() and not stage.is_symlink():

@@ -23,6 +23,7 @@ from pathlib import Path
 from typing import Any
 
 from assess.errors import ProjectError
+from assess.messages.message import format_key
 from assess.short_repr import ShortRepr
 
 ID = "id"
@@ -147,7 +148,7 @@ def row_fault(task: Task, text: str) -> str:
         return f"{where}: {fault}"
     places = keys_of(read_template(task.path))
     for key, *_ in row["cells"]:
-        prefix = f"{key_text(places[key])}: "
+        prefix = f"{format_key(places[key])}: "
         if fault.startswith(prefix):
             return f"{where}: column {quote(key)}: {fault.removeprefix(prefix)}"
     return f"{where}: with {task.path.name}: {fault}"
@@ -360,13 +361,13 @@ def _file_digest(path: Path) -> bytes:
     return hashlib.sha256(str(path).encode("utf-8", "surrogateescape") + b"\0" + content).digest()
 
 
-Place = tuple[str | int, ...]
+KeyPath = tuple[str | int, ...]
 TITLE = "title"
 COLUMN_HEADER = re.compile(r"(.*?)\s*(?:\[([^\[\]]*)\])?\s*", re.DOTALL)
 WHOLE_NUMBER = re.compile(r"[+-]?\d{1,18}")
 NUMBER = re.compile(r"[+-]?(\d{1,40}\.?\d{0,40}|\.\d{1,40})([eE][+-]?\d{1,3})?|[+-]?(inf|nan)")
 QUANTITY = re.compile(r"\s*[+-]?(\d|\.\d|inf\b)")
-DECIMAL_COMMA = re.compile(r"[+-]?\d+,\d+(\s*[^\s\d,;]\S*)?")
+QUANTITY_WITH_COMMA = re.compile(r"[+-]?\d+,\d+(\s*[^\s\d,;]\S*)?")
 MOST_SHOWN = 60  # characters of a value in a message
 
 
@@ -397,12 +398,12 @@ def _read_tables(path: Path, size: int, changed: int) -> Mapping[str, Any]:
     return tables
 
 
-def keys_of(template: Mapping[str, Any]) -> dict[str, Place]:
+def keys_of(template: Mapping[str, Any]) -> dict[str, KeyPath]:
     """Return the keys of all single values of a template, written with dots, each with its place."""
     return {".".join(map(str, place)): place for place in _places(template, ())} | {TITLE: (TITLE,)}
 
 
-def _places(value: Any, place: Place) -> Iterator[Place]:
+def _places(value: Any, place: KeyPath) -> Iterator[KeyPath]:
     if isinstance(value, Mapping):
         for name, each in value.items():
             yield from _places(each, (*place, name))
@@ -411,11 +412,6 @@ def _places(value: Any, place: Place) -> Iterator[Place]:
             yield from _places(each, (*place, number))
     else:
         yield place
-
-
-def key_text(place: Place) -> str:
-    """Write a key as messages on a project do: items of a list in brackets, from 1."""
-    return "".join(f"[{step + 1}]" if isinstance(step, int) else f".{step}" for step in place).lstrip(".")
 
 
 def columns_of(header: Sequence[str], template: Mapping[str, Any], *, skipped: Sequence[str]) -> list[KeyColumn | None]:
@@ -445,11 +441,11 @@ def columns_of(header: Sequence[str], template: Mapping[str, Any], *, skipped: S
     return found
 
 
-def _example_key(known: Mapping[str, Place]) -> str:
+def _example_key(known: Mapping[str, KeyPath]) -> str:
     return next((key for key in known if key.startswith("bodies.")), TITLE)
 
 
-def _check_column(key: str, unit: str, known: Mapping[str, Place], template: Mapping[str, Any]) -> None:
+def _check_column(key: str, unit: str, known: Mapping[str, KeyPath], template: Mapping[str, Any]) -> None:
     """Raise ProjectError for a key that the template does not have, and for a unit of what has none."""
     if key not in known:
         near = get_close_matches(key, known, n=1, cutoff=0.0)
@@ -465,7 +461,7 @@ def _check_column(key: str, unit: str, known: Mapping[str, Place], template: Map
         )
 
 
-def _value_at(tables: Any, place: Place) -> Any:
+def _value_at(tables: Any, place: KeyPath) -> Any:
     for step in place:
         if isinstance(tables, Mapping) and step not in tables:
             return ""
@@ -509,7 +505,7 @@ def value_of(text: str, unit: str, *, like: Any, key: str) -> Any:
         return {"true": True, "false": False}.get(text.lower(), text)
     if not isinstance(like, int | float) and not _is_quantity(like):
         return text
-    if DECIMAL_COMMA.fullmatch(text):
+    if QUANTITY_WITH_COMMA.fullmatch(text):
         raise ProjectError(f"{key}: {quote(text)}: a decimal comma; write {text.replace(',', '.')[:MOST_SHOWN]}")
     if NUMBER.fullmatch(text):
         return f"{text} {unit}" if unit else int(text) if WHOLE_NUMBER.fullmatch(text) else float(text)

@@ -9,7 +9,7 @@ import hashlib
 import json
 import re
 import traceback
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from math import inf, isfinite
 from pathlib import Path
@@ -29,7 +29,8 @@ Keep = Literal["report", "results", "rows"]
 INPUT_IS_WRONG, BUG = 2, 70
 Status = Literal["done", "broken"]
 RowOutcome = Literal["pass", "fail", "incomplete", ""]
-EXIT_CODES: dict[RowOutcome, int] = {"pass": 0, "fail": 1, "incomplete": 3, "": 3}
+EXIT_CODES: Mapping[Decision, int] = {Decision.PASS: 0, Decision.FAIL: 1, Decision.INCOMPLETE: 3}
+"""Exit codes of `assess run`; a run without a verdict counts as incomplete."""
 WORST_FIRST = (Decision.FAIL, Decision.INCOMPLETE, Decision.PASS)
 """Outcomes in the order of a ranking; a project without any verdict stands with the incomplete ones."""
 LONGEST_REASON = 1000  # characters
@@ -202,16 +203,15 @@ def row_of_verdict(
     warnings = sum(each.severity is Severity.WARNING for each in messages)
     if found is None:
         row = ProjectRow(task.key, task.title, task.sha256, "done", report=report, results=results)
-        return replace(row, warnings=warnings, exit_code=EXIT_CODES[""])
+        return replace(row, warnings=warnings, exit_code=EXIT_CODES[Decision.INCOMPLETE])
     one = min(found.mechanisms, key=_mechanism_severity, default=None)
     answer = None if one is None else min(one.answers, key=_answer_severity, default=None)
-    outcome: RowOutcome = found.outcome.value
     return ProjectRow(
         key=task.key,
         title=task.title,
         sha256=task.sha256,
         status="done",
-        outcome=outcome,
+        outcome=found.outcome.value,
         basis=found.basis,
         limit_state="" if answer is None else answer.limit_state,
         worst_mechanism="" if one is None else one.mechanism,
@@ -223,7 +223,7 @@ def row_of_verdict(
         mechanisms=len(found.mechanisms),
         report=report,
         results=results,
-        exit_code=EXIT_CODES[outcome],
+        exit_code=EXIT_CODES[found.outcome],
     )
 
 

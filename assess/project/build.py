@@ -297,11 +297,11 @@ def cases_of(content: sections.Content, *, project: Project, files: ProjectFiles
     """Return what builds the study of one mechanism from other content of the project, whose files are read once."""
     known = files_of_case(content, project, files)
 
-    def case(name: str, replaced: Mapping[str, Solid]) -> Study:
+    def study_of_case(name: str, replaced: Mapping[str, Solid]) -> Study:
         solids = {**known.solids, **replaced}
         return study_of_mechanisms(content, replace(known, solids=solids), names=(name,), built_by=mechanism_as_given)
 
-    return Cases(known.solids, case)
+    return Cases(known.solids, study_of_case)
 
 
 def files_of_case(content: sections.Content, project: Project, files: ProjectFiles) -> ProjectFiles:

@@ -39,6 +39,7 @@ from assess.project.sections.content import Content
 from assess.project.sections.mechanisms import RestitutionSection
 from assess.project.units import KINDS, QuantityError, QuantityKind, key_value, number_and_unit
 from assess.results.run import Distribution, UncertainInput
+from spectra.arrays import is_number
 
 _NOT_SWEPT = (("analysis", "sweep"), ("analysis", "sensitivity"), ("analysis", "uncertainty"), ("format",), ("report",))
 WrittenNumber = int | float | str
@@ -68,11 +69,6 @@ class KeyedValue:
     def is_number(self) -> bool:
         """Whether the key holds a number or could."""
         return self.kind is not None or is_number(self.value)
-
-
-def is_number(value: object) -> bool:
-    """Whether a value is a number; true and false are not."""
-    return isinstance(value, int | float) and not isinstance(value, bool)
 
 
 def one_number(value: Any) -> bool:
@@ -457,12 +453,8 @@ def error_line(error: ValidationError, *, raw: Mapping[str, Any]) -> str:
     return ": ".join(parts) + (f" (and {len(by_key) - 1} more)" if len(by_key) > 1 else "")
 
 
-def _plain_quotes(expected: str) -> str:
-    return expected.replace("'", '"')
-
-
 _SENTENCES: dict[str, Callable[[Mapping[str, Any]], str]] = {
-    "literal_error": lambda c: f"not allowed; write {_plain_quotes(c['expected'])}",
+    "literal_error": lambda c: "not allowed; write " + c["expected"].replace("'", '"'),
     "string_type": lambda c: "not a text; write it in quotes",
     "int_type": lambda c: "not a whole number; write one without decimal point",
     "greater_than": lambda c: f"must be greater than {c['gt']:.6g}",

@@ -33,7 +33,6 @@ from assess.project.keys import (
     UncertainValue,
     covs_of,
     error_line,
-    is_number,
     key_sweeps,
     keyed_values,
     take_means,
@@ -59,6 +58,7 @@ from assess.project.units import (
 )
 from assess.results import ResolvedValue
 from records.reading import relative_path
+from spectra.arrays import is_number
 
 T = TypeVar("T")
 FORMAT = 1

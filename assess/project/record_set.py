@@ -90,14 +90,14 @@ def select_records(
     try:
         if selection.code is None:
             over = band(*periods_of(selection, spectrum, study.mechanisms), weights=selection.weights)
-            found = select(offer.candidates, spectrum, criteria_of(section, selection, over))
+            found = select(offer.candidates, spectrum, criteria_of_section(section, selection, over))
         else:
             rules = SELECTION_RULES[selection.code]
             target = target_of(rules.code, study, spectrum)
             over = band_for(rules, target)
             if selection.periods is not None:
                 over = band(*selection.periods, weights=selection.weights)
-            criteria = criteria_of(section, selection, over)
+            criteria = criteria_of_section(section, selection, over)
             found = select_for(offer.candidates, rules, target, criteria, read=read_candidate)
     except RecordError as error:
         raise ProjectError(f"records.select: {error}") from None
@@ -125,7 +125,7 @@ def periods_of(selection: sections.Select, spectrum: Spectrum, mechanisms: Itera
     return max(SHARE_OF_SHORTEST * least, float(PERIODS[0])), min(MULTIPLE_OF_LONGEST * largest, longest)
 
 
-def criteria_of(section: sections.Records, selection: sections.Select, over: Band) -> SuiteCriteria:
+def criteria_of_section(section: sections.Records, selection: sections.Select, over: Band) -> SuiteCriteria:
     """Return the criteria of the selection."""
     filters = CandidateFilters(
         selection.magnitude, selection.distance, selection.vs30, selection.pga, selection.duration, selection.events

@@ -267,30 +267,30 @@ def horizontal(section: sections.SpectrumSection) -> Spectrum:
 
 
 @horizontal.register
-def _(section: sections.Asce7Spectrum) -> Spectrum:
+def _horizontal_asce7(section: sections.Asce7Spectrum) -> Spectrum:
     given = {"s_ds": section.s_ds, "s_d1": section.s_d1, "t_l": section.t_l}
     return asce7.design_spectrum(**given, code=section.code, hazard=section.hazard)
 
 
 @horizontal.register
-def _(section: sections.Asce7MappedSpectrum) -> Spectrum:
+def _horizontal_asce7_mapped(section: sections.Asce7MappedSpectrum) -> Spectrum:
     given = {"s_s": section.s_s, "s_1": section.s_1, "t_l": section.t_l}
     return asce7.mapped_spectrum(**given, site_class=section.site_class, code=section.code, hazard=section.hazard)
 
 
 @horizontal.register
-def _(section: sections.Ec8Spectrum) -> Spectrum:
+def _horizontal_ec8(section: sections.Ec8Spectrum) -> Spectrum:
     return ec8_spectrum(section, ec8.elastic_spectrum)
 
 
 @horizontal.register
-def _(section: sections.Nzs1170Spectrum) -> Spectrum:
+def _horizontal_nzs1170(section: sections.Nzs1170Spectrum) -> Spectrum:
     return nzs1170_spectrum(section, nzs1170_5.site_spectrum)
 
 
 @horizontal.register(sections.NtcSpectrum)
 @horizontal.register(sections.NtcHazardSpectrum)
-def _(section: NtcSection) -> Spectrum:
+def _horizontal_ntc(section: NtcSection) -> Spectrum:
     return at_limit_state(section, ntc.elastic_spectrum(hazard_of(section), place=place_of(section), code=section.code))
 
 
@@ -301,18 +301,18 @@ def vertical(section: sections.SpectrumSection) -> Spectrum:
 
 
 @vertical.register
-def _(section: sections.Ec8Spectrum) -> Spectrum:
+def _vertical_ec8(section: sections.Ec8Spectrum) -> Spectrum:
     return ec8_spectrum(section, ec8.vertical_spectrum)
 
 
 @vertical.register
-def _(section: sections.Nzs1170Spectrum) -> Spectrum:
+def _vertical_nzs1170(section: sections.Nzs1170Spectrum) -> Spectrum:
     return nzs1170_spectrum(section, nzs1170_5.vertical_spectrum)
 
 
 @vertical.register(sections.NtcSpectrum)
 @vertical.register(sections.NtcHazardSpectrum)
-def _(section: NtcSection) -> Spectrum:
+def _vertical_ntc(section: NtcSection) -> Spectrum:
     return at_limit_state(
         section, ntc.vertical_spectrum(hazard_of(section), place=place_of(section), code=section.code)
     )

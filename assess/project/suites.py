@@ -196,7 +196,7 @@ def select_for_target(
     ------
     AssessError : an option cannot be followed
     """
-    spectrum, criteria = spectrum_at(target), criteria_of(options)
+    spectrum, criteria = spectrum_at(target), criteria_of_options(options)
     if kept is not None and sum(place.is_dir() for place in places) > 1:
         raise AssessError(f"--catalogue {kept}: one catalogue is of one folder; give one folder")
     offer = suites.candidate_records(places, overrides=overrides, flatfile=flatfile, kept=kept, executor=executor)
@@ -222,7 +222,7 @@ def select_for_target(
     return SelectedSuite(suite, motions, spectrum, chosen.fitting, criteria.scale_to)
 
 
-def criteria_of(options: SuiteOptions) -> SuiteCriteria:
+def criteria_of_options(options: SuiteOptions) -> SuiteCriteria:
     """Return the criteria in SI; raise AssessError for an unknown word or a range that falls."""
     spans = {**options.spans, "scale-limits": options.scale_limits}
     for name, span in spans.items():

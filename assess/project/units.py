@@ -449,7 +449,7 @@ def _pattern_of_unit(kind: QuantityKind) -> str:
 def _pattern_of_names(kind: QuantityKind) -> str:
     """Return the pattern of the kind's names, with prefix and plural, and signs."""
     prefixes, names = (list(filter(str.isascii, each)) for each in prefixes_and_names(kind))
-    single = [each for each in (*SIGNS, *USUAL.get(kind.name, {}), *UNITS_OF_ACCELERATION) if _is_plain_unit(each)]
+    single = filter(_PLAIN_UNIT.fullmatch, (*SIGNS, *USUAL.get(kind.name, {}), *UNITS_OF_ACCELERATION))
     without_prefix = dict.fromkeys(each for each in single if each not in names and reads_unit(each, kind))
     with_prefix = f"{_any_of(prefixes)}?{_any_of(names)}s?" if names else ""
     return "|".join(filter(None, (_any_of(without_prefix) if without_prefix else "", with_prefix)))
@@ -460,10 +460,6 @@ def _refused_units(kind: QuantityKind) -> Iterator[str]:
     yield from (unit for unit in (*AMBIGUOUS, *UNITS_OF_ACCELERATION) if not reads_unit(unit, kind))
     usual = dict.fromkeys(unit for units in USUAL.values() for unit in units)
     yield from (unit for unit in usual if not has_dimension(unit, kind))
-
-
-def _is_plain_unit(unit: str) -> bool:
-    return _PLAIN_UNIT.fullmatch(unit) is not None
 
 
 def _any_of(texts: Iterable[str]) -> str:

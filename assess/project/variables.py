@@ -323,12 +323,12 @@ def survey_of(
         subject = VariedMechanism(
             mechanism, study.amplified[name], fix_direction(project, mechanism), solids, build_study
         )
-        return tuple(_surveyed_variables(subject, mechanism, tolerance=project.content.verdict.survey_tolerance))
+        return tuple(_surveyed_variables(subject, tolerance=project.content.verdict.survey_tolerance))
 
     return variables
 
 
-def _surveyed_variables(subject: VariedMechanism, mechanism: Mechanism, *, tolerance: float) -> Iterator[Variable]:
+def _surveyed_variables(subject: VariedMechanism, *, tolerance: float) -> Iterator[Variable]:
     section = subject.section
     if not isinstance(section, sections.ChainSection) or tolerance == 0.0:
         return

@@ -26,6 +26,7 @@ from assess.results.run import (
     UncertainAnswer,
     UncertaintyResult,
 )
+from spectra.arrays import is_number
 
 DifferenceKind = Literal[
     "verdict", "mechanism", "capacity", "ratio", "envelope", "history", "parameter", "sweep", "sensitivity",
@@ -81,7 +82,7 @@ def differences(before: Results, after: Results, *, tolerance: float = TOLERANCE
     return tuple(sorted(found, key=lambda each: KINDS.index(each.kind)))
 
 
-__all__ = ["COMPARED", "KINDS", "Difference", "DifferenceKind", "differences", "is_number", "same"]
+__all__ = ["COMPARED", "KINDS", "Difference", "DifferenceKind", "differences", "same"]
 
 
 def compare_verdicts(before: Results, after: Results) -> Iterator[Difference]:
@@ -304,11 +305,6 @@ def same(one: Any, other: Any, *, tolerance: float) -> bool:
     if is_number(one) and is_number(other):
         return isclose(one, other, rel_tol=tolerance, abs_tol=ZERO)
     return type(one) is type(other) and bool(one == other)
-
-
-def is_number(value: Any) -> bool:
-    """Return whether a value is a number; True and False are not."""
-    return isinstance(value, int | float) and not isinstance(value, bool)
 
 
 def demand_capacity(check: Check) -> float | str | None:

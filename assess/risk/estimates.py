@@ -123,10 +123,10 @@ def unbounded_reason(intensity: ArrayLike, reached: ArrayLike, records: ArrayLik
     return UnboundedReason.FALLING if fit_lognormal(intensity, reached, records) is None else None
 
 
-Link = Literal["probit", "logit"]
+LinkFunction = Literal["probit", "logit"]
 
 
-def fit_binomial(x: FloatArray, reached: FloatArray, records: FloatArray, *, link: Link) -> FloatArray:
+def fit_binomial(x: FloatArray, reached: FloatArray, records: FloatArray, *, link: LinkFunction) -> FloatArray:
     """Return intercepts and slopes [draws, 2] by maximum likelihood; nan where the counts do not overlap.
 
     Parameters
@@ -180,7 +180,7 @@ def least_and_largest(x: FloatArray, counted: BoolArray) -> tuple[FloatArray, Fl
 class _BinomialLikelihood:
     """The likelihood of counts: called with parameters and draws, as `maximise_likelihood` does."""
 
-    def __init__(self, x: FloatArray, reached: FloatArray, records: FloatArray, link: Link) -> None:
+    def __init__(self, x: FloatArray, reached: FloatArray, records: FloatArray, link: LinkFunction) -> None:
         self.x, self.reached, self.others, self.link = x, reached, records - reached, link
 
     def __call__(self, theta: FloatArray, draws: IntArray) -> Likelihood:

@@ -27,8 +27,8 @@ from assess.short_repr import ShortRepr
 from spectra.arrays import FloatArray, IntArray
 from spectra.formulas import harmless_cell
 
-Unit = Literal["g", "m/s", "-"]
-Reason = Literal["no-name-of-measure", "state-without-curve", "state-left-out", "curves-cross"]
+MeasureUnit = Literal["g", "m/s", "-"]
+OmissionReason = Literal["no-name-of-measure", "state-without-curve", "state-left-out", "curves-cross"]
 
 
 @dataclass(frozen=True, repr=False)
@@ -68,7 +68,7 @@ class ExportedCurve(ShortRepr):
     name: str
     measure: str
     period: float | None
-    unit: Unit
+    unit: MeasureUnit
     states: tuple[ExportedState, ...]
 
 
@@ -85,7 +85,7 @@ class LeftOut(ShortRepr):
     name: str
     measure: str
     period: float | None
-    reason: Reason
+    reason: OmissionReason
     state: str = ""
 
 

@@ -60,7 +60,7 @@ class HazardCurve(ShortRepr):
 
 
 @dataclass(frozen=True, repr=False)
-class Rate(ShortRepr):
+class RateEstimate(ShortRepr):
     """The annual rate of a state, within the rows of the hazard and what may come from outside them.
 
     annual_rate : within the rows [1/year]
@@ -81,7 +81,9 @@ class Rate(ShortRepr):
         return self.contribution / self.annual_rate if self.annual_rate > 0.0 else np.zeros_like(self.contribution)
 
 
-def rate(probability: Probability, hazard: HazardCurve, *, breaks: ArrayLike = (), edges: ArrayLike = ()) -> Rate:
+def rate(
+    probability: Probability, hazard: HazardCurve, *, breaks: ArrayLike = (), edges: ArrayLike = ()
+) -> RateEstimate:
     """Return the annual rate of a state.
 
     Parameters
@@ -101,7 +103,7 @@ def rate(probability: Probability, hazard: HazardCurve, *, breaks: ArrayLike = (
     parts = _integrate(probability, corners, u[row], v[row], slopes[row])
     place = np.clip(np.searchsorted(dividing, corners[:-1], side="right") - 1, 0, dividing.size - 2)
     contribution = np.asarray(np.bincount(place, weights=parts, minlength=dividing.size - 1), dtype=np.float64)
-    return Rate(
+    return RateEstimate(
         float(contribution.sum()),
         contribution,
         float(hazard.annual_rate[-1]),
@@ -175,12 +177,16 @@ def _rate_below_first_row(probability: Probability, u: float, v: float, k: float
 
 VELOCITY_UNITS = {"m/s": 1.0, "cm/s": 0.01, "mm/s": 1e-3}
 IN_G = {name: factor / g for name, factor in ACCELERATION_UNITS.items()}
-Measure = Literal["pga", "sa", "pgv"]
+HazardMeasure = Literal["pga", "sa", "pgv"]
 
-OPENQUAKE_MEASURES: Mapping[str, tuple[Measure, float]] = {"PGA": ("pga", 1.0), "SA": ("sa", 1.0), "PGV": ("pgv", 0.01)}
+OPENQUAKE_MEASURES: Mapping[str, tuple[HazardMeasure, float]] = {
+    "PGA": ("pga", 1.0),
+    "SA": ("sa", 1.0),
+    "PGV": ("pgv", 0.01),
+}
 """Measure of OpenQuake's names, and what converts its unit to g or m/s."""
 
-PLAIN_MEASURES: Mapping[str, tuple[Measure, Mapping[str, float]]] = {
+PLAIN_MEASURES: Mapping[str, tuple[HazardMeasure, Mapping[str, float]]] = {
     "pga": ("pga", IN_G),
     "pgv": ("pgv", VELOCITY_UNITS),
 }
@@ -204,7 +210,7 @@ class HazardFile(ShortRepr):
     """
 
     curve: HazardCurve
-    measure: Measure
+    measure: HazardMeasure
     period: float | None = None
     distance: float | None = None
 
@@ -273,7 +279,7 @@ def _read_openquake(path: Path, lines: list[str], longitude: float | None, latit
     return HazardFile(HazardCurve(im[known], -np.log1p(-poe[known]) / years), measure, period, distance)
 
 
-def _measure(path: Path, comment: str) -> tuple[Measure, float, float | None]:
+def _measure(path: Path, comment: str) -> tuple[HazardMeasure, float, float | None]:
     """Return measure, factor of its unit and period from the comment, else from the file's name."""
     found = re.search(r"\bimt=[\\\"' ]*" + IMT, comment) or re.search(rf"-{IMT}(?:_\d+)?\.csv$", path.name)
     if found is None:

@@ -24,7 +24,7 @@ from scipy.constants import g
 from assess.amplification import BaseMotion, FirstMode, ModalFilter
 from assess.codes.asce43_05 import ASCE43_05_SPECTRUM
 from assess.codes.check import BranchName, Check, Outcome, Reason, reason_message
-from assess.codes.context import Building, Context, Gravity, LocalLimit, OpenSeat, Support, Transfer, Wall
+from assess.codes.context import Building, Context, Gravity, LocalLimit, OpenSeat, Transfer, Wall, WallSupport
 from assess.codes.procedures import apply_procedure, uses_histories, with_options
 from assess.codes.question import MechanismChecks, Question
 from assess.codes.verdict import Verdict, mark_deciding, verdict
@@ -319,7 +319,7 @@ def reasons_against_histories(mechanism: Mechanism) -> tuple[Message, ...]:
     return (reason_message(Reason.STOPS, restitution=Quantity(mechanism.stopped, figures=3)),)
 
 
-SUPPORTS: Mapping[str, Support] = {name: kind.support for name, kind in MECHANISM_KINDS.items()}
+SUPPORTS: Mapping[str, WallSupport] = {name: kind.support for name, kind in MECHANISM_KINDS.items()}
 JUST_ABOVE = 1e-3  # of the height: where the thickness of a wall that rocks to one side is measured
 
 

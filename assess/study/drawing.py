@@ -21,7 +21,7 @@ from assess.oscillator import Branch, Oscillator
 from assess.results import DisplacedDrawing, Drawing, DrawnLoad, HingeAxis, NamedPoint, Place, Ring, View
 from spectra.arrays import FloatArray, IntArray
 
-Piece = tuple[Ring, int]  # an outline and its block
+BlockOutline = tuple[Ring, int]  # an outline and its block
 LARGEST_MOVE = 0.12  # of the drawing's size: how far the farthest point of a displaced mechanism has moved, at most
 OUTLINE_TRIANGLES = 4000  # triangles of a body that stays, for its outline
 FIXED = -1  # the block of what does not move
@@ -47,7 +47,7 @@ def draw(mechanism: Mechanism, oscillator: Oscillator, scene: Scene | None = Non
     )
 
 
-def pieces_of(chain: Chain, outlines: Sequence[Outline]) -> list[Piece]:
+def pieces_of(chain: Chain, outlines: Sequence[Outline]) -> list[BlockOutline]:
     """Return every ring of the outlines with its block, FIXED where it does not move."""
     return [(ring, block) for block, outline in zip(block_numbers(chain), outlines, strict=True) for ring in outline]
 
@@ -108,7 +108,7 @@ def hinges_of_chain(chain: Chain, mark: str) -> tuple[NamedPoint, ...]:
     return tuple(NamedPoint(f"{name}{mark}", at) for name, at in zip(hinge_names(chain), chain.hinges, strict=True))
 
 
-def draw_rotation(chain: Chain, branch: Branch, pieces: Sequence[Piece], *, mark: str) -> DisplacedDrawing:
+def draw_rotation(chain: Chain, branch: Branch, pieces: Sequence[BlockOutline], *, mark: str) -> DisplacedDrawing:
     """Draw the chain after the rotation at which it is shown, in its own sign."""
     rotation = display_rotation(chain, branch.overturning, pieces)
 
@@ -129,7 +129,7 @@ def draw_rotation(chain: Chain, branch: Branch, pieces: Sequence[Piece], *, mark
     )
 
 
-def display_rotation(chain: Chain, overturning: float, pieces: Sequence[Piece]) -> float:
+def display_rotation(chain: Chain, overturning: float, pieces: Sequence[BlockOutline]) -> float:
     """Return the rotation to show [rad], two figures: at most overturning, and a move by LARGEST_MOVE."""
     sets = [(np.array(ring), block) for ring, block in pieces]
     sets += [(np.array([block.centroid]), number) for number, block in enumerate(chain.blocks)]

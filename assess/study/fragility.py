@@ -36,8 +36,8 @@ from assess.risk.exports import (
     ExportedCurve,
     ExportedState,
     LeftOut,
-    Reason,
-    Unit,
+    MeasureUnit,
+    OmissionReason,
     csv_text,
     nrml_text,
     pelicun_text,
@@ -51,7 +51,7 @@ from assess.study.fragility_curves import (
     factor_between,
     fragility_curve,
     hazard_messages,
-    measure_name,
+    measure_key_text,
     origins_of,
     risks,
 )
@@ -63,7 +63,7 @@ from assess.study.fragility_runs import (
     intensities,
     islands,
     measures_at_base,
-    run_levels,
+    run_intensities,
     run_once,
 )
 from assess.study.histories import RockingCase, vibrates
@@ -206,7 +206,7 @@ def run_records(
     if question.method == "cloud":
         runs = run_once(case, study.record_factor, threads=jobs)
     else:
-        runs = run_levels(case, all_intensities[0].unit, question, threads=jobs)
+        runs = run_intensities(case, all_intensities[0].unit, question, threads=jobs)
     return MechanismRuns(mechanism, case, rocker, all_intensities, runs)
 
 
@@ -357,7 +357,7 @@ def _record_messages(records: Sequence[Record]) -> Iterator[Message]:
 def _measure_messages(records: Sequence[Record], study: Study, question: FragilityQuestion) -> Iterator[Message]:
     if question.method == "stripes" and len(study.fragility.measures) > 1:
         where = "analysis.fragility.measures"
-        yield warning("fragility-stripes-one-measure", where, measure=measure_name(question.measures[0]))
+        yield warning("fragility-stripes-one-measure", where, measure=measure_key_text(question.measures[0]))
     for measure in question.measures:
         longest = max(measure.periods_s, default=0.0)
         short = [each.id for each in records if each.longest_period is not None and each.longest_period < longest]
@@ -416,9 +416,9 @@ EXPORT_FORMATS: Mapping[str, Mapping[str, Write]] = {
     "csv": {"fragility_curves.csv": csv_text},
 }
 """The files of each format."""
-EXPORT_UNITS: Mapping[str, Unit] = {"ground acceleration": "g", "velocity": "m/s", "ratio": "-"}
+EXPORT_UNITS: Mapping[str, MeasureUnit] = {"ground acceleration": "g", "velocity": "m/s", "ratio": "-"}
 
-LEFT_OUT_REASONS: Mapping[Reason, Term] = {
+LEFT_OUT_REASONS: Mapping[OmissionReason, Term] = {
     "no-name-of-measure": Term("the format has no name for this measure"),
     "state-without-curve": Term("its severest state has no curve"),
     "state-left-out": Term("a state that it has no curve for is left out of the file"),

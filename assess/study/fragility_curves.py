@@ -345,7 +345,7 @@ def _scaled_interval(found: tuple[float, float] | None, factor: float) -> tuple[
 
 LEAST_SCATTER = 1e-6
 """Standard deviation of residuals below which they are rounding, and no trend is sought."""
-Property = Literal["magnitude", "distance", "scale"]
+RecordProperty = Literal["magnitude", "distance", "scale"]
 
 
 @dataclass(frozen=True, repr=False)
@@ -398,7 +398,7 @@ def _trends(runs: FragilityRuns, intensities: Intensities, curve: FragilityCurve
     log = 0.5 * np.log(lower[reached] * upper[reached])
     if log.size == 0 or np.std(log) < LEAST_SCATTER:
         return
-    properties: Mapping[Property, FloatArray] = {
+    properties: Mapping[RecordProperty, FloatArray] = {
         "magnitude": origins.magnitude[reached],
         "distance": origins.log_distance[reached],
         "scale": log - np.log(intensities.unit[reached]),
@@ -603,7 +603,7 @@ def hazard_messages(measures: Sequence[MeasureResult], hazard: HazardResult | No
     if hazard is None:
         return
     if not any(same_measure(each, hazard.measure) for each in measures):
-        yield warning("fragility-no-hazard-measure", "analysis.risk", measure=measure_name(hazard.measure))
+        yield warning("fragility-no-hazard-measure", "analysis.risk", measure=measure_key_text(hazard.measure))
     if hazard.distance_km is not None and hazard.distance_km > FAR_FROM_SITE:
         distance = Quantity(1000.0 * hazard.distance_km, "distance", 2)
         yield warning("fragility-hazard-far", "analysis.risk.curve", distance=distance)
@@ -615,7 +615,7 @@ def epistemic_messages(question: FragilityQuestion) -> Iterator[Message]:
         yield warning("fragility-no-epistemic", "analysis.fragility.epistemic")
 
 
-def measure_name(measure: MeasureResult) -> str:
+def measure_key_text(measure: MeasureResult) -> str:
     """Return a measure as the project names it."""
     periods = ", ".join(f"{period:g} s" for period in measure.periods_s)
     return f"{measure.key}({periods})" if periods else measure.key

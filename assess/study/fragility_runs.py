@@ -67,7 +67,7 @@ class FragilityRuns(ShortRepr):
         return np.asarray(self.run.sum(axis=1) - 1, dtype=np.int64)
 
 
-def run_levels(case: RockingCase, unit: FloatArray, question: FragilityQuestion, *, threads: int) -> FragilityRuns:
+def run_intensities(case: RockingCase, unit: FloatArray, question: FragilityQuestion, *, threads: int) -> FragilityRuns:
     """Run every record at the same intensities of the primary measure.
 
     A record too weak for the lowest of them runs once, at the largest scale factor.

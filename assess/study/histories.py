@@ -256,7 +256,7 @@ def fastest_vibration(oscillator: Oscillator) -> float:
     return max((elastic_frequency(branch) or 0.0) for branch in oscillator.branches)
 
 
-Columns = TypeVar("Columns", Jobs, Peaks)
+ColumnsT = TypeVar("ColumnsT", Jobs, Peaks)
 Twins = Literal["none", "all", "where they matter"]
 
 
@@ -350,7 +350,7 @@ def _twins_agree(ratio: FloatArray) -> BoolArray:
     return agree
 
 
-def _join_columns(first: Columns, second: Columns) -> Columns:
+def _join_columns(first: ColumnsT, second: ColumnsT) -> ColumnsT:
     """Return the columns of two sets of jobs, or of their peaks, end to end."""
     each = ((getattr(first, name), getattr(second, name)) for name in (field.name for field in fields(first)))
     return type(first)(*map(np.concatenate, each))

@@ -30,11 +30,10 @@ from records.compliance import CodeName
 from records.pulses import PulseShape
 from records.record import Record
 from records.scaling import Band, Scaling
-from records.selection import Selection, TargetMark
+from records.selection import ScaleTo, Selection, TargetMark
 from spectra.arrays import FloatArray
 from spectra.spectrum import Spectrum
 
-ScaleTo = Literal["spectrum", "pga", "none"]
 FRAGILITY_STATES = (StateResult("rocking"), StateResult("rotation", 0.5), StateResult("overturning"))
 
 LARGEST_FACTOR = 10.0

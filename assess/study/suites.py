@@ -44,7 +44,6 @@ from assess.study.study import (
     Fitting,
     GivenFactors,
     ScaledRecord,
-    ScaleTo,
     Study,
     deciding_limit_states,
 )
@@ -60,7 +59,7 @@ from records.plausibility import implausibility_warnings, warnings_among
 from records.reading import read_with_overrides, relative_path
 from records.record import Record, with_step
 from records.scaling import SCALING_PERIODS, Band, Scaling, misfit, scale_to_pga, scale_to_spectrum, truncate_band
-from records.selection import Selection, target_mark
+from records.selection import Range, ScaleTo, Selection, target_mark
 from records.synthetic import MATCHED_PERIODS, STATIONARY, artificial_records
 from spectra.spectrum import Spectrum
 
@@ -638,8 +637,6 @@ def _required_duration(requirement: Requirement, review: SuiteReview) -> float:
         else float(ceil(end * LONGEST_PERIOD_SHARE))
     )
 
-
-Range = tuple[float, float]
 
 LONGEST_PERIOD_SHARE = (
     3.0  # artificial records hold periods up to their duration over this, well within what can be fitted

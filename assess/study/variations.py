@@ -163,14 +163,14 @@ def severity(case: MechanismInCase) -> tuple[float, ...]:
     unknown = 0.0 if outcome == Decision.FAIL else inf  # what fails at an unknown PGA may do so at any
     return (
         float(RANKS.index(outcome)),
-        -(unknown if margin is None else round_figures(margin)),
-        -1.0 if ratio is None else round_figures(ratio),
-        -inf if capacity is None else -round_figures(capacity),
-        -inf if uplift is None else -round_figures(uplift),
+        -(unknown if margin is None else round_severity(margin)),
+        -1.0 if ratio is None else round_severity(ratio),
+        -inf if capacity is None else -round_severity(capacity),
+        -inf if uplift is None else -round_severity(uplift),
     )
 
 
-def round_figures(value: float) -> float:
+def round_severity(value: float) -> float:
     """Round to nine figures, so that cases that differ by rounding count as equal."""
     return float(f"{value:.9g}")
 

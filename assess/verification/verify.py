@@ -5,12 +5,12 @@ from __future__ import annotations
 import hashlib
 import math
 import traceback
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from concurrent.futures import as_completed
 from dataclasses import replace
 from pathlib import Path, PurePosixPath
 from posixpath import normpath
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from assess.examples import EXAMPLES, source
 from assess.results.provenance import Input, describe_program
@@ -26,7 +26,8 @@ from assess.verification.case_files import LARGEST_NUMBER, CaseFile, ComparedQua
 from assess.verification.solvers import SOLVERS
 from assess.workers import process_pool
 
-Progress = Callable[[str, int, int], None]
+if TYPE_CHECKING:
+    from assess.study.study import Progress
 
 NAMES = ("name", "id", "procedure", "symbol", "record")
 """The keys by which an item of a list is found."""

@@ -88,7 +88,7 @@ def suite_of(records: Sequence[Record], factors: Sequence[float], spectrum: Spec
     )
 
 
-Verdict = Literal["met", "not met", "not answered"]
+RequirementVerdict = Literal["met", "not met", "not answered"]
 Sense = Literal[">=", "<="]
 CAVEAT = "from memory, not checked against the printed standard"
 
@@ -131,7 +131,7 @@ class Requirement:
     sense: Sense
     limit: float
     unit: str
-    verdict: Verdict
+    verdict: RequirementVerdict
     periods: tuple[float, float] | None = None
     remark: str = ""
     caveat: str = CAVEAT
@@ -156,7 +156,7 @@ def check_limit(
 ) -> Requirement:
     """Compare `value` with `limit`: the requirement is met if the value is in `sense` of it."""
     met = value >= limit * (1 - 1e-12) if sense == ">=" else value <= limit * (1 + 1e-12)
-    verdict: Verdict = "met" if met else "not met"
+    verdict: RequirementVerdict = "met" if met else "not met"
     return Requirement(
         code, clause, kind, what, float(value), sense, limit, unit, verdict, periods, remark, note=remark
     )

@@ -237,24 +237,26 @@ def _check_header(
     first : whether it is volume 1
     """
     text = "\n".join(header[: TEXT[first]])
-    count, rate, interval, length = (_of(found, text) for found in (COUNT[not first], RATE, INTERVAL, LENGTH))
+    count, rate, interval, length = (
+        _search_number(found, text) for found in (COUNT[not first], RATE, INTERVAL, LENGTH)
+    )
     reals = _block(header, TEXT[first] + INTEGERS[0], (REALS[0] + 6, *REALS[1:])) if not first else []
     check_same(
         "the header's count", count, "that of the line above the samples", float(samples.size), slack=0.0, path=path
     )
-    again = (interval, _at(reals, STEP), 1.0 / rate if rate and first else None)
+    again = (interval, _entry(reals, STEP), 1.0 / rate if rate and first else None)
     for stated in again:
         check_same("the step above the samples", dt, "the header's", stated, slack=0.01 * dt, path=path)
     check_duration("the header's record length", length, size=samples.size, dt=dt, slack=0.02 + 2.0 * dt, path=path)
-    when = _of(WHEN_1 if first else WHEN_2, text)
-    check_same("the time of the peak", when, "that in the header's reals", _at(reals, TIME), slack=0.006, path=path)
+    when = _search_number(WHEN_1 if first else WHEN_2, text)
+    check_same("the time of the peak", when, "that in the header's reals", _entry(reals, TIME), slack=0.006, path=path)
     check_time_of_peak(when, samples, dt, slack=0.006, path=path)
-    _check_azimuths(header[: TEXT[first]], name, _at(_block(header, TEXT[first], INTEGERS), AZIMUTH), path=path)
+    _check_azimuths(header[: TEXT[first]], name, _entry(_block(header, TEXT[first], INTEGERS), AZIMUTH), path=path)
     band = BAND.search(text)
     return (nyquist_warning(number(band[2] or band[1]), dt) if band else None,)
 
 
-def _of(pattern: re.Pattern[str], text: str) -> float | None:
+def _search_number(pattern: re.Pattern[str], text: str) -> float | None:
     found = pattern.search(text)
     return number(found[1]) if found else None
 
@@ -266,7 +268,7 @@ def _block(header: Sequence[str], start: int, shape: tuple[int, int, int]) -> li
     return [number(row[i * width : (i + 1) * width], unknown=(0.0, -999.0)) for row in rows for i in range(each)]
 
 
-def _at(values: Sequence[float | None], index: int) -> float | None:
+def _entry(values: Sequence[float | None], index: int) -> float | None:
     return values[index] if index < len(values) else None
 
 

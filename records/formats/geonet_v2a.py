@@ -95,9 +95,9 @@ def read(path: Path, overrides: HeaderOverrides) -> tuple[Record, ...]:
 
 def _component(lines: list[str], start: int, *, path: Path) -> Record:
     """Return the component whose header begins at index `start`."""
-    interval = _found(INTERVAL, lines, start + 10, path=path)[1]
-    name = _found(COMPONENT, lines, start + 12, path=path)[1]
-    peak = _found(PEAK, lines, start + 13, path=path)
+    interval = _match_header_line(INTERVAL, lines, start + 10, path=path)[1]
+    name = _match_header_line(COMPONENT, lines, start + 12, path=path)[1]
+    peak = _match_header_line(PEAK, lines, start + 13, path=path)
     if peak[2] != UNIT:
         raise RecordError(f'{path}: line {start + 14}: unit "{peak[2][:20]}"; {NAME} is in {UNIT}, the file is damaged')
     dt = positive_number(interval, name="interval", line=start + 11, path=path)
@@ -123,7 +123,7 @@ def _component(lines: list[str], start: int, *, path: Path) -> Record:
 
 def _samples(lines: list[str], start: int, *, path: Path) -> tuple[FloatArray, FloatArray, Message | None]:
     """Return accelerations and velocities of the component at index `start`, as printed and complete, and a warning."""
-    points = _found(POINTS, lines, start + 9, path=path)[1]
+    points = _match_header_line(POINTS, lines, start + 9, path=path)[1]
     size = count(points, name="Number of points", line=start + 10, path=path)
     first = start + TEXT_LINES + NUMBER_LINES
     end, height = numeric_end(lines, first), -(-size // COLUMNS)
@@ -139,7 +139,7 @@ def _samples(lines: list[str], start: int, *, path: Path) -> tuple[FloatArray, F
     return samples, velocity, uneven
 
 
-def _found(pattern: re.Pattern[str], lines: list[str], at: int, *, path: Path) -> re.Match[str]:
+def _match_header_line(pattern: re.Pattern[str], lines: list[str], at: int, *, path: Path) -> re.Match[str]:
     """Match a line of the header; refuse another."""
     found = pattern.match(lines[at]) if at < len(lines) else None
     if found is None:

@@ -21,7 +21,7 @@ MARK = "B"
 
 def sections(results: Results) -> list[Section]:
     """Return the annex: a part for each mechanism that has histories or studies; none where no mechanism has."""
-    parts = [_part(results, each, place) for place, each in enumerate(results.mechanisms, start=1)]
+    parts = [_histories_section(results, each, place) for place, each in enumerate(results.mechanisms, start=1)]
     shown = [part for part in parts if part.blocks]
     if not shown:
         return []
@@ -50,7 +50,7 @@ def _numerical_spread(results: Results) -> list[Text]:
     ]
 
 
-def _part(results: Results, mechanism: MechanismResult, place: int) -> Section:
+def _histories_section(results: Results, mechanism: MechanismResult, place: int) -> Section:
     stem = file_stem(mechanism.name, place)
     blocks: list[Block] = [
         *_amplification(mechanism, stem),

@@ -42,11 +42,11 @@ def sections(results: Results) -> list[Section]:
         )
     )
     head = Section(say("Calculation sheets"), 0, (introduction,), starts_page=True, mark=MARK)
-    parts = [_part(results, each, place) for place, each in enumerate(results.mechanisms, start=1)]
+    parts = [_sheets_section(results, each, place) for place, each in enumerate(results.mechanisms, start=1)]
     return [head, *parts]
 
 
-def _part(results: Results, mechanism: MechanismResult, place: int) -> Section:
+def _sheets_section(results: Results, mechanism: MechanismResult, place: int) -> Section:
     stem = file_stem(mechanism.name, place)
     blocks: list[Block] = [
         *_view(mechanism, stem),
@@ -282,8 +282,8 @@ def _contact_sheet(alike: Sequence[ContactSheet], stem: str) -> Sheet:
     return Sheet(name, caption, first.steps)
 
 
-Joint = dict[str, Any]
-JOINT_FIELDS: tuple[Field[Joint], ...] = (
+JointValues = dict[str, Any]
+JOINT_FIELDS: tuple[Field[JointValues], ...] = (
     (Column(say("Hinge")), lambda joint: Verbatim(joint["hinge"])),
     (Column(say("Model"), share=0.16), lambda joint: JOINT_MODELS[joint["model"]]),
     (Column(say("Stiffness"), "stiffness"), lambda joint: _if_deformable(joint, "stiffness_pa_m", RIGID)),
@@ -305,13 +305,13 @@ def joints_table(mechanism: MechanismResult, *, name: str) -> Table:
     return tabulate(name, caption, JOINT_FIELDS, mechanism.interfaces, small=True)
 
 
-def _if_deformable(joint: Joint, key: str, otherwise: Cell) -> Cell:
+def _if_deformable(joint: JointValues, key: str, otherwise: Cell) -> Cell:
     """Return a value of a joint that opens or crushes; `otherwise` where it is rigid or has none."""
     value: float | None = None if joint["curve"] is None else joint[key]
     return otherwise if value is None else value
 
 
-def _opening_cell(joint: Joint) -> Cell:
+def _opening_cell(joint: JointValues) -> Cell:
     value: float | None = joint["opening_rad"]
     return NEVER if value is None and joint["curve"] is not None else value
 
@@ -345,7 +345,7 @@ def joints_at_peak(mechanism: MechanismResult) -> Text:
     )
 
 
-def _joint_at_peak(interface: Joint, rotation: float) -> Phrase:
+def _joint_at_peak(interface: JointValues, rotation: float) -> Phrase:
     """Return stress, resultant, open and crushed parts of one joint at a rotation of the mechanism [rad]."""
     stress, resultant, opened, crushed = values_at(interface, rotation)
     values: dict[str, Text] = {

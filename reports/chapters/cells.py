@@ -37,7 +37,7 @@ INPUTS: Mapping[str, Phrase] = {
     "missing": say("missing"),
 }
 BRANCHES: Mapping[str, Phrase] = {"positive": say("positive"), "negative": say("negative")}
-_COLOURS: Mapping[str, document.Outcome] = {"pass": "pass", "fail": "fail", "incomplete": "incomplete"}
+_COLOURS: Mapping[str, document.OutcomeColour] = {"pass": "pass", "fail": "fail", "incomplete": "incomplete"}
 _NO_LASTING_ROTATION = (Reason.NO_LASTING, Reason.ON_JOINTS)
 MECHANISM, LEVEL = Column(say("Mechanism")), Column(say("PGA"), "ground acceleration")
 METHOD, LIMIT_STATE, OUTCOME = Column(say("Method")), Column(say("Limit state")), Column(say("Outcome"))

@@ -160,12 +160,12 @@ def _rotation_cells(checks: tuple[Check, ...], levels: tuple[float, ...]) -> tup
     return (*(None if check is None else cells.rotation_cell(check) for check in worst), min(allowed, default=None))
 
 
-Compared = tuple[ComparisonRow, Check | None]
+ComparedCheck = tuple[ComparisonRow, Check | None]
 
 
 def comparison_table(results: Results) -> Table:
     """Tabulate all mechanisms by all procedures."""
-    fields: tuple[Field[Compared], ...] = (
+    fields: tuple[Field[ComparedCheck], ...] = (
         (cells.MECHANISM, lambda pair: numbered_title(results, pair[0].mechanism)),
         (cells.LEVEL, lambda pair: pair[0].level_pga_g),
         (cells.PROCEDURE, lambda pair: Verbatim(pair[0].procedure)),
@@ -182,17 +182,17 @@ def comparison_table(results: Results) -> Table:
     return tabulate("comparison", caption, fields, pairs, muted=_is_thesis_reading)
 
 
-def _compared_rotation(pair: Compared) -> Cell:
+def _compared_rotation(pair: ComparedCheck) -> Cell:
     row, check = pair
     return cells.rocking_cell(row.rotation_ratio) if check is None else cells.rotation_cell(check)
 
 
-def _compared_ratio(pair: Compared) -> Cell:
+def _compared_ratio(pair: ComparedCheck) -> Cell:
     row, check = pair
     return row.demand_capacity if check is None else cells.unbounded_text(check) or row.demand_capacity
 
 
-def _is_thesis_reading(pair: Compared) -> bool:
+def _is_thesis_reading(pair: ComparedCheck) -> bool:
     _, check = pair
     return check is not None and check.reading == "thesis"
 

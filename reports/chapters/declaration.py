@@ -359,6 +359,12 @@ def _value_text(value: float | None, dimension: str) -> Text | None:
     return None if value is None else quantity(value, dimension, 6)
 
 
+SIGNED_STATEMENT = say(
+    "The undersigned have examined the data, the choice of the mechanisms and the results of this report, and "
+    "judge them fit for the purpose stated. The results hold for the inputs listed here and for no others."
+)
+
+
 def signature_sections(results: Results) -> list[doc.Section]:
     """Return the statement with the places to sign."""
     leader = engineer(results) or author(results)
@@ -369,19 +375,11 @@ def signature_sections(results: Results) -> list[doc.Section]:
     if client(results):
         places.append((say("Received for the client"), Verbatim(client(results))))
     blocks: tuple[doc.Block, ...] = (
-        doc.Prose((signed_statement(results),)),
+        doc.Prose((SIGNED_STATEMENT,)),
         *_identity_facts(results),
         doc.Signatures(tuple(places)),
     )
     return [doc.Section(say("Signatures"), 0, blocks)]
-
-
-def signed_statement(results: Results) -> Text:
-    """Return what is signed."""
-    return say(
-        "The undersigned have examined the data, the choice of the mechanisms and the results of this report, and "
-        "judge them fit for the purpose stated. The results hold for the inputs listed here and for no others."
-    )
 
 
 def _identity_facts(results: Results) -> tuple[doc.Facts, ...]:

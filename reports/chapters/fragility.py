@@ -152,7 +152,7 @@ def _method_section(results: FragilityResults) -> Section:
         )
     if any(risk.target_rate is not None for each in results.mechanisms for risk in each.risks):
         paragraphs.append(WIDENED)
-    blocks = (Prose(tuple(paragraphs)), *nonempty(fragility_tables.records_table(results)))
+    blocks = (Prose(tuple(paragraphs)), *nonempty(fragility_tables.fragility_records_table(results)))
     return Section(say("Method and records"), 0, blocks, starts_page=True)
 
 

@@ -255,7 +255,7 @@ def rates_table(mechanism: MechanismFragility, name: str) -> Table:
     return tabulate(name, caption, fields, mechanism.risks, muted=lambda risk: risk.curve == "first", small=True)
 
 
-def records_table(results: FragilityResults) -> Table:
+def fragility_records_table(results: FragilityResults) -> Table:
     """Tabulate the records with event, magnitude, distance and the range of scale over all mechanisms."""
     columns = (
         Column(say("Record"), share=0.3),

@@ -231,7 +231,7 @@ def _limit(
     return None if level is None else (level, quantity(level, "ground acceleration", 3))
 
 
-def _changed_outcome(row: SensitivityResult, side: Bound) -> Text | None:
+def _changed_outcome(row: SensitivityResult, side: RangeEnd) -> Text | None:
     """Return the verdict that a check changes to; None where it does not change."""
     verdict = outcome_at(row, side)
     return cells.OUTCOMES[verdict.value] if verdict is not None and changes_outcome(row, side) else None
@@ -364,8 +364,8 @@ def answer_text(row: SensitivityResult, at: InputValue) -> Text:
 
 InputValue = Literal["base", "low", "high"]
 """The value of a number: as assessed, low or high."""
-Bound = Literal["low", "high"]
-BOUNDS: tuple[Bound, Bound] = ("low", "high")
+RangeEnd = Literal["low", "high"]
+BOUNDS: tuple[RangeEnd, RangeEnd] = ("low", "high")
 INPUT_VALUES: tuple[InputValue, ...] = ("base", *BOUNDS)
 NEGLIGIBLE = 2e-3  # of its value: no history repeats better than this when all masses are multiplied by a number
 
@@ -441,6 +441,6 @@ def is_negligible(row: SensitivityResult) -> bool:
     return span(row) <= NEGLIGIBLE * (row.at_base or 0.0)
 
 
-def changes_outcome(row: SensitivityResult, side: Bound) -> bool:
+def changes_outcome(row: SensitivityResult, side: RangeEnd) -> bool:
     """Return whether a verdict changes from pass to fail or back."""
     return {row.verdict_base, outcome_at(row, side)} == {Outcome.PASS, Outcome.FAIL}

@@ -164,7 +164,7 @@ def _origin(results: Results, name: str) -> Text:
 
 
 def _record_blocks(results: Results) -> Iterator[doc.Block]:
-    yield from doc.nonempty(suite.records_table(results))
+    yield from doc.nonempty(suite.suite_records_table(results))
     sentences = tuple(suite.suite_sentences(results))
     if sentences:
         yield doc.Prose((Paragraph(sentences),))

@@ -12,7 +12,7 @@ from reports.figures.spectrum import suite_code
 from reports.language.texts import Listing, Phrase, Term, Text, Verbatim, listing, quantity, say, say_count
 from reports.mechanisms import numbered_title
 
-REQUIREMENT_OUTCOMES: Mapping[str, tuple[doc.Outcome, Phrase]] = {
+REQUIREMENT_OUTCOMES: Mapping[str, tuple[doc.OutcomeColour, Phrase]] = {
     "met": ("pass", say("met")),
     "not met": ("fail", say("not met")),
     "not answered": ("incomplete", say("not answered")),
@@ -21,7 +21,7 @@ SIGNS: Mapping[str, str] = {">=": "≥", "<=": "≤"}
 FIGURES = 3
 
 
-def records_table(results: Results) -> doc.Table:
+def suite_records_table(results: Results) -> doc.Table:
     """Tabulate the records as scaled, all artificial ones in one row; no rows where there are no others."""
     columns = (
         doc.Column(say("Record")),

@@ -11,12 +11,12 @@ from assess.results.run import UncertainAnswer, UncertainInput, UncertaintyResul
 from reports.chapters.cells import FIGURES, LEVEL, LIMIT_STATE, MECHANISM, METHOD, ROLES, state_text, value_cell
 from reports.document import Block, BulletList, Cell, Column, Figure, FigureRow, Prose, Section, Table, nonempty
 from reports.figures import sensitivity as figure
+from reports.intensity_measures import PERCENT
 from reports.language.texts import Paragraph, Phrase, Text, Verbatim, count, listing, quantity, say, say_count
 from reports.mechanisms import file_stem, numbered_title, procedure_title
 
 MOST = 4
 """Rows of the table of the main part."""
-PERCENT = 100.0
 DENSITY = ".density"
 MEDIAN = 2
 """Place of the quantile at 50 %."""

@@ -12,6 +12,7 @@ from reports import document as doc
 from reports.chapters.cells import OUTCOMES
 from reports.figures import verification as drawing
 from reports.figures.verification import STANDINGS
+from reports.intensity_measures import PERCENT
 from reports.language.texts import Phrase, Text, Verbatim, count, listing, quantity, say, say_count
 from reports.mechanisms import file_stem
 
@@ -258,7 +259,6 @@ def difference_figures(results: VerificationResults) -> Iterator[doc.Prose | doc
 
 FIGURES = 6  # of a value
 DIFFERENCE_FIGURES = 2  # figures of a difference
-PERCENT = 100.0
 
 
 def case_section(case: CaseResult, place: int) -> doc.Section:
@@ -288,12 +288,12 @@ def _case_blocks(case: CaseResult, place: int) -> Iterator[doc.Block]:
     yield doc.BulletList((*_departures(case), *_tolerances_and_misprints(case)))
 
 
-Compared = tuple[QuantityResult, ValueResult]
+ComparedValue = tuple[QuantityResult, ValueResult]
 
 
 def values_table(case: CaseResult, place: int) -> doc.Table:
     """Tabulate every value of a case beside that of the program. place: among the cases, from 1 on."""
-    fields: tuple[doc.Field[Compared], ...] = (
+    fields: tuple[doc.Field[ComparedValue], ...] = (
         (doc.Column(say("Quantity"), share=0.26), lambda pair: Verbatim(pair[0].name)),
         (doc.Column(say("Row"), share=0.15), lambda pair: Verbatim(pair[1].row)),
         (doc.Column(say("Unit")), lambda pair: Verbatim(pair[0].unit or "–")),

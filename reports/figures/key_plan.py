@@ -54,11 +54,15 @@ LEGEND_HEIGHT = 0.24  # height [in]
 HINGE_COLOUR = "#101820"
 CRACK_DASHES = (0, (2, 1.5))
 
-HATCHINGS: Mapping[Outcome, Hatching] = {
+HATCHINGS: Mapping[WallOutcome, Hatching] = {
     "fail": Hatching(3.2, radians(45), "#8a2a0c"),
     "incomplete": Hatching(5.5, radians(-45), "#8a6100"),
 }
-VERDICT_WORDS: Mapping[Outcome, Phrase] = {"pass": say("pass"), "fail": say("fail"), "incomplete": say("incomplete")}
+VERDICT_WORDS: Mapping[WallOutcome, Phrase] = {
+    "pass": say("pass"),
+    "fail": say("fail"),
+    "incomplete": say("incomplete"),
+}
 
 
 def draw_key_plan(building: BuildingScene, locale: Locale) -> Figure:
@@ -176,7 +180,7 @@ def draw_place(building: BuildingScene, mechanism: str, locale: Locale) -> Figur
         return figure
 
 
-Outcome = Literal["pass", "fail", "incomplete"]
+WallOutcome = Literal["pass", "fail", "incomplete"]
 MOST_TRIANGLES = 400  # of a body
 GAP_APART, MOST_IN_ROW = 0.3, 8  # bodies drawn apart: the gap, of the widest, and how many stand in a row
 
@@ -195,7 +199,7 @@ class MovingPart:
     names: tuple[str, ...]
     title: str
     group: int
-    outcome: Outcome
+    outcome: WallOutcome
     triangles: IntArray
     middle: FloatArray
     direction: FloatArray
@@ -362,7 +366,7 @@ def _moving_part(
     )
 
 
-def _outcome(results: Results, names: Sequence[str]) -> Outcome:
+def _outcome(results: Results, names: Sequence[str]) -> WallOutcome:
     """Return the worst verdict of the mechanisms; incomplete where there is none."""
     verdicts = () if results.verdict is None else results.verdict.mechanisms
     found = [each.outcome for each in verdicts if each.mechanism in names]

@@ -15,6 +15,7 @@ from assess.messages.message import Quantity
 from reports.document import Banner, Cell, Column, Document, Link, OutcomeCell, Sheet, Table
 from reports.language.locale import UNITS, Locale, visible
 from reports.language.texts import Text, Verbatim, say
+from spectra.arrays import is_number
 from spectra.formulas import harmless_cell
 
 PlainCell = str | float | int | bool | None
@@ -76,11 +77,6 @@ def _padded(cell: float, column: Column, locale: Locale, most: int) -> str:
 def _number(cell: float, column: Column, locale: Locale, *, aligned: bool = False) -> str:
     value = cell / locale.table_unit(column.dimension).size if column.dimension else cell
     return locale.number(value, figures=column.figures if isinstance(cell, float) else _WHOLE, aligned=aligned)
-
-
-def is_number(cell: Cell) -> bool:
-    """Return whether a cell is set as a number: to the right."""
-    return isinstance(cell, int | float) and not isinstance(cell, bool)
 
 
 def is_numeric(cells: tuple[Cell, ...]) -> bool:

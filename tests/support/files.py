@@ -10,7 +10,7 @@ import pytest
 
 from assess.outputs.lock import LOCK
 from assess.outputs.manifest import MANIFEST, RESULTS
-from assess.outputs.writing import Tell, output_folder
+from assess.outputs.writing import TellMessage, output_folder
 
 
 def write_file(path: Path, content: str | bytes, *, encoding: str = "utf-8") -> Path:
@@ -52,7 +52,9 @@ def write_files(folder: Path, files: Mapping[str, str]) -> None:
         (folder / name).write_text(text)
 
 
-def write_output(folder: Path, files: Mapping[str, str], *, owner: str = RESULTS, tell: Tell = lambda _: None) -> None:
+def write_output(
+    folder: Path, files: Mapping[str, str], *, owner: str = RESULTS, tell: TellMessage = lambda _: None
+) -> None:
     """Write the files into `folder` as a command does that is known to write them all."""
     with output_folder(folder, command="a test", owner=owner, expected=[*files], tell=tell) as stage:
         write_files(stage, files)

@@ -18,13 +18,14 @@ from assess.codes.verdict import (
     Verdict,
     action_text,
     building_index_text,
-    index_text,
+    named_index_text,
     number_text,
     outcome_text,
     relevant_warnings,
     target_text,
 )
 from assess.messages.message import UNITS, Message, count_noun, escape_text, locate
+from assess.portfolio.tasks import EXIT_CODES
 from assess.results import CriticalResult, EnvelopeResult, ReportMatter, Results
 from assess.results.fragility import (
     CurveName,
@@ -39,8 +40,6 @@ from assess.results.fragility import (
 from assess.results.run import UncertainAnswer, UncertaintyResult
 from reports.render.table_text import csv_lines
 
-EXIT_CODES = {Decision.PASS: 0, Decision.FAIL: 1, Decision.INCOMPLETE: 3}
-"""Exit codes of `assess run`."""
 PROVISIONAL = "with all of this given, and with safe values where they exist, the verdict would be: "
 VERDICT_HEADER = ("verdict", "state", "decided by", "index", "holds up to")
 LINE_WIDTH, LEAST_NAME = 100, 16  # characters of a line, and of the name of a mechanism
@@ -113,7 +112,13 @@ def _answer_row(one: MechanismVerdict, answer: Answer, found: Verdict) -> tuple[
     capacity = "" if one.margin is None else _capacity_text(one.margin, one.margin_most, found.action.pga_g)
     outcome = answer.outcome if len(one.answers) > 1 else one.outcome
     verdict = _emphasise(outcome_text(outcome, near=answer.at_the_limit))
-    return (verdict, answer.limit_state, answer.procedure, index_text(answer.index).replace(", grade", ""), capacity)
+    return (
+        verdict,
+        answer.limit_state,
+        answer.procedure,
+        named_index_text(answer.index).replace(", grade", ""),
+        capacity,
+    )
 
 
 def _capacity_text(margin: float, most: float | None, pga_g: float) -> str:

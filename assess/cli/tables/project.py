@@ -15,7 +15,6 @@ from assess.project.project_file import Project
 from assess.project.sections import Content
 from assess.project.sections.content import checklist
 from assess.results import (
-    ChecklistItem,
     DirectionCandidate,
     DirectionSweep,
     HingeForceResult,
@@ -74,7 +73,9 @@ def sensitivity_text(variables: Sequence[Variable | UnvariedNumber]) -> str:
     lines: dict[str, list[str]] = {}
     for each in variables:
         lines.setdefault(each.mechanism, []).append(
-            _variable_text(each) if isinstance(each, Variable) else _unvaried_text(each)
+            _variable_text(each)
+            if isinstance(each, Variable)
+            else escape_text(f"{each.parameter} not varied, {each.why}".lstrip())
         )
     return "".join(f"sensitivity of {escape_text(name)}: {'; '.join(each)}\n" for name, each in lines.items())
 
@@ -84,10 +85,6 @@ def _variable_text(variable: Variable) -> str:
     table, _, rest = variable.key.partition(".")
     of = f" of {escape_text(rest.rpartition('.')[0])}" if table == "materials" else ""
     return f"{variable.parameter}{of} {variable.low:.4g} to {variable.high:.4g}{unit}"
-
-
-def _unvaried_text(number: UnvariedNumber) -> str:
-    return escape_text(f"{number.parameter} not varied, {number.why}".lstrip())
 
 
 def _site(project: Project) -> str:
@@ -114,7 +111,7 @@ def _mechanism(m: MechanismResult) -> list[str]:
         *_direction(m),
         *_ground(m),
         f"  hinges      {_points(m.drawing.hinges)}",
-        f"  centroid    {_at(m.drawing.centroid)}",
+        f"  centroid    {_point_text(m.drawing.centroid)}",
         *_loads(m.loads),
         *_interfaces(m),
         f"  impacts     {escape_text(m.restitution_source)}",
@@ -167,7 +164,8 @@ def _interface(found: dict[str, Any]) -> str:
 
 def _loads(loads: tuple[LoadResult, ...]) -> list[str]:
     lines = [
-        f"{escape_text(load.name)} at {_at(load.at)}: {_size(load)}; {escape_text(load.source)}{duration_text(load)}"
+        f"{escape_text(load.name)} at {_point_text(load.at)}: {_size(load)}; "
+        f"{escape_text(load.source)}{duration_text(load)}"
         for load in loads
     ]
     return [f"  {'loads' if i == 0 else '':<11} {line}" for i, line in enumerate(lines or ["none"])]
@@ -233,10 +231,10 @@ def _ground(m: MechanismResult) -> list[str]:
 
 
 def _points(points: tuple[NamedPoint, ...]) -> str:
-    return "; ".join(f"{escape_text(point.name)} at {_at(point.at)}" for point in points) or "none"
+    return "; ".join(f"{escape_text(point.name)} at {_point_text(point.at)}" for point in points) or "none"
 
 
-def _at(point: tuple[float, float]) -> str:
+def _point_text(point: tuple[float, float]) -> str:
     return f"x = {metres_text(point[0])} m, z = {metres_text(point[1])} m"
 
 
@@ -245,9 +243,12 @@ def checklist_lines(content: Content) -> list[str]:
     items = checklist(content.report, content.mechanisms)
     if not items:
         return []
+    examined = [
+        f"{each.key} by {escape_text(' and '.join(each.mechanisms))}" for each in items if each.outcome == "examined"
+    ]
     return [
         f"possible mechanisms of a {content.report.building_type}",
-        *_checklist_line("examined", [_examined(each) for each in items if each.outcome == "examined"]),
+        *_checklist_line("examined", examined),
         *_checklist_line("absent", [each.key for each in items if each.outcome == "absent"]),
         *_checklist_line(
             "not examined", [each.key for each in items if each.outcome == "not-examined" and each.spoken_for]
@@ -255,10 +256,6 @@ def checklist_lines(content: Content) -> list[str]:
         *_checklist_line("not named", [each.key for each in items if not each.spoken_for]),
         "",
     ]
-
-
-def _examined(item: ChecklistItem) -> str:
-    return f"{item.key} by {escape_text(' and '.join(item.mechanisms))}"
 
 
 def _checklist_line(what: str, words: Sequence[str]) -> list[str]:

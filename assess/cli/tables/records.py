@@ -226,7 +226,7 @@ def draw_spectra(spectra: Spectra, path: Path) -> None:
     write_figure(figure, path, creator=origin("records spectra", spectra_csv(spectra)))
 
 
-def index_text(found: IndexSummary, place: Path, *, described: int, merged: FlatfileMatch | None) -> str:
+def index_summary_text(found: IndexSummary, place: Path, *, described: int, merged: FlatfileMatch | None) -> str:
     """Write the counts, the use of a flatfile, each unreadable file with the reason, and the catalogue's path."""
     counts = f"{found.read} files read, {found.unchanged} unchanged, {found.gone} gone"
     lines = [
@@ -240,7 +240,7 @@ def index_text(found: IndexSummary, place: Path, *, described: int, merged: Flat
     return "".join(f"{escape_text(line)}\n" for line in lines)
 
 
-def index_json(found: IndexSummary, place: Path, *, described: int, merged: FlatfileMatch | None) -> str:
+def index_summary_json(found: IndexSummary, place: Path, *, described: int, merged: FlatfileMatch | None) -> str:
     """Write the counts, the use of a flatfile and the unreadable files as JSON."""
     problems = [{"path": path, "reason": why} for path, why in found.problems]
     summary = {**asdict(found), "problems": problems, "with_magnitude": described, "catalogue": str(place)}

@@ -14,8 +14,9 @@ from assess.cli.tables import on_one_line, text_table
 from assess.codes.verdict import Answer, Decision, MechanismVerdict
 from assess.messages.message import count_noun, escape_text
 from assess.results import MechanismResult, OscillatorResult, Results
-from assess.results.diff import Difference, DifferenceKind, is_number
+from assess.results.diff import Difference, DifferenceKind
 from reports.render.table_text import csv_lines
+from spectra.arrays import is_number
 
 SEVERITY = (Decision.PASS, Decision.INCOMPLETE, Decision.FAIL)
 NO_VERDICT = "no verdict"
@@ -181,7 +182,15 @@ def changes_json(changes: Sequence[Difference]) -> str:
 
 
 def _changes_table(kind: DifferenceKind, changes: Sequence[Difference]) -> str:
-    rows = [[on_one_line(change.where, LONGEST), change.what, *_both_sides(change), _by(change)] for change in changes]
+    rows = [
+        [
+            on_one_line(change.where, LONGEST),
+            change.what,
+            *_both_sides(change),
+            "" if change.relative is None else f"{change.relative:+.2%}",
+        ]
+        for change in changes
+    ]
     return text_table([HEADINGS[kind], "", "before", "after", "change"], rows, widest=WIDEST)
 
 
@@ -224,10 +233,6 @@ def _shown(value: Any, kind: DifferenceKind) -> str:
     if kind == "input" or (kind == "suite" and SHA256.fullmatch(str(value))):
         return str(value)[:SHA256_SHOWN]
     return f"{value:.4g}" if is_number(value) else str(_plain(value))
-
-
-def _by(change: Difference) -> str:
-    return "" if change.relative is None else f"{change.relative:+.2%}"
 
 
 def _plain(value: Any) -> Any:

@@ -7,7 +7,7 @@ from assess.dynamics.kernel.ground import Ground
 from assess.kernel import compiled, inlined
 from spectra.arrays import FloatArray
 
-Force = tuple[float, float, float, float, float, float, float]
+ForceValues = tuple[float, float, float, float, float, float, float]
 
 
 @inlined
@@ -31,7 +31,7 @@ def segment_at(table: FloatArray, y: float, j: int, first: int, last: int) -> in
 
 
 @compiled
-def evaluate_force(table: FloatArray, j: int, y: float, sa: float) -> Force:
+def evaluate_force(table: FloatArray, j: int, y: float, sa: float) -> ForceValues:
     """Return y'' on segment j with three derivatives over y, then the factor of the ground, -b, with two.
 
     sa: ground acceleration in the sign of the branch.
@@ -51,13 +51,13 @@ def evaluate_force(table: FloatArray, j: int, y: float, sa: float) -> Force:
 
 
 @compiled
-def add_acceleration(of: Force, by: float) -> Force:
+def add_acceleration(of: ForceValues, by: float) -> ForceValues:
     """Add `by` to the acceleration term; the derivatives are unchanged."""
     return of[0] + by, of[1], of[2], of[3], of[4], of[5], of[6]
 
 
 @compiled
-def time_derivatives(of: Force, v: float, s: float, a: Ground) -> tuple[float, float, float, float]:
+def time_derivatives(of: ForceValues, v: float, s: float, a: Ground) -> tuple[float, float, float, float]:
     """Return the second to fifth derivative of y over time; s: sign of the branch, a: ground acceleration."""
     f, f1, f2, f3, g, g1, g2 = of
     rise = s * a[1]
@@ -71,7 +71,7 @@ def time_derivatives(of: Force, v: float, s: float, a: Ground) -> tuple[float, f
 
 
 @compiled
-def high_powers(of: Force, s: float, a: Ground) -> tuple[float, float]:
+def high_powers(of: ForceValues, s: float, a: Ground) -> tuple[float, float]:
     """Return what the fourth and fifth power of the ground add to y'' beyond `time_derivatives`; 0 for a record."""
     if len(a) == 2:
         return 0.0, 0.0

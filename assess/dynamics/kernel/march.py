@@ -46,7 +46,7 @@ from assess.kernel import compiled, inlined, reachable
 from spectra.arrays import FloatArray
 
 Advance = Callable[..., tuple[int, float, float]]
-Step = Callable[..., tuple[Arc, float, State]]
+StepMarch = Callable[..., tuple[Arc, float, State]]
 Potential = Callable[..., float]
 March = Callable[..., int]
 SMALLEST_STEP = 1e-6
@@ -57,7 +57,7 @@ TAIL_PIECES = 120
 """Free motion after the record is followed in at most TAIL_PIECES pieces of TAIL_PIECE / p, p of the faster branch."""
 
 
-def make_march(advance_quiet: Advance, step: Step, potential: Potential) -> March:
+def make_march(advance_quiet: Advance, step: StepMarch, potential: Potential) -> March:
     """Return the march of one job for the equation that these three functions define."""
 
     @inlined

@@ -61,9 +61,9 @@ class Ragged:
     sizes: IntArray
 
 
-Columns = Mapping[str, NDArray[Any] | Ragged]
+PlyColumns = Mapping[str, NDArray[Any] | Ragged]
 TableReader = Callable[
-    [ElementTable, int], tuple[Columns, int]
+    [ElementTable, int], tuple[PlyColumns, int]
 ]  # the values of a table that begins at a place, and where it ends
 
 
@@ -78,7 +78,7 @@ def read_ply(file: Path) -> MeshFile:
     order, tables, start = _header(data[:LONGEST])
     words = np.empty(0) if order else parse_words(data, start)
     take: TableReader = partial(_binary, data, order) if order else partial(_text, words)
-    found: dict[str, Columns] = {}
+    found: dict[str, PlyColumns] = {}
     at = start if order else 0
     for table in tables:
         if table.count and table.properties:
@@ -124,7 +124,7 @@ def _add_property(table: ElementTable, one: Property) -> ElementTable:
     return ElementTable(table.name, table.count, (*table.properties, one))
 
 
-def _text(words: FloatArray, table: ElementTable, at: int) -> tuple[Columns, int]:
+def _text(words: FloatArray, table: ElementTable, at: int) -> tuple[PlyColumns, int]:
     """Return the columns of a text table, whose words are numbers."""
     if all(one.counted is None for one in table.properties):
         width = len(table.properties)
@@ -135,7 +135,7 @@ def _text(words: FloatArray, table: ElementTable, at: int) -> tuple[Columns, int
     return _text_lists(words, table, at)
 
 
-def _text_lists(words: FloatArray, table: ElementTable, at: int) -> tuple[Columns, int]:
+def _text_lists(words: FloatArray, table: ElementTable, at: int) -> tuple[PlyColumns, int]:
     """Return the lists of a text table, all at once where every record is as long as the first."""
     width, place = 0, {}
     for one in table.properties:
@@ -156,7 +156,7 @@ def _text_lists(words: FloatArray, table: ElementTable, at: int) -> tuple[Column
     return _text_records(words, table, at)
 
 
-def _text_records(words: FloatArray, table: ElementTable, at: int) -> tuple[Columns, int]:
+def _text_records(words: FloatArray, table: ElementTable, at: int) -> tuple[PlyColumns, int]:
     """Return the lists of a text table, record by record."""
     lists = [one.name for one in table.properties if one.counted is not None]
     kept: dict[str, BoolArray] = {name: np.zeros(len(words), dtype=np.bool_) for name in lists}
@@ -182,7 +182,7 @@ def _text_size(words: FloatArray, at: int) -> int:
     return int(size)
 
 
-def _binary(data: bytes, order: str, table: ElementTable, at: int) -> tuple[Columns, int]:
+def _binary(data: bytes, order: str, table: ElementTable, at: int) -> tuple[PlyColumns, int]:
     """Return the columns of a binary table, all at once where every record is as long as the first."""
     fields: list[Any] = []
     place = at
@@ -211,7 +211,7 @@ def _binary(data: bytes, order: str, table: ElementTable, at: int) -> tuple[Colu
     }, end
 
 
-def _binary_records(data: bytes, order: str, table: ElementTable, at: int) -> tuple[Columns, int]:
+def _binary_records(data: bytes, order: str, table: ElementTable, at: int) -> tuple[PlyColumns, int]:
     """Return the lists of a binary table, record by record."""
     kinds = [(one.name, one.counted, np.dtype(one.kind).itemsize) for one in table.properties]
     values: dict[str, bytearray] = {name: bytearray() for name, counted, _ in kinds if counted is not None}
@@ -257,7 +257,7 @@ def _truncated(table: ElementTable) -> str:
     return f'it announces {table.count} of "{table.name[:20]}" and ends before them'
 
 
-def _vertices(found: Columns) -> FloatArray:
+def _vertices(found: PlyColumns) -> FloatArray:
     """Return the positions [n, 3]."""
     axes = [found.get(axis) for axis in "xyz"]
     columns = [axis for axis in axes if isinstance(axis, np.ndarray)]
@@ -269,13 +269,13 @@ def _vertices(found: Columns) -> FloatArray:
     return points
 
 
-def _corners(found: Columns) -> Ragged | None:
+def _corners(found: PlyColumns) -> Ragged | None:
     """Return the list of corners of faces or strips."""
     lists = [each for name in CORNERS if isinstance(each := found.get(name), Ragged)]
     return lists[0] if lists else None
 
 
-def _faces(found: Columns) -> Iterator[IntArray]:
+def _faces(found: PlyColumns) -> Iterator[IntArray]:
     """Return the triangles of the faces."""
     corners = _corners(found)
     if corners is not None:
@@ -284,7 +284,7 @@ def _faces(found: Columns) -> Iterator[IntArray]:
                 yield fan_triangles(rows)
 
 
-def _strips(found: Columns) -> Iterator[IntArray]:
+def _strips(found: PlyColumns) -> Iterator[IntArray]:
     """Return the triangles of strips: each corner from the third on closes one, every other one reversed."""
     corners = _corners(found)
     if corners is None:

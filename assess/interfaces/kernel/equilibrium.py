@@ -6,11 +6,11 @@ import math
 
 import numpy as np
 
-from assess.interfaces.kernel.moments import Table, integrate_zone, moments_upto, width
+from assess.interfaces.kernel.moments import MomentTable, integrate_zone, moments_upto, width
 from assess.kernel import compiled, entry, reachable
 from spectra.arrays import FloatArray, IntArray
 
-Given = tuple[float, float, float]  # stiffness k [Pa/m], strength f [Pa], rotation phi [rad]
+JointState = tuple[float, float, float]  # stiffness k [Pa/m], strength f [Pa], rotation phi [rad]
 # columns of `found` [n, 9], as the attributes of `Contact`
 RESULTANT, ECCENTRICITY, CENTRE, CLOSURE, DEPTH, CRUSHED_DEPTH, PEAK_STRESS, OPEN_AREA, CRUSHED_AREA = range(9)
 # what `solve` looks for: the closing that carries a force, the depth of a plastic block, of a triangle at the strength
@@ -24,7 +24,7 @@ ROUNDING = 1e-15
 
 
 @compiled
-def extent(table: Table, given: Given, closure: float) -> tuple[float, float, float]:
+def extent(table: MomentTable, given: JointState, closure: float) -> tuple[float, float, float]:
     """Return the depth crushed, the depth in contact, and the closure of the far edge, zero where it is open [m].
 
     In a crushed contact the last makes the stress at a_2 equal the strength, however thin the elastic zone is.
@@ -39,14 +39,14 @@ def extent(table: Table, given: Given, closure: float) -> tuple[float, float, fl
 
 
 @compiled
-def stress_gradient(given: Given, a_2: float, a: float, over: float) -> float:
+def stress_gradient(given: JointState, a_2: float, a: float, over: float) -> float:
     """Return the gradient of stress over depth, k phi [Pa/m], in a form in which force and strength agree."""
     k, f, phi = given
     return f / (a - a_2) if a_2 > 0.0 and over == 0.0 else k * phi
 
 
 @compiled
-def force_at_closure(table: Table, given: Given, closure: float, hint: IntArray) -> tuple[float, float]:
+def force_at_closure(table: MomentTable, given: JointState, closure: float, hint: IntArray) -> tuple[float, float]:
     """Return the force [N] and its derivative over the closure of the compressed edge."""
     a_2, a, over = extent(table, given, closure)
     elastic, _, f, _, _ = integrate_zone(table, a_2, a, hint)
@@ -54,20 +54,20 @@ def force_at_closure(table: Table, given: Given, closure: float, hint: IntArray)
 
 
 @compiled
-def area_at_depth(table: Table, given: Given, z: float, hint: IntArray) -> tuple[float, float]:
+def area_at_depth(table: MomentTable, given: JointState, z: float, hint: IntArray) -> tuple[float, float]:
     """Return the area up to z [m2] and its derivative."""
     return moments_upto(table, z, hint[1])[0], width(table, z, hint[1])
 
 
 @compiled
-def force_at_crushing(table: Table, given: Given, z: float, hint: IntArray) -> tuple[float, float]:
+def force_at_crushing(table: MomentTable, given: JointState, z: float, hint: IntArray) -> tuple[float, float]:
     """Return force over strength [m2] for a triangle of stress up to z, and its derivative."""
     _, s, f, _, _ = integrate_zone(table, 0.0, z, hint)
     return f / z, s / z**2
 
 
 @compiled
-def evaluate(which: int, table: Table, given: Given, x: float, hint: IntArray) -> tuple[float, float]:
+def evaluate(which: int, table: MomentTable, given: JointState, x: float, hint: IntArray) -> tuple[float, float]:
     """Return one of the functions above, all of which increase, and its derivative.
 
     It is chosen by a number: numba caches no entry point that takes functions, and closures of one factory share a
@@ -81,7 +81,9 @@ def evaluate(which: int, table: Table, given: Given, x: float, hint: IntArray) -
 
 
 @reachable
-def solve(which: int, table: Table, given: Given, target: float, start: float, high: float, hint: IntArray) -> float:
+def solve(
+    which: int, table: MomentTable, given: JointState, target: float, start: float, high: float, hint: IntArray
+) -> float:
     """Return where one of the functions reaches a target between 0 and `high`.
 
     Newton's method inside a bracket that only shrinks. Far from the target its steps are taken in logarithms, in which
@@ -107,7 +109,9 @@ def solve(which: int, table: Table, given: Given, target: float, start: float, h
 
 
 @reachable
-def find_closure(table: Table, given: Given, force: float, plastic: float, near: float, hint: IntArray) -> float:
+def find_closure(
+    table: MomentTable, given: JointState, force: float, plastic: float, near: float, hint: IntArray
+) -> float:
     """Return the closure of the compressed edge under a force [m].
 
     plastic: depth of the plastic block [m]; near: a first guess, or nan.
@@ -124,7 +128,7 @@ def find_closure(table: Table, given: Given, force: float, plastic: float, near:
 
 
 @reachable
-def rigid(table: Table, given: Given, plastic: float, found: FloatArray) -> None:
+def rigid(table: MomentTable, given: JointState, plastic: float, found: FloatArray) -> None:
     """Fill `found` [9] with the contact of a joint without elastic zone."""
     found[:] = 0.0
     if plastic > 0.0:
@@ -135,7 +139,7 @@ def rigid(table: Table, given: Given, plastic: float, found: FloatArray) -> None
 
 
 @reachable
-def elastic(table: Table, given: Given, u: float, hint: IntArray, found: FloatArray) -> None:
+def elastic(table: MomentTable, given: JointState, u: float, hint: IntArray, found: FloatArray) -> None:
     """Fill `found` [9] with the contact whose compressed edge has closed by u [m]."""
     k, f, _ = given
     _, _, depth, area, centroid = table
@@ -151,7 +155,7 @@ def elastic(table: Table, given: Given, u: float, hint: IntArray, found: FloatAr
 
 
 @entry
-def touch(table: Table, k: float, f: float, force: FloatArray, phi: FloatArray, found: FloatArray) -> None:
+def touch(table: MomentTable, k: float, f: float, force: FloatArray, phi: FloatArray, found: FloatArray) -> None:
     """Fill `found` [n, 9] with the contact at each of n rotations [rad] under its force [N].
 
     k : stiffness [Pa/m], may be infinite; f : strength [Pa], may be infinite; 0 < force < f times the area
@@ -174,7 +178,7 @@ def touch(table: Table, k: float, f: float, force: FloatArray, phi: FloatArray, 
 
 
 @entry
-def crushing_depth(table: Table, share: float) -> float:
+def crushing_depth(table: MomentTable, share: float) -> float:
     """Return the depth of partial contact at which the edge starts to crush [m]; share: force over strength [m2]."""
     hint = np.zeros(2, dtype=np.int64)
     return solve(CRUSHING, table, (0.0, 0.0, 0.0), share, table[2], table[2], hint)

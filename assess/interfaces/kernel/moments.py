@@ -9,7 +9,7 @@ from assess.kernel import compiled
 from spectra.arrays import FloatArray, IntArray
 
 # pieces, discs; depth [m], area [m2], centroid [m]: see `Section`
-Table = tuple[FloatArray, FloatArray, float, float, float]
+MomentTable = tuple[FloatArray, FloatArray, float, float, float]
 Five = tuple[float, float, float, float, float]
 # columns of `pieces` [m + 1, 12]: where the piece begins; its width W0 + W1 d and the integral of the offset over the
 # width, V0 + V1 d + V2 d^2, at the distance d from there; up to there A, S, T and their integrals over depth
@@ -68,7 +68,7 @@ def integrate_pieces(p: FloatArray, z0: float, z1: float, hint: IntArray) -> Fiv
 
 
 @compiled
-def integrate_zone(table: Table, z0: float, z1: float, hint: IntArray) -> Five:
+def integrate_zone(table: MomentTable, z0: float, z1: float, hint: IntArray) -> Five:
     """Integrate width, depth times width, A, S and T over depth from z0 to z1."""
     pieces, discs, _, _, _ = table
     a, s, f, g, h = 0.0, 0.0, 0.0, 0.0, 0.0
@@ -81,7 +81,7 @@ def integrate_zone(table: Table, z0: float, z1: float, hint: IntArray) -> Five:
 
 
 @compiled
-def width(table: Table, z: float, i: int) -> float:
+def width(table: MomentTable, z: float, i: int) -> float:
     """Return the width of the section at the depth z [m]; i: a piece near it."""
     pieces, discs, _, _, _ = table
     total = 0.0
@@ -95,7 +95,7 @@ def width(table: Table, z: float, i: int) -> float:
 
 
 @compiled
-def moments_upto(table: Table, z: float, i: int) -> tuple[float, float, float]:
+def moments_upto(table: MomentTable, z: float, i: int) -> tuple[float, float, float]:
     """Return area [m2] and first moments by depth and across [m3] up to the depth z; i: a piece near it."""
     p, discs, _, _, _ = table
     a, s, t = 0.0, 0.0, 0.0

@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 import trimesh
 
-from assess.examples.surfaces import Surface, ply, revolve, slab
+from assess.examples.surfaces import ClosedSurface, ply, revolve, slab
 
 
-def read(surface: Surface) -> trimesh.Trimesh:
+def read(surface: ClosedSurface) -> trimesh.Trimesh:
     """The surface's file as trimesh reads it."""
     return trimesh.load_mesh(trimesh.util.wrap_as_stream(ply(surface)), file_type="ply")
 

@@ -95,7 +95,7 @@ def test_loads_that_are_alike_share_a_row(results: Results) -> None:
 
 def test_artificial_records_share_a_row_and_recorded_ones_do_not(results: Results) -> None:
     recorded = replace(results.records[0], path="a.AT2", event="Friuli", date="1976-05-06", component="NS")
-    rows = suite.records_table(replace(results, records=(*results.records, recorded))).rows
+    rows = suite.suite_records_table(replace(results, records=(*results.records, recorded))).rows
     assert len(rows) == 2
     assert lines_of([rows[0][1]]) == "Friuli 1976"  # type: ignore[list-item]  a text
     assert lines_of([rows[1][0]]) == "5 artificial records"  # type: ignore[list-item]  a text

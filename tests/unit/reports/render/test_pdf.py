@@ -24,8 +24,8 @@ from reports.document import (
     Figure,
     FigureRow,
     FileLines,
-    Outcome,
     OutcomeCell,
+    OutcomeColour,
     Prose,
     Section,
     Signatures,
@@ -168,7 +168,7 @@ def test_a_sheet_has_its_formula_with_numbers(report: Path) -> None:
 
 
 @pytest.mark.parametrize("outcome", ["pass", "fail", "incomplete", "comparison"])
-def test_an_answer_has_a_colour_and_a_word(tmp_path: Path, outcome: Outcome) -> None:
+def test_an_answer_has_a_colour_and_a_word(tmp_path: Path, outcome: OutcomeColour) -> None:
     table = Table(
         "t", Verbatim("A table"), (Column(Verbatim("Answer")),), ((OutcomeCell(outcome, Verbatim("a word")),),)
     )

@@ -59,8 +59,8 @@ def test_the_same_seed_gives_the_same_inputs(group: str) -> None:
 
 def test_several_processes_judge_the_same_inputs_as_one(tmp_path: Path) -> None:
     alone, together = Findings(tmp_path / "1"), Findings(tmp_path / "2")
-    batches = list(islice(planned(["flatfile"], seed=5), 4))
-    fuzz(alone, answer, groups=["flatfile"], seed=5, inputs=sum(batch.size for batch in batches))
+    batches = list(islice(planned(["record"], seed=5), 4))
+    fuzz(alone, answer, groups=["record"], seed=5, inputs=sum(batch.size for batch in batches))
     judge_batches(iter(batches), together.take, seed=5, jobs=2, until=float("inf"))
     assert alone.counts == together.counts
     assert alone.groups.keys() == together.groups.keys()

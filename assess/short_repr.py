@@ -21,7 +21,7 @@ class ShortRepr:
     def __repr__(self) -> str:
         shown, length = [], 0
         for each in fields(self):  # type: ignore[arg-type]
-            shown.append(f"{each.name}={brief(getattr(self, each.name))}")
+            shown.append(f"{each.name}={_brief(getattr(self, each.name))}")
             length += len(shown[-1]) + 2
             if length > LONGEST:
                 shown[-1] = "…"
@@ -29,7 +29,7 @@ class ShortRepr:
         return f"{type(self).__name__}({', '.join(shown)})"
 
 
-def brief(value: Any) -> str:
+def _brief(value: Any) -> str:
     """Return a value in a few characters: numbers to six figures, long texts cut, arrays and tables by their size."""
     if isinstance(value, Enum):
         return repr(value.value)
@@ -40,7 +40,7 @@ def brief(value: Any) -> str:
     if is_dataclass(value):
         return f"{type(value).__name__}(…)"
     if isinstance(value, tuple) and len(value) <= FEW and all(isinstance(each, SCALARS) for each in value):
-        return f"({', '.join(brief(each) for each in value)}{',' if len(value) == 1 else ''})"
+        return f"({', '.join(_brief(each) for each in value)}{',' if len(value) == 1 else ''})"
     if hasattr(value, "shape"):
         return f"array{list(value.shape)}"
     if isinstance(value, Sized):

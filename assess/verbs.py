@@ -47,11 +47,11 @@ Tell = Callable[[str], None]
 """Called with a line about what was found."""
 
 
-def ignore_progress(stage: str, done: int, total: int) -> None:
+def _ignore_progress(stage: str, done: int, total: int) -> None:
     """Show nothing of long work."""
 
 
-def ignore_line(line: str) -> None:
+def _ignore_line(line: str) -> None:
     """Drop a line."""
 
 
@@ -251,7 +251,7 @@ def run(project: Project | str | Path, *, jobs: int = 0, progress: Progress | No
 
     loaded = project if isinstance(project, Project) else load(project)
     _check_jobs(jobs, progress)
-    return Run(loaded, assess(build(loaded), jobs=jobs, progress=progress or ignore_progress))
+    return Run(loaded, assess(build(loaded), jobs=jobs, progress=progress or _ignore_progress))
 
 
 def fragility(project: Project | str | Path, *, jobs: int = 0, progress: Progress | None = None) -> FragilityResults:
@@ -273,7 +273,7 @@ def fragility(project: Project | str | Path, *, jobs: int = 0, progress: Progres
 
     loaded = project if isinstance(project, Project) else load(project)
     _check_jobs(jobs, progress)
-    return run_fragility(build(loaded), jobs=jobs, progress=progress or ignore_progress)
+    return run_fragility(build(loaded), jobs=jobs, progress=progress or _ignore_progress)
 
 
 def write_report(
@@ -313,7 +313,7 @@ def write_report(
     if language is not None and language not in languages():
         raise OutputError(f"language = {language!r:.60}: choose one of {', '.join(languages())}")
     _check_jobs(jobs, progress)
-    place, show = Path(folder), progress or ignore_progress
+    place, show = Path(folder), progress or _ignore_progress
     with output_folder(place, command="write_report", expected=(RESULTS, *REPORT)) as stage:
         (stage / RESULTS).write_bytes(dumps(run.results).encode())
         pdf = write_all(run.results, stage, language=language, jobs=jobs, progress=lambda step: show(step, 0, 1))
@@ -330,7 +330,7 @@ def batch(
     scheduler: str | None = None,
     shard: str = "1/1",
     keep: Keep = "report",
-    tell: Tell = ignore_line,
+    tell: Tell = _ignore_line,
     progress: Progress | None = None,
 ) -> Portfolio:
     """Assess every project below a folder, or one for each row of a table, and rank them.
@@ -361,7 +361,7 @@ def batch(
     from reports.portfolio import write_ranking
 
     _check_jobs(jobs, progress)
-    show = progress or ignore_progress
+    show = progress or _ignore_progress
     options = BatchOptions(Path(folder), keep, parse_shard(shard), resume)
     engine = processes(jobs or None) if scheduler is None else dask(scheduler)
     tasks = find_tasks(
@@ -429,7 +429,7 @@ def _assess_task(job: Job) -> ProjectRow:
     from assess.project.build import build, build_to_decide
     from assess.study.run import find_verdict, run_study
 
-    project = load_task(job.task)
+    project = _load_task(job.task)
     if job.keep == "rows":
         study = build_to_decide(project)
         return row_of_verdict(job, find_verdict(study), study.messages)
@@ -481,7 +481,7 @@ def unit_fault(path: Path, tables: Mapping[str, Any], column: KeyColumn) -> str:
     return first
 
 
-def load_task(task: Task) -> Project:
+def _load_task(task: Task) -> Project:
     """Read the project of a task: its file, or its template with the values of its row."""
     from assess.portfolio.projects import project_tree
     from assess.project.project_file import load, load_tree

@@ -16,7 +16,7 @@ from typing import Any
 from assess.outputs.signals import ENDING
 
 
-def end_with_parent() -> None:
+def _end_with_parent() -> None:
     """Let this process end as soon as its parent has ended, even if that was killed."""
     threading.Thread(target=_wait_for_parent, daemon=True, name="parent").start()
 
@@ -31,8 +31,8 @@ def become_worker(keep: Callable[..., None] | None = None, *arguments: Any) -> N
     """Start as a worker: leave signals to the parent, which ends its workers, and call `keep` with the arguments."""
     for number in ENDING:
         signal.signal(number, signal.SIG_IGN if number == signal.SIGINT else signal.SIG_DFL)
-    hear_signals()
-    end_with_parent()
+    _hear_signals()
+    _end_with_parent()
     if keep is not None:
         keep(*arguments)
 
@@ -96,7 +96,7 @@ def _silence_broken_pools() -> Iterator[None]:
 
 @contextmanager
 def hold_signals() -> Iterator[None]:
-    """Block signals within the block, so that processes started there ignore them until they call `hear_signals`.
+    """Block signals within the block, so that processes started there ignore them until they call `_hear_signals`.
 
     Here signals arrive after the block. A process that is just starting would print a traceback of its own.
     """
@@ -111,7 +111,7 @@ def hold_signals() -> Iterator[None]:
         signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
 
-def hear_signals() -> None:
+def _hear_signals() -> None:
     """Unblock signals in a process that was started while they were blocked."""
     if sys.platform != "win32":
         signal.pthread_sigmask(signal.SIG_UNBLOCK, ENDING)

@@ -153,14 +153,14 @@ def index(
     RecordError : the folder does not exist; a unit, step or response is invalid
     """
     check_overrides(overrides)
-    overrides = overrides.over(header_overrides(connection))
+    overrides = overrides.over(_header_overrides(connection))
     read_with = f"{overrides.key} {' '.join(FORMATS)}"
     on_disk = {file.path: file for file in files_below(folder)}
     damaged = remove_damaged(connection)
     known = {
         row[0]: row[1:] for row in connection.execute("SELECT path, size, mtime, sha256, asked, problem FROM files")
     }
-    store_overrides(connection, overrides)
+    _store_overrides(connection, overrides)
     gone = [path for path in known if path not in on_disk]
     changed = [
         _with_hash(file, known.get(path), read_with)
@@ -201,7 +201,7 @@ def _seal_matches(row: Sequence[Any]) -> bool:
 
 def catalogue_candidates(connection: sqlite3.Connection) -> tuple[Candidate, ...]:
     """Return every record of the catalogue, by path, described by the flatfile that was stored."""
-    overrides = header_overrides(connection)
+    overrides = _header_overrides(connection)
     rows = connection.execute(ROWS).fetchall()
     for row in rows:
         if not _seal_matches(row):
@@ -217,7 +217,7 @@ def _candidate(row: Sequence[Any], overrides: HeaderOverrides) -> Candidate:
     )
 
 
-def header_overrides(connection: sqlite3.Connection) -> HeaderOverrides:
+def _header_overrides(connection: sqlite3.Connection) -> HeaderOverrides:
     """Return the header overrides that the files were read with."""
     row = connection.execute("SELECT unit, step, response, seal FROM stated").fetchone()
     if row is None:
@@ -227,13 +227,13 @@ def header_overrides(connection: sqlite3.Connection) -> HeaderOverrides:
     return HeaderOverrides(row[0], row[1], None if row[2] is None else Path(row[2]))
 
 
-def store_overrides(connection: sqlite3.Connection, overrides: HeaderOverrides) -> None:
+def _store_overrides(connection: sqlite3.Connection, overrides: HeaderOverrides) -> None:
     """Store the header overrides that the files are read with, in place of earlier ones."""
     response = None if overrides.response is None else str(overrides.response)
     with connection:
         connection.execute("DELETE FROM stated")
         connection.execute(
-            "INSERT INTO stated VALUES (?, ?, ?, ?)", with_seal((overrides.unit, overrides.step, response))
+            "INSERT INTO stated VALUES (?, ?, ?, ?)", _with_seal((overrides.unit, overrides.step, response))
         )
 
 
@@ -245,7 +245,7 @@ def store_flatfile(connection: sqlite3.Connection, flatfile: Sequence[FlatfileRo
     connection : the open catalogue
     flatfile : its recordings
     """
-    rows = [with_seal((*astuple(row)[:-1], "\n".join(row.files))) for row in flatfile]
+    rows = [_with_seal((*astuple(row)[:-1], "\n".join(row.files))) for row in flatfile]
     with connection:
         connection.execute("DELETE FROM recordings")
         connection.executemany("INSERT OR REPLACE INTO recordings VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)", rows)
@@ -315,7 +315,7 @@ def _read_changed(
     executor: Executor | None,
     progress: FileProgress,
 ) -> None:
-    describe = partial(describe_file, folder, overrides=overrides)
+    describe = partial(_describe_file, folder, overrides=overrides)
     results = map_files(describe, files, executor=executor)
     batch: list[DescribedFile] = []
     for done, described in enumerate(results, start=1):
@@ -327,7 +327,7 @@ def _read_changed(
     _store(connection, batch, read_with)
 
 
-def describe_file(folder: Path, file: RecordFile, *, overrides: HeaderOverrides) -> DescribedFile:
+def _describe_file(folder: Path, file: RecordFile, *, overrides: HeaderOverrides) -> DescribedFile:
     """Read the records of one file with their measures and spectra, or the reason why there are none."""
     if file.problem:
         return DescribedFile(file, "", file.problem, ())
@@ -361,7 +361,7 @@ def _store(connection: sqlite3.Connection, batch: list[DescribedFile], read_with
                 connection.execute("UPDATE files SET size = ?, mtime = ?, seal = ? WHERE path = ?", values)
                 continue
             connection.execute("DELETE FROM files WHERE path = ?", (file.path,))
-            connection.execute("INSERT INTO files VALUES (?, ?, ?, ?, ?, ?, ?, ?)", with_seal((*row, count)))
+            connection.execute("INSERT INTO files VALUES (?, ?, ?, ?, ?, ?, ?, ?)", _with_seal((*row, count)))
             rows = [_record_row(each) for each in described.candidates]
             if rows:
                 marks = ", ".join("?" * len(rows[0]))
@@ -379,7 +379,7 @@ def _record_row(candidate: Candidate) -> tuple[object, ...]:
     metadata = (candidate.magnitude, candidate.distance, candidate.vs30, _utf8(candidate.place), candidate.nga)
     spectrum = np.asarray(candidate.spectrum, dtype="<f8").tobytes()
     measures = (candidate.measures[name] for name in MEASURES)
-    return with_seal(
+    return _with_seal(
         (candidate.path, candidate.position, *texts, *metadata, candidate.dt, candidate.npts, spectrum, *measures)
     )
 
@@ -433,9 +433,9 @@ def _make_tables(connection: Catalogue) -> None:
         + f"PRAGMA application_id = {APPLICATION}; PRAGMA user_version = {VERSION}; COMMIT;"
     )
     with connection:
-        connection.executemany("INSERT INTO stated VALUES (?, ?, ?, ?)", [with_seal(row) for row in overrides[:1]])
+        connection.executemany("INSERT INTO stated VALUES (?, ?, ?, ?)", [_with_seal(row) for row in overrides[:1]])
         marks = ", ".join("?" * (len(FLATFILE) + 1))
-        connection.executemany(f"INSERT INTO recordings VALUES ({marks})", [with_seal(row) for row in flatfile])
+        connection.executemany(f"INSERT INTO recordings VALUES ({marks})", [_with_seal(row) for row in flatfile])
 
 
 def _older_rows(connection: sqlite3.Connection, query: str) -> list[tuple[Any, ...]]:
@@ -457,7 +457,7 @@ def _legible(text: str) -> str:
     return _utf8(text)[:120]
 
 
-def with_seal(row: Sequence[Any]) -> tuple[Any, ...]:
+def _with_seal(row: Sequence[Any]) -> tuple[Any, ...]:
     """Return the row with its seal."""
     return (*row, seal(row))
 

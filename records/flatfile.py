@@ -95,12 +95,12 @@ def read_flatfile(path: Path) -> Flatfile:
     try:
         rows = csv.reader(io.StringIO(decode(path.read_bytes(), where=str(path)), newline=""))
         lines = enumerate(rows, start=1)
-        line, labels = next(((i, row) for i, row in lines if set(NUMBER) & set(map(plain_label, row))), (0, []))
+        line, labels = next(((i, row) for i, row in lines if set(NUMBER) & set(map(_plain_label, row))), (0, []))
         if not labels:
             raise RecordError(
                 f'{path}: no column "Record Sequence Number"; give a PEER NGA flatfile, saved as CSV with its header'
             )
-        columns = _columns([plain_label(label) for label in labels])
+        columns = _columns([_plain_label(label) for label in labels])
         table = _table(rows, columns, first=line + 1, width=_width(labels))
     except OSError as error:
         raise RecordError(f"{path}: the flatfile cannot be read: {error.strerror}") from None
@@ -118,7 +118,7 @@ def read_flatfile(path: Path) -> Flatfile:
     return Flatfile(found, bad, tuple(key for key in DECIDING if not columns[key]))
 
 
-def plain_label(label: str) -> str:
+def _plain_label(label: str) -> str:
     """Return the letters and digits of a label, in lower case."""
     return re.sub(r"[^a-z0-9]+", "", label.lower())
 

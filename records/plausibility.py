@@ -63,7 +63,7 @@ def implausibility_warnings(record: Record) -> tuple[Message, ...]:
         *record.warnings,
         _peak_warning(record.pga, _read_value(record, "unit")),
         _step_warning(record),
-        arrival_warning(record),
+        _arrival_warning(record),
         *_impossible_values(record),
     )
     return tuple(each for each in warnings if each is not None)
@@ -172,7 +172,7 @@ FASTEST, SLOWEST = 8_500.0, 500.0  # m/s, of P waves below the crust and of surf
 CLOCK, RUPTURE = 5.0, 60.0  # s, of clocks and origins, and of how long the source of a large earthquake lasts
 
 
-def arrival_warning(record: Record) -> Message | None:
+def _arrival_warning(record: Record) -> Message | None:
     """Return a warning where the peak comes earlier or later after the earthquake's origin than waves take."""
     origin, start, distance = _instant(record.earthquake.time), _instant(record.start), _distance(record)
     if origin is None or start is None or distance is None:

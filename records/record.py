@@ -193,7 +193,7 @@ def make_record(
     if not (np.isfinite(dt) and dt > 0):
         raise RecordError(f"{where}: time step {dt} s; it must be positive")
     a.flags.writeable = False
-    event_name = event or designation(earthquake)
+    event_name = event or _designation(earthquake)
     return Record(
         id,
         a,
@@ -221,7 +221,7 @@ def usable_period(low_cut: float | None) -> float | None:
     return 1.0 / (1.25 * low_cut) if low_cut else None
 
 
-def designation(earthquake: Earthquake) -> str:
+def _designation(earthquake: Earthquake) -> str:
     """Return what an earthquake without a name is called: "2018-01-24 10:51, M6.2, 41.00N 142.50E", as far as known.
 
     A time alone stays as it is, ISO 8601.

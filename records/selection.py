@@ -304,7 +304,7 @@ class Pool:
         return np.asarray(np.log(mean) ** 2 @ self.weight)
 
 
-def best_each(pool: Pool, count: int) -> tuple[list[int], None]:
+def _best_each(pool: Pool, count: int) -> tuple[list[int], None]:
     """Choose the `count` records of least misfit, the best of each group."""
     chosen: list[int] = []
     taken: set[int] = set()
@@ -321,7 +321,7 @@ def best_suite(pool: Pool, count: int) -> tuple[list[int], float]:
     before = _misfit_of(pool, first)
     if comb(pool.mse.size, count) <= COUNTABLE:
         return exhaustive_suite(pool, count), before
-    starts = (first, best_each(pool, count)[0])
+    starts = (first, _best_each(pool, count)[0])
     return min((exchanged_suite(pool, start) for start in starts), key=lambda chosen: _misfit_of(pool, chosen)), before
 
 
@@ -379,7 +379,7 @@ def _misfit_of(pool: Pool, chosen: Sequence[int]) -> float:
     return float(pool.misfit(pool.ratio[list(chosen)].mean(axis=0)))
 
 
-FITS: Mapping[Fit, Callable[[Pool, int], tuple[list[int], float | None]]] = {"suite": best_suite, "each": best_each}
+FITS: Mapping[Fit, Callable[[Pool, int], tuple[list[int], float | None]]] = {"suite": best_suite, "each": _best_each}
 
 Recording = tuple[Candidate, ...]  # the components of one recording that are chosen together
 SAME_SHAPE = 0.01  # largest difference of the logarithms of two spectra of one motion; digits differ between files
@@ -394,13 +394,13 @@ def event_groups(recordings: Sequence[Recording], *, one_per_event: bool) -> Int
     """
     pairs = [same_motion(recordings)]
     if one_per_event:
-        pairs.append(same_earthquake(recordings))
+        pairs.append(_same_earthquake(recordings))
     first, second = np.concatenate(pairs).T
     graph = coo_array((np.ones(first.size), (first, second)), shape=(len(recordings), len(recordings)))
     return np.asarray(connected_components(graph, directed=False)[1], dtype=np.int64)
 
 
-def same_earthquake(recordings: Sequence[Recording]) -> IntArray:
+def _same_earthquake(recordings: Sequence[Recording]) -> IntArray:
     """Pair each recording with the first of its earthquake [m, 2]."""
     first: dict[str, int] = {}
     pairs = [(first.setdefault(components[0].earthquake, index), index) for index, components in enumerate(recordings)]

@@ -67,7 +67,7 @@ def artificial_records(
     """
     _check(count=count, seed=seed, duration=duration, dt=dt, band=band)
     target = _target_ordinates(spectrum, band=band)
-    basis = harmonic_basis(target, duration=duration, dt=dt)
+    basis = _harmonic_basis(target, duration=duration, dt=dt)
     with ThreadPoolExecutor(threads or os.cpu_count() or 1) as pool:
         make = partial(_make_artificial, target, basis, spectrum.code, seed)
         return tuple(pool.map(make, range(1, count + 1)))
@@ -112,7 +112,7 @@ def _make_artificial(target: TargetOrdinates, basis: HarmonicBasis, code: str, s
     fits = []
     for _ in range(TRIALS):
         phase = random.uniform(0.0, 2.0 * np.pi, basis.amplitude.size)
-        fit = min(fit_rounds(target, basis, phase=phase), key=lambda match: match.worst)
+        fit = min(_fit_rounds(target, basis, phase=phase), key=lambda match: match.worst)
         if fit.low >= -SHORTFALL and fit.rms <= LARGEST_RMS:
             history = _history(fit, target, basis, code, seed, index)
             record = make_record(f"artificial-{index}", fit.acceleration, basis.dt, processing_history=history)
@@ -200,7 +200,7 @@ class HarmonicBasis:
     high_pass: FloatArray
 
 
-def harmonic_basis(target: TargetOrdinates, *, duration: float, dt: float) -> HarmonicBasis:
+def _harmonic_basis(target: TargetOrdinates, *, duration: float, dt: float) -> HarmonicBasis:
     """Return the fixed arrays of a set of records; a random motion's amplitudes go as S_a / sqrt(f) to first order."""
     time = dt * np.arange(round(duration / dt) + 1, dtype=np.float64)
     level = envelope(time, duration=float(time[-1]))
@@ -250,7 +250,7 @@ def end_weights(npts: int, *, dt: float) -> FloatArray:
     return weights
 
 
-def fit_rounds(target: TargetOrdinates, basis: HarmonicBasis, *, phase: FloatArray) -> Iterator[SpectralMatch]:
+def _fit_rounds(target: TargetOrdinates, basis: HarmonicBasis, *, phase: FloatArray) -> Iterator[SpectralMatch]:
     """Yield the accelerograms that these phases [m] [rad] lead to, round after round."""
     n, harmonics = basis.envelope.size, basis.amplitude * np.exp(1j * phase)
     a = basis.envelope * np.fft.irfft(harmonics, 2 * n)[:n]

@@ -111,7 +111,7 @@ def check_of(results: Results, row: ComparisonRow) -> Check | None:
     return worst_check(tuple(check for check in checks if check.procedure == row.procedure))
 
 
-def collapse_checks(checks: tuple[Check, ...]) -> tuple[Check, ...]:
+def _collapse_checks(checks: tuple[Check, ...]) -> tuple[Check, ...]:
     """Return the checks without those of damage (SLD), which comes before collapse, where a procedure has others."""
     ultimate = {check.procedure for check in checks if check.limit_state != DAMAGE}
     return tuple(check for check in checks if check.limit_state != DAMAGE or check.procedure not in ultimate)
@@ -120,7 +120,7 @@ def collapse_checks(checks: tuple[Check, ...]) -> tuple[Check, ...]:
 def capacities(checks: tuple[Check, ...]) -> dict[str, float]:
     """Return the least PGA at capacity [g] of each procedure that applies, of its limit states of collapse."""
     found: dict[str, float] = {}
-    for check in collapse_checks(checks):
+    for check in _collapse_checks(checks):
         if check.capacity_pga_g is not None and check.verdict != Outcome.NOT_APPLICABLE:
             found[check.procedure] = min(check.capacity_pga_g, found.get(check.procedure, inf))
     return found

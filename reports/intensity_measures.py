@@ -101,7 +101,7 @@ def measures_of(mechanism: MechanismFragility) -> tuple[MeasureResult, ...]:
     return mechanism.measures or tuple(dict.fromkeys(curve.measure for curve in mechanism.curves))
 
 
-def states_of(mechanism: MechanismFragility) -> tuple[StateResult, ...]:
+def _states_of(mechanism: MechanismFragility) -> tuple[StateResult, ...]:
     """Return the states of a mechanism, in the order of its curves."""
     return tuple(dict.fromkeys(curve.state for curve in mechanism.curves))
 
@@ -114,7 +114,7 @@ def first_measure(mechanism: MechanismFragility) -> MeasureResult | None:
 
 def last_state(mechanism: MechanismFragility) -> StateResult | None:
     """Return overturning, or the last state where that was not asked for."""
-    found = states_of(mechanism)
+    found = _states_of(mechanism)
     return next((state for state in found if state.name == "overturning"), found[-1] if found else None)
 
 

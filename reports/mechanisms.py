@@ -158,11 +158,11 @@ def group_variants(results: Results) -> list[tuple[MechanismResult, ...]]:
     """Return every mechanism, those that differ by their joints alone together: rigid first, in the project's order."""
     found: dict[frozenset[tuple[str, str]], list[MechanismResult]] = {}
     for mechanism in results.mechanisms:
-        found.setdefault(definition_without_joints(results, mechanism), []).append(mechanism)
+        found.setdefault(_definition_without_joints(results, mechanism), []).append(mechanism)
     return [tuple(sorted(group, key=lambda each: bool(deformable_joints(each)))) for group in found.values()]
 
 
-def definition_without_joints(results: Results, mechanism: MechanismResult) -> frozenset[tuple[str, str]]:
+def _definition_without_joints(results: Results, mechanism: MechanismResult) -> frozenset[tuple[str, str]]:
     """Return what the project says of a mechanism, except its joints and label: {(key, value)}."""
     start = f"mechanisms.{mechanism.name}."
     found = ((key[len(start) :], each.value) for key, each in results.project.items() if key.startswith(start))

@@ -70,7 +70,7 @@ def write_ranking(
     -------
     The paths of ranked.csv, ranked.xlsx and ranked.html
     """
-    document = portfolio_report(rows, locale=Locale(system=units) if language is None else Locale(language, units))
+    document = _portfolio_report(rows, locale=Locale(system=units) if language is None else Locale(language, units))
     (table,) = write_csv(document, stage)
     return (
         table,
@@ -79,7 +79,7 @@ def write_ranking(
     )
 
 
-def portfolio_report(rows: Sequence[ProjectRow], *, locale: Locale) -> Document:
+def _portfolio_report(rows: Sequence[ProjectRow], *, locale: Locale) -> Document:
     """Return the ranked table of a portfolio as a document, in a locale."""
     program = describe_program()
     numbers = Counter("broken" if row.status == "broken" else row.outcome or "incomplete" for row in rows)
@@ -93,12 +93,12 @@ def portfolio_report(rows: Sequence[ProjectRow], *, locale: Locale) -> Document:
         program=f"{program.name} {program.version}",
         paper="A4",
         facts=tuple(facts),
-        sections=(Section(say("Ranking"), 0, (Prose(paragraphs), ranked_table(rows))),),
+        sections=(Section(say("Ranking"), 0, (Prose(paragraphs), _ranked_table(rows))),),
         locale=locale,
     )
 
 
-def ranked_table(rows: Sequence[ProjectRow]) -> Table:
+def _ranked_table(rows: Sequence[ProjectRow]) -> Table:
     """Return the table of the rows in their order."""
     columns = [
         (column, tuple(cell(place, row) for place, row in enumerate(rank(rows), start=1))) for column, cell in FIELDS

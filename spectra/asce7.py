@@ -48,7 +48,7 @@ def mapped_spectrum(
 
     Source: ASCE 7-16 §11.4.4-11.4.5, 7-10 and 7-05 §11.4.3-11.4.4, with Tables 11.4-1 and 11.4-2 of each.
     """
-    edition = edition_of(code)
+    edition = _edition_of(code)
     check_positive(code, s_s=s_s, s_1=s_1)
     F_a = site_coefficient(s_s, table=edition.f_a, site_class=site_class, study=edition.study)
     F_v = site_coefficient(s_1, table=edition.f_v, site_class=site_class, study=edition.study)
@@ -117,7 +117,7 @@ def design_spectrum(
 
     Source: ASCE 7-16 §11.4.6-11.4.7, 7-10 and 7-05 §11.4.5-11.4.6; damping Table 18.7-1 (18.6-1).
     """
-    edition = edition_of(code)
+    edition = _edition_of(code)
     if hazard not in HAZARD_FACTOR:
         raise SpectrumError(f'hazard "{hazard}" is not known; choose one of {", ".join(HAZARD_FACTOR)}')
     check_positive(code, s_ds=s_ds, s_d1=s_d1, t_l=t_l)
@@ -289,7 +289,7 @@ EDITIONS: Mapping[str, Edition] = {
 }
 
 
-def edition_of(code: str) -> Edition:
+def _edition_of(code: str) -> Edition:
     """Return the edition of that name; SpectrumError lists those known."""
     if code not in EDITIONS:
         raise SpectrumError(f'"{code}" is no edition of ASCE 7 known here; choose one of {", ".join(EDITIONS)}')

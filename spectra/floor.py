@@ -24,7 +24,7 @@ NZS_LOW = 12.0  # m: height below which 1 + h/6 applies
 NZS_SHARE = 0.2  # of the building's height, where 1 + 10 h/H ends
 
 
-def ec8_floor_factors(
+def _ec8_floor_factors(
     period_ratio: ArrayLike, *, height: float, building_height: float, soil_factor: float = 1.0
 ) -> FloatArray:
     """Return S [3 (1 + z/H) / (1 + (1 - T_a/T_1)^2) - 0.5], at least S [-]: the coefficient S_a over alpha.
@@ -52,7 +52,7 @@ def ec8_floor_factors(
 
 
 def ec8_floor_factor(height: float, *, building_height: float, period_ratio: float, soil_factor: float = 1.0) -> float:
-    """Return `ec8_floor_factors` of one part [-].
+    """Return `_ec8_floor_factors` of one part [-].
 
     Parameters
     ----------
@@ -61,7 +61,7 @@ def ec8_floor_factor(height: float, *, building_height: float, period_ratio: flo
     soil_factor : S [-]
     """
     return float(
-        ec8_floor_factors(period_ratio, height=height, building_height=building_height, soil_factor=soil_factor)
+        _ec8_floor_factors(period_ratio, height=height, building_height=building_height, soil_factor=soil_factor)
     )
 
 
@@ -155,9 +155,9 @@ def ec8_floor_spectrum(
 
     Source: EN 1998-1:2004, 4.3.5.2, eq. (4.25); not checked against the printed standard.
     """
-    T_a = period_array(period)
-    T_1 = first_period(building_period, clause="EN 1998-1, 4.3.5.2")
-    return ground * ec8_floor_factors(T_a / T_1, height=height, building_height=building_height)
+    T_a = _period_array(period)
+    T_1 = _first_period(building_period, clause="EN 1998-1, 4.3.5.2")
+    return ground * _ec8_floor_factors(T_a / T_1, height=height, building_height=building_height)
 
 
 def nzs1170_5_floor_spectrum(period: ArrayLike, *, ground: float, height: float, building_height: float) -> FloatArray:
@@ -180,7 +180,7 @@ def nzs1170_5_floor_spectrum(period: ArrayLike, *, ground: float, height: float,
 
 def part_shape(period: ArrayLike) -> FloatArray:
     """Return C_i(T_p) [-]: 2 up to 0.75 s, 2 (1.75 - T_p) to 1.5 s, 0.5 beyond. Source: NZS 1170.5:2004, 8.4."""
-    return np.asarray(np.clip(2.0 * (1.75 - period_array(period)), 0.5, 2.0))
+    return np.asarray(np.clip(2.0 * (1.75 - _period_array(period)), 0.5, 2.0))
 
 
 def part_response_factor(ductility: float) -> float:
@@ -202,12 +202,12 @@ def part_action(coefficient: ArrayLike, *, ductility: float = 1.0, risk_factor: 
     return np.asarray(np.minimum(action, LARGEST_PART_COEFFICIENT * g))
 
 
-def period_array(period: ArrayLike) -> FloatArray:
+def _period_array(period: ArrayLike) -> FloatArray:
     """Return periods [s] as an array; refuse periods that are negative or not numbers."""
     return check_periods(np.asarray(period, dtype=np.float64))
 
 
-def first_period(building_period: float, *, clause: str) -> float:
+def _first_period(building_period: float, *, clause: str) -> float:
     """Return T_1 of the building [s]; refuse one that is not positive, citing the clause."""
     if not building_period > 0.0:
         raise SpectrumError(f"period of the building {building_period} s; {clause} needs one that is positive")
@@ -283,7 +283,7 @@ def circolare2019_floor_spectrum(
 
     Source: Circolare 7/2019, C7.2.5-C7.2.7, by a public transcription of the text.
     """
-    T = period_array(period)
+    T = _period_array(period)
     S_eZ = np.sqrt(sum(_modal_floor_spectrum(T, spectrum, mode, damping) ** 2 for mode in _check_modes(modes)))
     beyond = max(mode.period for mode in modes) < T
     ground = spectrum.acceleration(T, damping=damping)
@@ -308,7 +308,7 @@ def circolare2019_first_mode(
     -------
     array [shapes broadcast] [m/s2]
     """
-    T, T_1 = period_array(period), np.asarray(first, dtype=np.float64)
+    T, T_1 = _period_array(period), np.asarray(first, dtype=np.float64)
     _check_modes([Mode(float(T_1.min()), mode_damping, share)])
     peak = first_mode_peak(T_1, spectrum=spectrum, mode_damping=mode_damping, share=share)
     S_eZ = _three_branches(T, T_1, peak, _resonance(mode_damping, damping))
@@ -358,7 +358,7 @@ def circolare2019_modal(
 
     Source: Circolare 7/2019, C7.2.1-C7.2.4, by a public transcription of the text.
     """
-    T_a = period_array(period)
+    T_a = _period_array(period)
     if not COUPLING[0] <= beta <= COUPLING[1]:
         raise SpectrumError(f"beta = {beta}; Circolare 7/2019, C7.2.4 has {COUPLING[0]} to {COUPLING[1]}")
     squares = [
@@ -374,7 +374,7 @@ def part_amplification(period_ratio: ArrayLike, damping: float, *, beta: float) 
     return np.asarray(((2.0 * xi * r) ** 2 + (1.0 - r**2) ** 2) ** -beta)
 
 
-def resonance_factor(mode: Mode, damping: float) -> float:
+def _resonance_factor(mode: Mode, damping: float) -> float:
     """Return a = 1.1 xi_k^-0.5 eta(xi) [-], at least 1, with xi_k as a ratio. Source: Circolare 7/2019, C7.2.6."""
     return _resonance(mode.damping, damping)
 
@@ -397,7 +397,7 @@ def circolare2019_frame(
 
     Source: Circolare 7/2019, C7.2.11, by a public transcription of the text.
     """
-    T_a, T_1 = period_array(period), first_period(building_period, clause="Circolare 7/2019, C7.2.11")
+    T_a, T_1 = _period_array(period), _first_period(building_period, clause="Circolare 7/2019, C7.2.11")
     ratio = height_ratio(height, building_height, clause="Circolare 7/2019, C7.2.11")
     frame = FRAMES["short" if T_1 < 0.5 else "medium" if T_1 <= 1.0 else "long"]
     below, above = np.maximum(1.0 - T_a / (frame.a * T_1), 0.0), np.maximum(T_a / (frame.b * T_1) - 1.0, 0.0)
@@ -417,7 +417,7 @@ def _modal_floor_acceleration(spectrum: Spectrum, mode: Mode) -> float:
 
 def _modal_floor_spectrum(period: FloatArray, spectrum: Spectrum, mode: Mode, damping: float) -> FloatArray:
     """Return S_eZ,k [m/s2] (C7.2.6), which rises from a_Z,k at T = 0 to A a_Z,k about T_k, and falls."""
-    return _three_branches(period, mode.period, _modal_peak(spectrum, mode), resonance_factor(mode, damping))
+    return _three_branches(period, mode.period, _modal_peak(spectrum, mode), _resonance_factor(mode, damping))
 
 
 def _three_branches(period: FloatArray, first: ArrayLike, peak: ArrayLike, A: float) -> FloatArray:

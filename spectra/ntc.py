@@ -100,7 +100,7 @@ def elastic_spectrum(hazard: Hazard, *, place: SoilAndTopography, code: str = "n
     """
     clause = _check(hazard, place, code)
     S_S, S_T = soil_factor(hazard, place.soil), topographic_factor(place)
-    C_C = period_coefficient(hazard, place.soil)
+    C_C = _period_coefficient(hazard, place.soil)
     T_C, T_D = C_C * hazard.t_c_star, 4.0 * hazard.a_g / g + 1.6
     shape = FourBranches(hazard.a_g * S_S * S_T, hazard.f_0, T_C / 3.0, T_C, T_D)
     return Spectrum(
@@ -171,7 +171,7 @@ def soil_factor(hazard: Hazard, soil: str) -> float:
     return min(max(row.constant - row.slope * hazard.f_0 * hazard.a_g / g, row.least), row.most)
 
 
-def period_coefficient(hazard: Hazard, soil: str) -> float:
+def _period_coefficient(hazard: Hazard, soil: str) -> float:
     """Return C_C [-]. Source: NTC 2018 Table 3.2.IV (2008: 3.2.V)."""
     return float(SOILS[soil].factor * hazard.t_c_star ** SOILS[soil].power)
 

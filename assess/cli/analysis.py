@@ -148,11 +148,11 @@ def batch(
             tell=print_note,
             progress=shown.count,
         )
-    print(portfolio_text(found), end="")
+    print(_portfolio_text(found), end="")
     raise typer.Exit(found.exit_code)
 
 
-def portfolio_text(found: Portfolio) -> str:
+def _portfolio_text(found: Portfolio) -> str:
     """Write how many projects came to what, and where the table is."""
     counts = found.count()
     parts = [
@@ -210,7 +210,7 @@ def envelope(
         print(output / "envelopes.pdf")
 
 
-def check_formats(text: str | None) -> str | None:
+def _check_formats(text: str | None) -> str | None:
     """Return the formats of an export, separated by commas; raise BadParameter for one that is not known."""
     for name in [] if text is None else text.split(","):
         if name not in FORMATS:
@@ -218,7 +218,7 @@ def check_formats(text: str | None) -> str | None:
     return text
 
 
-def complete_formats(incomplete: str) -> Sequence[str]:
+def _complete_formats(incomplete: str) -> Sequence[str]:
     """Complete the last of the formats of an export, which stand between commas."""
     before, comma, last = incomplete.rpartition(",")
     return [f"{before}{comma}{name}" for name in FORMATS if name.startswith(last) and name not in before.split(",")]
@@ -235,8 +235,8 @@ def fragility(
             "--export",
             metavar="FORMATS",
             help="Also write the curves for other programs: nrml, pelicun, csv, or several with commas; needs -o.",
-            callback=check_formats,
-            autocompletion=complete_formats,
+            callback=_check_formats,
+            autocompletion=_complete_formats,
         ),
     ] = None,
     as_json: Annotated[bool, flag("--json", "Print what fragility.json holds, in place of the table.")] = False,

@@ -74,7 +74,7 @@ def geometry(
     wrong = [each for each in listed if isinstance(each, GeometryError)]
     if len(wrong) == len(listed) == 1:
         raise wrong[0]
-    text = geometry_json if as_json else geometry_csv if as_csv else geometry_table
+    text = _geometry_json if as_json else _geometry_csv if as_csv else _geometry_table
     print(text(list(zip(files, listed, strict=True))), end="")
     raise typer.Exit(2 if len(wrong) == len(listed) else 0)
 
@@ -104,12 +104,12 @@ def _length_of_unit(unit: str | None) -> float | None:
         raise typer.BadParameter(f"--unit {unit!r}: {problem}") from None
 
 
-def geometry_table(listed: Listed) -> str:
+def _geometry_table(listed: Listed) -> str:
     """Write a rounded line for each part, followed by warnings."""
     return "\n".join(_file_table(file, each) for file, each in listed)
 
 
-def geometry_csv(listed: Listed) -> str:
+def _geometry_csv(listed: Listed) -> str:
     """Write everything at full precision under its JSON names, with a column for each component of vectors."""
     from reports.render.table_text import csv_lines
 
@@ -117,7 +117,7 @@ def geometry_csv(listed: Listed) -> str:
     return csv_lines([list(rows[0]), *(list(row.values()) for row in rows)])
 
 
-def geometry_json(listed: Listed) -> str:
+def _geometry_json(listed: Listed) -> str:
     """Write a list of the parts; an unreadable file has one entry with the reason."""
     return json.dumps(_properties_listed(listed), ensure_ascii=False, allow_nan=False, indent=1) + "\n"
 

@@ -23,7 +23,7 @@ from assess.messages.message import escape_text
 FIGURE_ENDINGS = (".svg", ".pdf", ".png")
 
 
-def limit_jobs(jobs: int | None) -> int | None:
+def _limit_jobs(jobs: int | None) -> int | None:
     """Limit the number of processes to the cores of the machine; more would only wait for each other."""
     from assess.workers import available_cores
 
@@ -51,7 +51,7 @@ JobsOption = Annotated[
         "--jobs",
         metavar="N",
         min=1,
-        callback=limit_jobs,
+        callback=_limit_jobs,
         help="Number of processor cores to use, at most those of the machine (default: all).",
     ),
 ]
@@ -188,7 +188,7 @@ def complete_units(incomplete: str) -> Sequence[str]:
     return [unit for unit in ACCELERATION_UNITS if unit.startswith(incomplete)]
 
 
-def check_unit(unit: str | None) -> str | None:
+def _check_unit(unit: str | None) -> str | None:
     """Return a unit of acceleration; raise BadParameter for one that is not known."""
     if unit is not None:
         from spectra.columns import ACCELERATION_UNITS, ColumnError, factor_of
@@ -200,7 +200,7 @@ def check_unit(unit: str | None) -> str | None:
     return unit
 
 
-def check_step(step: float | None) -> float | None:
+def _check_step(step: float | None) -> float | None:
     """Return a time step [s]; raise BadParameter for one that no record has."""
     if step is not None:
         from records.reading import COARSEST, FINEST
@@ -210,7 +210,7 @@ def check_step(step: float | None) -> float | None:
     return step
 
 
-def check_response_file(path: Path | None) -> Path | None:
+def _check_response_file(path: Path | None) -> Path | None:
     """Return the file of an instrument's response; raise BadParameter where there is none."""
     if path is not None and not path.is_file():
         raise typer.BadParameter(f"{path}: no such file; give the StationXML of the instrument")
@@ -231,19 +231,20 @@ UnitOption = Annotated[
     typer.Option(
         metavar="UNIT",
         help="Unit of acceleration where a file does not state it: g, m/s2, cm/s2, gal, mm/s2.",
-        callback=check_unit,
+        callback=_check_unit,
         autocompletion=complete_units,
     ),
 ]
 
 StepOption = Annotated[
-    float | None, typer.Option(metavar="SECONDS", help="Time step where a file does not state it.", callback=check_step)
+    float | None,
+    typer.Option(metavar="SECONDS", help="Time step where a file does not state it.", callback=_check_step),
 ]
 
 Response = Annotated[
     Path | None,
     typer.Option(
-        metavar="FILE", help="StationXML of the instrument, for MiniSEED and SAC files.", callback=check_response_file
+        metavar="FILE", help="StationXML of the instrument, for MiniSEED and SAC files.", callback=_check_response_file
     ),
 ]
 

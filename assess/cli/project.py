@@ -13,7 +13,7 @@ from assess.cli.options import ProjectPath, refuse_two_formats
 from assess.cli.stderr import print_messages, progress
 
 
-def complete_examples(incomplete: str) -> Sequence[str]:
+def _complete_examples(incomplete: str) -> Sequence[str]:
     """Complete the name of an example, by the folders that are shipped."""
     folders = (Path(__file__).parents[1] / "examples" / "projects").iterdir()
     return sorted(each.name for each in folders if each.is_dir() and each.name.startswith(incomplete))
@@ -28,7 +28,7 @@ def new(
         typer.Option(
             "--example",
             metavar="NAME",
-            autocompletion=complete_examples,
+            autocompletion=_complete_examples,
             help="Name of the example; --list shows them.",
         ),
     ] = "single_wall",

@@ -35,7 +35,7 @@ if TYPE_CHECKING:
     from assess.project.suites import ScaledSuite
 
 
-def list_records(
+def _list_records(
     files: Files,
     unit: UnitOption = None,
     step: StepOption = None,
@@ -456,6 +456,6 @@ def _records(context: typer.Context) -> None:
         raise typer.Exit(2)
 
 
-records.command("list", short_help=first_sentence(list_records))(with_verbosity(list_records))
+records.command("list", short_help=first_sentence(_list_records))(with_verbosity(_list_records))
 for command in (convert, index, spectra, select, scale):
     records.command(short_help=first_sentence(command))(with_verbosity(command))

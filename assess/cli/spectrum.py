@@ -30,7 +30,7 @@ def _key_option(name: str, metavar: str, words: str, complete: Completion | None
     return option
 
 
-def complete_codes(incomplete: str) -> Sequence[str]:
+def _complete_codes(incomplete: str) -> Sequence[str]:
     """Complete the name of a design spectrum."""
     from spectra.registry import SPECTRA
 
@@ -48,7 +48,7 @@ def spectrum(
             "code",
             "CODE",
             "asce7-05, ibc2009, asce7-10, asce7-16, ec8, nzs1170.5, ntc2008, ntc2018, table.",
-            complete_codes,
+            _complete_codes,
         ),
     ] = None,
     s_s: Annotated[
@@ -126,10 +126,10 @@ def spectrum(
 
     site = read_site_options(options, folder=Path()) if project is None else site_of(project)
     found = (vertical_of if vertical else spectrum_of)(site)
-    print_spectrum_warnings(found, messages=site_option_messages(options))
+    _print_spectrum_warnings(found, messages=site_option_messages(options))
     if output is not None:
-        draw_spectrum(found, output)
-    print((spectrum_json if as_json else spectrum_csv if as_csv else spectrum_table)(found), end="")
+        _draw_spectrum(found, output)
+    print((_spectrum_json if as_json else _spectrum_csv if as_csv else _spectrum_table)(found), end="")
 
 
 def _check_options(
@@ -144,7 +144,7 @@ def _check_options(
         raise typer.BadParameter("give a PROJECT, or --code with its parameters")
 
 
-def spectrum_table(spectrum: Spectrum) -> str:
+def _spectrum_table(spectrum: Spectrum) -> str:
     """Write the clause, the parameters, and the ordinates at round and corner periods."""
     from scipy.constants import g
 
@@ -175,7 +175,7 @@ def periods_of(spectrum: Spectrum) -> list[float]:
     return sorted(period for period in periods if period <= min(spectrum.longest_period, max(ROUND_PERIODS)))
 
 
-def spectrum_csv(spectrum: Spectrum) -> str:
+def _spectrum_csv(spectrum: Spectrum) -> str:
     """Write period and acceleration at full precision, in the format of a spectrum table."""
     from assess.study.ground_motion import spectrum_result
     from reports.render.table_text import csv_lines
@@ -185,7 +185,7 @@ def spectrum_csv(spectrum: Spectrum) -> str:
     return csv_lines([("period [s]", "acceleration [g]"), *rows])
 
 
-def spectrum_json(spectrum: Spectrum) -> str:
+def _spectrum_json(spectrum: Spectrum) -> str:
     """Write the block `spectrum` of results.json."""
     from assess.results.json import dumps_spectrum
     from assess.study.ground_motion import spectrum_result
@@ -193,13 +193,13 @@ def spectrum_json(spectrum: Spectrum) -> str:
     return dumps_spectrum(spectrum_result(spectrum))
 
 
-def print_spectrum_warnings(spectrum: Spectrum, *, messages: tuple[Message, ...] = ()) -> None:
+def _print_spectrum_warnings(spectrum: Spectrum, *, messages: tuple[Message, ...] = ()) -> None:
     """Print on stderr what to consider before using the spectrum; messages: on the options given."""
     found = locate(spectrum.warnings, "site.spectrum")
     print_messages((*messages, *found))
 
 
-def draw_spectrum(spectrum: Spectrum, path: Path) -> Path:
+def _draw_spectrum(spectrum: Spectrum, path: Path) -> Path:
     """Draw the figure of the spectrum to `path`."""
     from assess.results.provenance import origin
     from assess.study.ground_motion import spectrum_result
@@ -210,7 +210,7 @@ def draw_spectrum(spectrum: Spectrum, path: Path) -> Path:
     return write_figure(
         draw_design_spectrum(spectrum_result(spectrum), Locale()),
         path,
-        creator=origin("spectrum", spectrum_json(spectrum)),
+        creator=origin("spectrum", _spectrum_json(spectrum)),
     )
 
 

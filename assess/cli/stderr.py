@@ -64,12 +64,12 @@ def print_detail(text: str) -> None:
     LOG.debug("assess: %s", escape_text(text))
 
 
-def is_verbose() -> bool:
+def _is_verbose() -> bool:
     """Whether --verbose was given."""
     return LOG.isEnabledFor(VERBOSE)
 
 
-def is_quiet() -> bool:
+def _is_quiet() -> bool:
     """Whether --quiet was given."""
     return not LOG.isEnabledFor(USUAL)
 
@@ -123,10 +123,10 @@ class _TimedStages:
 @contextmanager
 def progress() -> Iterator[ProgressDisplay]:
     """Show progress while the block runs."""
-    if is_verbose():
+    if _is_verbose():
         with _progress_lines() as lines:
             yield lines
-    elif is_quiet() or not sys.stderr.isatty() or os.environ.get("TERM") in ("dumb", "unknown"):
+    elif _is_quiet() or not sys.stderr.isatty() or os.environ.get("TERM") in ("dumb", "unknown"):
         yield _NoProgress()
     else:
         with _progress_bar() as bar:
@@ -138,7 +138,7 @@ def _progress_lines() -> Iterator[ProgressDisplay]:
     begin, lines = time.time(), _TimedStages()
     yield lines
     lines.step("")
-    if found := describe_compiled_code(begin):
+    if found := _describe_compiled_code(begin):
         print_detail(found)
 
 
@@ -167,7 +167,7 @@ def _progress_bar() -> Iterator[ProgressDisplay]:
         yield Bar()
 
 
-def describe_compiled_code(begin: float) -> str:
+def _describe_compiled_code(begin: float) -> str:
     """Return where the code of the kernels is kept and how much of it is new; empty where no kernel was used.
 
     begin : time in seconds of the epoch

@@ -25,7 +25,7 @@ MOST_FAILURES = 5  # values that fail, of one case
 DIGITS, MOST_DIGITS = 6, 17  # of a value; with the latter every number differs from every other
 
 
-def complete_cases(incomplete: str) -> Sequence[str]:
+def _complete_cases(incomplete: str) -> Sequence[str]:
     """Complete the key of a solved case, or of all cases of one source."""
     from assess.results.verification import exercised_by_case
 
@@ -37,7 +37,7 @@ def verify(
     names: Annotated[
         list[str] | None,
         typer.Argument(
-            metavar="CASE", autocompletion=complete_cases, help="Keys of cases, or of their sources (default: all)."
+            metavar="CASE", autocompletion=_complete_cases, help="Keys of cases, or of their sources (default: all)."
         ),
     ] = None,
     project: Annotated[

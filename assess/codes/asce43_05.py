@@ -113,7 +113,7 @@ ASCE43_05_SPECTRUM = CodeProcedure(
 )
 
 
-def assess_spectrum_thesis(oscillator: Oscillator, context: Context, *, options: Asce43Options) -> tuple[Check, ...]:
+def _assess_spectrum_thesis(oscillator: Oscillator, context: Context, *, options: Asce43Options) -> tuple[Check, ...]:
     """Return the checks of the thesis' reading (8.3.2): 5 % damping, limit k alpha / sin 2 alpha, no uplift."""
 
     def reading(branch: Branch, f_v: float) -> SpectrumReading:
@@ -126,7 +126,7 @@ def assess_spectrum_thesis(oscillator: Oscillator, context: Context, *, options:
 ASCE43_05_SPECTRUM_THESIS = CodeProcedure(
     name="asce43-05-spectrum-thesis",
     family=Family.ENERGY,
-    assess=assess_spectrum_thesis,
+    assess=_assess_spectrum_thesis,
     title=Term("ASCE 43-05, approximate method, thesis reading"),
     short_title=Term("ASCE 43-05 appr., thesis"),
     work="asce43-05",

@@ -62,7 +62,7 @@ def assess_history(oscillator: Oscillator, context: Context, *, options: Asce43O
         return share is not None and share <= HALF
 
     def measure(suite: SuiteResponse) -> tuple[FloatArray, BoolArray]:
-        ratio = draw_values(run_shares(suite, oscillator)).mean(axis=1) / HALF
+        ratio = draw_values(_run_shares(suite, oscillator)).mean(axis=1) / HALF
         return ratio, ratio <= 1.0
 
     lifts = uplift_multiplier(oscillator, linearised=context.linearised)
@@ -131,7 +131,7 @@ def _check(
         rotation_ratio=None if demand is None else demand / branch.overturning,
         pga_curve=scanned.curve,
         steps=(
-            *_steps(suite, rotation_shares(suite, oscillator), share, branch),
+            *_steps(suite, _rotation_shares(suite, oscillator), share, branch),
             *spread_steps(spread, at_collapse),
         ),
         numerical=spread,
@@ -153,14 +153,14 @@ def _outcome(suite: SuiteResponse, share: float | None) -> tuple[Outcome, Messag
     return Outcome.FAIL, reason_message(Reason.BEYOND, capacity=Term("the allowable mean of the maxima"))
 
 
-def run_shares(suite: SuiteResponse, oscillator: Oscillator) -> FloatArray:
+def _run_shares(suite: SuiteResponse, oscillator: Oscillator) -> FloatArray:
     """Return the shares of every run of each record [runs, records] [-]; inf where it overturned."""
     runs = suite.runs
     scale = [each.overturning / each.unstable for each in oscillator.branches]
     return runs.ratio * np.where(runs.negative, scale[-1], scale[0])
 
 
-def rotation_shares(suite: SuiteResponse, oscillator: Oscillator) -> tuple[float | None, ...]:
+def _rotation_shares(suite: SuiteResponse, oscillator: Oscillator) -> tuple[float | None, ...]:
     """Return the largest rotation of each record over what overturns the mechanism in its branch [-].
 
     Parameters
@@ -183,7 +183,7 @@ def rotation_shares(suite: SuiteResponse, oscillator: Oscillator) -> tuple[float
 
 def mean_share(suite: SuiteResponse, oscillator: Oscillator) -> float | None:
     """Return the mean of the shares [-]; None where a record overturned, or where there is none."""
-    found = rotation_shares(suite, oscillator)
+    found = _rotation_shares(suite, oscillator)
     standing = [share for share in found if share is not None]
     return sum(standing) / len(standing) if len(standing) == len(found) > 0 else None
 

@@ -414,7 +414,7 @@ DMI2008_HISTORY = CodeProcedure(
 )
 
 
-def assess_nonlinear_thesis(oscillator: Oscillator, context: Context, *, options: ItalianOptions) -> tuple[Check, ...]:
+def _assess_nonlinear_thesis(oscillator: Oscillator, context: Context, *, options: ItalianOptions) -> tuple[Check, ...]:
     """Return the checks of the thesis' reading (8.3.2): at the ground, FC = 1, no threshold of uplift."""
     like = to_equivalent_blocks(oscillator, lambda branch: ULTIMATE * branch.unstable)
 
@@ -457,7 +457,7 @@ def assess_nonlinear_thesis(oscillator: Oscillator, context: Context, *, options
 DMI2008_NONLINEAR_THESIS = CodeProcedure(
     name="dmi2008-nonlinear-thesis",
     family=Family.DISPLACEMENT,
-    assess=assess_nonlinear_thesis,
+    assess=_assess_nonlinear_thesis,
     title=Term("DMI 2008, capacity spectrum, thesis reading"),
     short_title=Term("DMI 2008 sp., thesis"),
     work="dmi2008",

@@ -122,7 +122,7 @@ def pga_curve(incremental: Sequence[SuiteResponse]) -> PgaCurve:
     return PgaCurve(tuple(ratio for ratio, _ in standing), tuple(pga for _, pga in standing))
 
 
-def pga_before_failure(
+def _pga_before_failure(
     incremental: Sequence[SuiteResponse], passes: Callable[[SuiteResponse], bool], *, least_records: int
 ) -> float | None:
     """Return the PGA of the last suite before the first that fails.
@@ -250,7 +250,7 @@ def capacities_by_share(
         def holds(suite: SuiteResponse) -> bool:
             return shares[suite.pga] >= share and (share < NEEDED or passes(suite))
 
-        return pga_before_failure(incremental, holds, least_records=least_records)
+        return _pga_before_failure(incremental, holds, least_records=least_records)
 
     return Capacities(at_least(NEEDED), at_least(HALF_OF_DRAWS), at_least(LOW_SHARE))
 

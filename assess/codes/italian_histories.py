@@ -93,10 +93,10 @@ def assess_histories(
         for state, capacity in holds_to.items():
             for level in context.levels:
                 pga = level * pga_ratio(context.hazard, context.spectrum, state)
-                suite = suite_at(context, pga * confidence.factor)
+                suite = _suite_at(context, pga * confidence.factor)
                 if suite is not None:
                     found = SuiteDisplacements(
-                        suite, pga, displacement_ratios(oscillator, context, suite, rule.limits[state])
+                        suite, pga, _displacement_ratios(oscillator, context, suite, rule.limits[state])
                     )
                     made = _check(
                         oscillator, context, rule, found, capacity, state=state, level=level, confidence=confidence
@@ -109,13 +109,15 @@ def _capacities(oscillator: Oscillator, context: Context, limit: DisplacementLim
     """Return the PGA of the motion, FC included, up to which the rule holds."""
 
     def succeeds(suite: SuiteResponse) -> bool:
-        return passes_rule(SuiteDisplacements(suite, suite.pga, displacement_ratios(oscillator, context, suite, limit)))
+        return _passes_rule(
+            SuiteDisplacements(suite, suite.pga, _displacement_ratios(oscillator, context, suite, limit))
+        )
 
-    suites, measure = scan_suites(context), measure_of(oscillator, context, limit)
+    suites, measure = _scan_suites(context), measure_of(oscillator, context, limit)
     return capacities_by_share(suites, measure, succeeds, least_records=LEAST_RECORDS)
 
 
-def suite_at(context: Context, pga: float) -> SuiteResponse | None:
+def _suite_at(context: Context, pga: float) -> SuiteResponse | None:
     """Return the suite that was run at a PGA [m/s2]; None where there is none."""
     suites = (*context.suites, *context.extra_suites)
     return next((suite for suite in suites if isclose(suite.pga, pga, rel_tol=1e-9)), None)
@@ -153,7 +155,7 @@ def required_pga(
     return tuple(level * each for each in shares for level in levels)
 
 
-def scan_suites(context: Context) -> tuple[SuiteResponse, ...]:
+def _scan_suites(context: Context) -> tuple[SuiteResponse, ...]:
     """Return all suites at rising PGA, those at the PGA of limit states among them; none without a scan."""
     if not context.incremental:
         return ()
@@ -230,7 +232,7 @@ def _rotation_ratio(found: SuiteDisplacements) -> float | None:
 
 
 def _history_outcome(found: SuiteDisplacements, *, state: str) -> tuple[Outcome, Message]:
-    n, fallen, passed = len(found.displacements), found.suite.overturned, beyond_collapse(found)
+    n, fallen, passed = len(found.displacements), found.suite.overturned, _beyond_collapse(found)
     if n < LEAST_RECORDS:
         few = {"n": whole_number(n), "fallen": whole_number(fallen), "least": whole_number(LEAST_RECORDS)}
         return Outcome.NOT_ANSWERED, reason_message(Reason.TOO_FEW_RECORDS, clause=NUMBER_CLAUSE, **few)
@@ -339,18 +341,18 @@ class SuiteDisplacements:
         return max(self.limit_ratios) if self.uses_largest else sum(self.limit_ratios) / len(self.limit_ratios)
 
 
-def displacement_ratios(
+def _displacement_ratios(
     oscillator: Oscillator, context: Context, suite: SuiteResponse, limit: DisplacementLimit
 ) -> tuple[DisplacementRatios, ...]:
     """Return d*/d0* and d*/d_LS of each record as it is [-], each by the branch of its maximum."""
-    of_collapse, of_limit = run_ratios(oscillator, context, suite, limit)
+    of_collapse, of_limit = _run_ratios(oscillator, context, suite, limit)
     return tuple(
         DisplacementRatios(None, None) if isinf(far) else DisplacementRatios(far, near)
         for far, near in zip(of_collapse[0].tolist(), of_limit[0].tolist(), strict=True)
     )
 
 
-def run_ratios(
+def _run_ratios(
     oscillator: Oscillator, context: Context, suite: SuiteResponse, limit: DisplacementLimit
 ) -> tuple[FloatArray, FloatArray]:
     """Return d*/d0* and d*/d_LS of every run of each record [runs, records] [-]; inf where it overturned."""
@@ -369,12 +371,12 @@ def run_ratios(
     return of_collapse, of_limit
 
 
-def passes_rule(found: SuiteDisplacements) -> bool:
+def _passes_rule(found: SuiteDisplacements) -> bool:
     """Return whether all records leave the body short of d0*, and the governing ratio is within 1."""
-    return found.governing_ratio is not None and found.governing_ratio <= 1.0 and not beyond_collapse(found)
+    return found.governing_ratio is not None and found.governing_ratio <= 1.0 and not _beyond_collapse(found)
 
 
-def beyond_collapse(found: SuiteDisplacements) -> int:
+def _beyond_collapse(found: SuiteDisplacements) -> int:
     """Return how many records move beyond d0* without overturning."""
     return sum(1 for each in found.displacements if each.of_collapse is not None and each.of_collapse > 1.0)
 
@@ -383,7 +385,7 @@ def measure_of(oscillator: Oscillator, context: Context, limit: DisplacementLimi
     """Return the governing ratio and the rule in every draw, as functions of a suite."""
 
     def measure(suite: SuiteResponse) -> tuple[FloatArray, BoolArray]:
-        collapse, near = (draw_values(each) for each in run_ratios(oscillator, context, suite, limit))
+        collapse, near = (draw_values(each) for each in _run_ratios(oscillator, context, suite, limit))
         few = near.shape[1] < RECORDS_FOR_MEAN
         ratio = near.max(axis=1) if few else near.mean(axis=1)
         return ratio, (ratio <= 1.0) & (collapse <= 1.0).all(axis=1)

@@ -75,16 +75,16 @@ def _linear_check(case: LimitStateCase, options: ItalianOptions) -> Check:
         damping=clauses.ELASTIC_DAMPING,
         steps=(
             *kinematic.activation_steps(case, clauses.EDITION),
-            *period_steps(case, T0=T0),
-            *share_steps(case, modes),
-            *acceleration_demand_steps(case, modes, over_pga, T0=T0, a0=a0),
+            *_period_steps(case, T0=T0),
+            *_share_steps(case, modes),
+            *_acceleration_demand_steps(case, modes, over_pga, T0=T0, a0=a0),
             *_linear_capacity_steps(case, over_pga, a0=a0, q=q),
             *kinematic.acceleration_ratio_steps(LINEAR_CLAUSES[case.state], demands, capacity=a0),
         ),
     )
 
 
-def acceleration_demand_steps(
+def _acceleration_demand_steps(
     case: LimitStateCase,
     modes: clauses.FirstModes | None,
     over_pga: Demands | None,
@@ -100,7 +100,7 @@ def acceleration_demand_steps(
     if over_pga is None:
         return ()
     spectrum, free = case.context.spectrum, T0 > 0.0
-    ground, floor = ("S_e(T0)" if free else "PGA"), ("S_eZ(T0)" if free else peak_symbol(symbol))
+    ground, floor = ("S_e(T0)" if free else "PGA"), ("S_eZ(T0)" if free else _peak_symbol(symbol))
     given = {"a0*": (a0, "m/s2"), "PGA": (case.pga, "m/s2"), ground: (over_pga.ground * case.pga, "m/s2")}
     steps: list[Step] = []
     if free:
@@ -109,23 +109,23 @@ def acceleration_demand_steps(
         steps.append(step(ground, words, spectrum.clause, "S_e(T, ξ)", value, "m/s2", at=at))
     most = ground
     if modes is not None:
-        steps += floor_acceleration_steps(case, modes, T0=T0, symbol=symbol)
+        steps += _floor_acceleration_steps(case, modes, T0=T0, symbol=symbol)
         given[floor], most = (over_pga.floor * case.pga, "m/s2"), f"max({ground}, {floor})"
     words, value = "PGA of activation, by the larger of ground and floor", clauses.activation_pga(a0, over_pga)
     clause, formula = "C8.7.1.9" if free else "C8.7.1.8", f"a0* · PGA / {most}"
     return *steps, step("a_g,SLD S", words, clause, formula, value, "m/s2", given=given)
 
 
-def floor_acceleration_steps(
+def _floor_acceleration_steps(
     case: LimitStateCase, modes: clauses.FirstModes, *, T0: float, symbol: str
 ) -> tuple[Step, ...]:
     """Write the floor's acceleration under the most demanding first mode."""
     first, _ = clauses.floor_acceleration(case.context, modes, T0)
     why = "first mode, softened by 1.5 to 2.0: that of the largest acceleration"
-    at = ordinate_steps(case, modes, (symbol, first), ("T0", T0), damping=clauses.ELASTIC_DAMPING) if T0 > 0.0 else ()
+    at = _ordinate_steps(case, modes, (symbol, first), ("T0", T0), damping=clauses.ELASTIC_DAMPING) if T0 > 0.0 else ()
     return (
         *first_mode_steps(modes, first, symbol, ("T0", T0), why),
-        *peak_steps(case, modes, first, symbol),
+        *_peak_steps(case, modes, first, symbol),
         *at,
     )
 
@@ -195,9 +195,9 @@ def _nonlinear_check(case: LimitStateCase) -> Check:
     cap, analysis = derived.capacity, _displacement_analysis(case, derived)
     steps = (
         *kinematic.activation_steps(case, clauses.EDITION),
-        *period_steps(case, T0=cap.T0),
-        *share_steps(case, derived.modes),
-        *acceleration_demand_steps(
+        *_period_steps(case, T0=cap.T0),
+        *_share_steps(case, derived.modes),
+        *_acceleration_demand_steps(
             case, derived.modes, derived.acceleration_per_pga, T0=cap.T0, a0=cap.a0, symbol=AT_ACTIVATION
         ),
         *_nonlinear_capacity_steps(case, cap),
@@ -299,8 +299,8 @@ def _floor_displacement_steps(
     first = (FIRST, demand.first)
     return (
         *first_mode_steps(modes, demand.first, FIRST, T, SOFTENED_WORST),
-        *peak_steps(case, modes, demand.first, FIRST),
-        *ordinate_steps(case, modes, first, T, damping=damping),
+        *_peak_steps(case, modes, demand.first, FIRST),
+        *_ordinate_steps(case, modes, first, T, damping=damping),
         *_floor_demand_steps(case, modes, demand, T, damping=damping),
         *_comparison_damping_steps(case, derived, damping=damping),
     )
@@ -370,7 +370,7 @@ NTC2018_HISTORY = CodeProcedure(
 )
 
 
-def period_steps(case: LimitStateCase, *, T0: float) -> tuple[Step, ...]:
+def _period_steps(case: LimitStateCase, *, T0: float) -> tuple[Step, ...]:
     """Write T0 of an element that vibrates before it lifts off."""
     if T0 == 0.0:
         return ()
@@ -380,7 +380,7 @@ def period_steps(case: LimitStateCase, *, T0: float) -> tuple[Step, ...]:
     return (step("T0", words, "C8.7.1.6", "1 / f", T0, "s", given={"f": (1.0 / T0, "Hz")}),)
 
 
-def share_steps(case: LimitStateCase, modes: clauses.FirstModes | None) -> tuple[Step, ...]:
+def _share_steps(case: LimitStateCase, modes: clauses.FirstModes | None) -> tuple[Step, ...]:
     """Write gamma psi of the floor and the elastic first mode; nothing at the ground."""
     building = case.context.building
     if modes is None or building is None:
@@ -413,7 +413,7 @@ def first_mode_steps(
     return (step(symbol, why, "C8.7.1.2.1.4", "k · T1", first, "s", given=k),)
 
 
-def peak_steps(case: LimitStateCase, modes: clauses.FirstModes, first: float, symbol: str) -> tuple[Step, ...]:
+def _peak_steps(case: LimitStateCase, modes: clauses.FirstModes, first: float, symbol: str) -> tuple[Step, ...]:
     """Write S_e(T1, xi1) and a_Z of the floor under the first mode of period `first` [s], named `symbol`."""
     spectrum = case.context.spectrum
     scale, xi = case.pga / spectrum.pga, modes.damping
@@ -425,17 +425,17 @@ def peak_steps(case: LimitStateCase, modes: clauses.FirstModes, first: float, sy
     return (
         step(name, "elastic spectrum at the first mode", spectrum.clause, "S_e(T, ξ1)", spectral, "m/s2", at=at),
         step(
-            peak_symbol(symbol), words, "C7.2.7, C7.2.8", f"{name} · γψ · √(1 + (2 · ξ1)²)", peak, "m/s2", given=given
+            _peak_symbol(symbol), words, "C7.2.7, C7.2.8", f"{name} · γψ · √(1 + (2 · ξ1)²)", peak, "m/s2", given=given
         ),
     )
 
 
-def peak_symbol(first: str) -> str:
+def _peak_symbol(first: str) -> str:
     """Return the symbol of a_Z under the first mode named `first`."""
     return f"a_Z({first})"
 
 
-def ordinate_steps(
+def _ordinate_steps(
     case: LimitStateCase, modes: clauses.FirstModes, first: tuple[str, float], T: tuple[str, float], *, damping: float
 ) -> tuple[Step, ...]:
     """Write A and the ordinate of the floor spectrum at T under T_1', both (symbol, value) [s]."""
@@ -445,7 +445,7 @@ def ordinate_steps(
     A = max(1.1 / np.sqrt(modes.damping) * eta, 1.0)
     value = clauses.floor_ordinate(case.context, modes, building, period, damping=damping) * scale
     formula, given = _ordinate_formula(symbol, period, name, building)
-    given = {"A": A, peak_symbol(name): (peak, "m/s2"), **given}
+    given = {"A": A, _peak_symbol(name): (peak, "m/s2"), **given}
     if period > building:
         ground = float(spectrum.acceleration(period, damping=damping)) * scale
         formula, given = f"max({formula}, S_e({symbol}))", {**given, f"S_e({symbol})": (ground, "m/s2")}
@@ -460,7 +460,7 @@ def _ordinate_formula(
     symbol: str, period: float, name: str, first: float
 ) -> tuple[str, dict[str, float | tuple[float, str]]]:
     """Return the formula of C7.2.6 on the stretch where a period lies, and its inputs besides A and a_Z."""
-    (a, b), peak = PLATEAU, peak_symbol(name)
+    (a, b), peak = PLATEAU, _peak_symbol(name)
     given: dict[str, float | tuple[float, str]] = {symbol: (period, "s"), name: (first, "s")}
     if period < a * first:
         return f"A · {peak} / (1 + (A − 1) · (1 − {symbol} / (a · {name}))^1.6)", {**given, "a": a}

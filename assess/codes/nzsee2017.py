@@ -169,7 +169,7 @@ def _answered(check: Check, branch: Branch, context: Context, response: WallResp
         capacity_rotation_ratio=response.usable_rotation / branch.overturning,
         rotation_ratio=demanded / branch.overturning if stands else None,
         pga_curve=_curve(branch, response),
-        steps=sheet_steps(branch, context, response, level=level),
+        steps=_sheet_steps(branch, context, response, level=level),
     )
 
 
@@ -448,7 +448,7 @@ def uplift_pga(multiplier: float | None, *, floor: float, risk_factor: float) ->
 AT_REST = "table of the mechanism, at rest"
 
 
-def sheet_steps(branch: Branch, context: Context, response: WallResponse, *, level: float) -> tuple[Step, ...]:
+def _sheet_steps(branch: Branch, context: Context, response: WallResponse, *, level: float) -> tuple[Step, ...]:
     """Write all lines of the sheet but the score; level: PGA [m/s2]."""
     return (
         *_wall_steps(branch, response),

@@ -102,10 +102,10 @@ def missing_input(key: str, why: Message, toml: str = "", *, reasons: tuple[Mess
     return Missing(key, why.text, toml, reasons, (why,))
 
 
-def join_with_or(names: Sequence[str]) -> Message | str:
+def _join_with_or(names: Sequence[str]) -> Message | str:
     """Return names with "or" between them."""
     first, *others = names
-    return first if not others else message("either", {"first": first, "second": join_with_or(others)})
+    return first if not others else message("either", {"first": first, "second": _join_with_or(others)})
 
 
 def merge_missing(missing: Sequence[Missing]) -> tuple[Missing, ...]:
@@ -147,7 +147,7 @@ def find_limit_states(question: Question) -> tuple[tuple[LimitState, ...], tuple
     chosen = tuple(state for state in basis.chosen if state.name == name)
     if not chosen:
         names = [state.name for state in basis.chosen]
-        why = message("missing-limit-state", {"states": join_with_or(names)})
+        why = message("missing-limit-state", {"states": _join_with_or(names)})
         return (), (missing_input("verdict.limit_state", why, f'limit_state = "{names[0]}"'),)
     return (*chosen, *_additional_states(basis, question.use_class)), ()
 
@@ -162,7 +162,7 @@ def _additional_states(basis: Basis, use_class: str | None) -> tuple[LimitState,
     return tuple(state for state in every if use_class is None or use_class in state.classes)
 
 
-def requested_methods(state: LimitState, question: Question) -> tuple[str, ...]:
+def _requested_methods(state: LimitState, question: Question) -> tuple[str, ...]:
     """Return the procedures that may decide a limit state, in order of refinement."""
     return tuple(method.procedure for rank in requested_ranks(state, question.procedures) for method in rank)
 
@@ -170,7 +170,7 @@ def requested_methods(state: LimitState, question: Question) -> tuple[str, ...]:
 def methods_of(question: Question) -> tuple[str, ...]:
     """Return the procedures that may decide any limit state, each once; none without a basis."""
     states, _ = find_limit_states(question)
-    return tuple(dict.fromkeys(method for state in states for method in requested_methods(state, question)))
+    return tuple(dict.fromkeys(method for state in states for method in _requested_methods(state, question)))
 
 
 def requested_ranks(state: LimitState, named: tuple[str, ...] | None) -> tuple[Rank, ...]:
@@ -211,7 +211,7 @@ def missing_action(state: LimitState, action: Action) -> Missing | None:
     """
     if not state.actions or action.limit_state in state.actions:
         return None
-    of_state: dict[str, Value] = {"state": state.name, "states": join_with_or(state.actions)}
+    of_state: dict[str, Value] = {"state": state.name, "states": _join_with_or(state.actions)}
     if action.over_periods:
         if any(each in EXCEEDANCE for each in state.actions):
             return None
@@ -400,7 +400,7 @@ def toml_lines(missing: Sequence[Missing], given: Collection[str]) -> tuple[str,
     lines: list[str] = []
     for table, keys in tables.items():
         lines += [
-            table_heading(table) + _heading_remark(table, given),
+            _table_heading(table) + _heading_remark(table, given),
             *(line for key in keys for line in key.splitlines()),
         ]
     return tuple(lines)
@@ -420,7 +420,7 @@ def _heading_remark(table: str, given: Collection[str]) -> str:
     return "  # where this heading is in your file already, add below it" if within else ""
 
 
-def table_heading(table: str) -> str:
+def _table_heading(table: str) -> str:
     """Return the heading of a table of the project file, a name given by the user quoted where TOML needs it."""
     first, _, name = table.partition(".")
     plain = first not in TABLES_OF_NAMES or _BARE.fullmatch(name)

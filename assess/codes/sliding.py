@@ -58,7 +58,7 @@ def assess_sliding(oscillator: Oscillator, context: Context) -> tuple[Check, ...
 
     It is answered only where the friction of every hinge is known, and every hinge presses.
     """
-    unanswerable = reason_friction_unknown(context.hinges)
+    unanswerable = _reason_friction_unknown(context.hinges)
     checks = [
         _friction_unanswered(level, context, unanswerable) if unanswerable else _friction_check_at_level(level, context)
         for level in context.levels
@@ -77,7 +77,7 @@ SLIDING = CodeProcedure(
 )
 
 
-def reason_friction_unknown(hinges: Sequence[HingeForces]) -> Message | None:
+def _reason_friction_unknown(hinges: Sequence[HingeForces]) -> Message | None:
     """Return why sliding cannot be checked, with the remedy; None where it can."""
     if not hinges:
         return reason_message(Reason.NO_HINGE_FORCES)
@@ -207,7 +207,7 @@ def _friction_steps(hinge: HingeForces, level: float, context: Context, slides_a
     """Write the sheet of the governing hinge, from its forces on."""
     held = [each for each in context.hinges if each.held and each.branch == hinge.branch]
     return (
-        *incipient_motion_steps(hinge),
+        *_incipient_motion_steps(hinge),
         *_level_steps(hinge, level, context),
         *_sliding_steps(hinge, context, slides_at),
         *(step for each in held for step in _held_steps(each)),
@@ -243,7 +243,7 @@ def _friction_step(symbol: str, words: str, hinge: HingeForces) -> Step:
     return step(symbol, words, FRICTION_EDITION, "|T| / N", hinge.required_friction, given=pressed)
 
 
-def incipient_motion_steps(hinge: HingeForces) -> tuple[Step, ...]:
+def _incipient_motion_steps(hinge: HingeForces) -> tuple[Step, ...]:
     """Write H, V, N and T of a hinge when the mechanism starts to rock, and the friction they need."""
     H, V, (n_x, n_z), name = hinge.horizontal, hinge.vertical, hinge.face, hinge.hinge
     N, T = hinge.starting.normal, hinge.starting.shear
@@ -359,7 +359,7 @@ ASCE43_05_SLIDING = CodeProcedure(
 )
 
 
-def exclusion_reason(context: Context) -> tuple[Outcome, Message] | None:
+def _exclusion_reason(context: Context) -> tuple[Outcome, Message] | None:
     """Return why A.1 excludes this mechanism, with the remedy; None where it covers it."""
     if not context.hinges:
         return Outcome.NOT_ANSWERED, reason_message(Reason.NO_HINGE_FORCES)
@@ -376,7 +376,7 @@ def exclusion_reason(context: Context) -> tuple[Outcome, Message] | None:
 
 
 def _distance_check_at_level(level: float, context: Context, mass: float, allowable: float | None) -> Check:
-    not_covered = exclusion_reason(context)
+    not_covered = _exclusion_reason(context)
     if not_covered is not None:
         verdict, reason = not_covered
         steps = (step("δ_s", "best estimate of sliding", A1, "-", None, "m", remark=UNANSWERED),)

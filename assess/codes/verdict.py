@@ -154,7 +154,7 @@ class _Criteria:
 def _decide_mechanism(mechanism: MechanismChecks, criteria: _Criteria) -> MechanismVerdict:
     """Decide one mechanism; numbers that pass do not make up for an input that is missing."""
     answers = [
-        find_answer(mechanism, state, criteria.question, criteria.basis, criteria.target) for state in criteria.states
+        _find_answer(mechanism, state, criteria.question, criteria.basis, criteria.target) for state in criteria.states
     ]
     found = _by_class(answers, criteria)
     missing = merge_missing((*(missing for each in found for missing in each.missing), *mechanism.missing))
@@ -337,7 +337,7 @@ class AnswerAndChecks:
     missing: tuple[Missing, ...] = ()
 
 
-def find_answer(
+def _find_answer(
     mechanism: MechanismChecks, state: LimitState, question: Question, basis: Basis, target: float | None
 ) -> AnswerAndChecks:
     """Find the answer of the most refined method that may decide and was answered.
@@ -398,11 +398,11 @@ def _of_method(mechanism: MechanismChecks, procedure: str, state: LimitState, ac
         and _is_of(check, state)
         and check.follows_code
         and check.verdict != Outcome.NOT_APPLICABLE
-        and at_action(check, action)
+        and _at_action(check, action)
     ]
 
 
-def at_action(check: Check, action: Action) -> bool:
+def _at_action(check: Check, action: Action) -> bool:
     """Return whether a check is at the site's own action."""
     return isclose(check.level_pga_g, action.pga_g, rel_tol=1e-9)
 
@@ -629,7 +629,7 @@ def _is_behind(check: Check, answer: Answer, basis: Basis | None, action: Action
         return False
     states = {state.checked_as for state in basis.states if state.name == answer.limit_state}
     decides = check.verdict in (Outcome.PASS, Outcome.FAIL)
-    return decides and bool(states & {check.limit_state, "*"}) and at_action(check, action)
+    return decides and bool(states & {check.limit_state, "*"}) and _at_action(check, action)
 
 
 AT_THE_LIMIT = " at the limit"

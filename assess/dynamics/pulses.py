@@ -66,7 +66,7 @@ def envelope(
     MechanismError : a branch that cannot rock
     ValueError : a frequency that is not positive
     """
-    check_frequency(frequency)
+    _check_frequency(frequency)
     fill = _envelope_kernel(oscillator, shape, equation)  # first, for it rejects what cannot rock
     times = np.ones_like(frequency) if factor is None else factor
     signs = np.array(polarities(oscillator), dtype=np.float64)
@@ -246,9 +246,9 @@ def make_pulse_solver(
     MechanismError : a branch that cannot rock
     ValueError : a frequency that is not positive
     """
-    check_frequency(frequency)
+    _check_frequency(frequency)
     each = [pack(oscillator, equation) for oscillator in oscillators]
-    if has_closed_form(shape, equation):
+    if _has_closed_form(shape, equation):
         run: RunPulses = partial(sine.sine_outcomes, branches_of(each), shape.end, kernel_array(frequency, np.float64))
     else:
         run = _KERNELS[equation](each, (*pulse_polynomials(shape), kernel_array(frequency, np.float64)))
@@ -278,14 +278,14 @@ def make_pulse_solver(
     return answer
 
 
-def check_frequency(frequency: FloatArray) -> None:
+def _check_frequency(frequency: FloatArray) -> None:
     """Raise ValueError for a frequency [n] that is not positive."""
     bad = np.flatnonzero(~(np.isfinite(frequency) & (frequency > 0.0)))
     if bad.size:
         raise ValueError(f"frequency[{bad[0]}] = {frequency[bad[0]]} Hz of a pulse; it must be a positive number")
 
 
-def has_closed_form(shape: PulseShape, equation: Equation) -> bool:
+def _has_closed_form(shape: PulseShape, equation: Equation) -> bool:
     """Return whether the motion between two events has a closed form: a sine, whole or half, linearised."""
     return equation == "linearised" and shape.name in ("sine", "half-sine")
 
@@ -334,7 +334,7 @@ CHUNK = 3
 def _envelope_kernel(oscillator: Oscillator, shape: PulseShape, equation: Equation) -> Callable[..., None]:
     """Return the kernel for the envelope of this oscillator and shape."""
     one = pack(oscillator, equation)
-    if has_closed_form(shape, equation):
+    if _has_closed_form(shape, equation):
         return partial(sine.envelope_sine, one.branches, shape.end)
     if equation == "linearised":
         return partial(linearised.envelope_linearised, one.branches, *pulse_polynomials(shape))

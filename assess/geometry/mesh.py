@@ -108,13 +108,13 @@ def _solid(
 ) -> Solid:
     """Return the solid inside some of a model's meshes."""
     _, about_unit = _resolve_unit(selected, scale, where=where)
-    surface = merge_vertices(*assemble_mesh(selected, meshes, scale=scale, up=up, where=where))
+    surface = merge_vertices(*_assemble_mesh(selected, meshes, scale=scale, up=up, where=where))
     if not len(surface[1]):
         raise GeometryError(f"{where}: all its triangles have shrunk to lines or points; export it with more digits")
     surface, repairs = repair(surface, where=where)
     solid = polyhedron(*surface, density=density, name=name)
     unit = scale or selected.unit or 1.0
-    refuse_implausible(
+    _refuse_implausible(
         solid, unit=unit, given=scale is not None, single=_is_single_precision(selected.file), where=where
     )
     history = (
@@ -127,7 +127,7 @@ def _solid(
     return replace(solid, history=history)
 
 
-def assemble_mesh(
+def _assemble_mesh(
     selected: SelectedMeshes, meshes: Sequence[ElementMesh], *, scale: float | None, up: Up | None, where: str
 ) -> Surface:
     """Assemble some of a model's meshes into one, oriented with z up and in metres.
@@ -389,7 +389,7 @@ def _inventory_entry(
     if mesh.fault:
         return InventoryEntry(name, element, why_not=mesh.fault)
     try:
-        vertices, triangles = assemble_mesh(selected, selected.meshes, scale=scale, up=up, where="")
+        vertices, triangles = _assemble_mesh(selected, selected.meshes, scale=scale, up=up, where="")
     except GeometryError as problem:
         return InventoryEntry(name, element, len(mesh.triangles), why_not=_reason(problem, name))
     thin, used = thin_direction(vertices, triangles), vertices[np.unique(triangles)]
@@ -482,7 +482,7 @@ TOO_COARSE = 0.01  # of its thickness: rounding that spoils them
 UNIT_ROUNDING = 1e-12  # of the farthest coordinate: rounding of a change of units
 
 
-def refuse_implausible(solid: Solid, *, unit: float, given: bool, single: bool, where: str) -> None:
+def _refuse_implausible(solid: Solid, *, unit: float, given: bool, single: bool, where: str) -> None:
     """Raise where a mesh cannot be a masonry body, by its size or by the precision of its coordinates.
 
     A small specimen is accepted where the project gives its unit.

@@ -186,7 +186,7 @@ def _vertices_between(vertices: FloatArray, a: int, b: int, rim: IntArray, tree:
 def _fill_holes(surface: Surface) -> tuple[Surface, Steps]:
     """Close all holes by planes, if they are nearly plane and a small part of the surface; else none."""
     vertices, triangles = surface
-    holes = find_holes(surface)
+    holes = _find_holes(surface)
     if not holes or _unclosable(surface, holes):
         return surface, ()
     new = (vertices, np.concatenate([triangles, *(hole.triangles for hole in holes)]))
@@ -224,7 +224,7 @@ def _refuse_open(surface: Surface, *, where: str) -> None:
     edges = find_edges(triangles)
     if edges.closed:
         return
-    holes = find_holes(surface)
+    holes = _find_holes(surface)
     if holes:
         number = count_noun(int((edges.count == 1).sum()), "open edge")
         why = _unclosable(surface, holes) or "besides edges of three triangles"
@@ -283,10 +283,10 @@ class _Ring:
     deviation: float
 
 
-def find_holes(surface: Surface) -> list[Hole]:
+def _find_holes(surface: Surface) -> list[Hole]:
     """Find the holes of a surface; coplanar nested loops bound one hole, like the foot of a tube."""
     vertices, triangles = surface
-    rings = [_ring(vertices, loop) for loop in closed_loops(open_edges(find_edges(triangles))[:, ::-1])]
+    rings = [_ring(vertices, loop) for loop in _closed_loops(open_edges(find_edges(triangles))[:, ::-1])]
     rings.sort(key=lambda ring: -float(np.linalg.norm(ring.normal)))
     groups: list[list[_Ring]] = []
     for ring in rings:
@@ -298,7 +298,7 @@ def find_holes(surface: Surface) -> list[Hole]:
     return [_hole(group) for group in groups]
 
 
-def closed_loops(edges: IntArray) -> list[IntArray]:
+def _closed_loops(edges: IntArray) -> list[IntArray]:
     """Trace closed loops of vertices along directed edges [b, 2]; chains that end are dropped."""
     onwards: dict[int, list[int]] = {}
     for start, end in edges.tolist():

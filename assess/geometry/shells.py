@@ -143,7 +143,7 @@ def _lies_in_material(shell: Surface, parts: list[FloatArray], boxes: FloatArray
     normals = area_vectors(corners)
     depth = OVERLAP * float(np.ptp(vertices[triangles], axis=(0, 1)).max())
     inside = corners.mean(axis=1) + depth * normals / np.linalg.norm(normals, axis=1, keepdims=True).clip(1e-300)
-    return bool(np.mean(winding_numbers(inside, parts, boxes) > 0) > 0.5)
+    return bool(np.mean(_winding_numbers(inside, parts, boxes) > 0) > 0.5)
 
 
 def _unite_overlapping(shells: list[Surface], *, where: str) -> tuple[list[Surface], tuple[Message, ...]]:
@@ -166,11 +166,11 @@ def _find_overlap(shells: list[Surface]) -> FloatArray | None:
     parts, boxes = _corners_and_boxes(shells)
     size = float(np.ptp(boxes, axis=(0, 1)).max())
     behind = np.array([_point_behind(part, depth=OVERLAP * size) for part in parts])
-    hidden = winding_numbers(behind, parts, boxes) != 1
+    hidden = _winding_numbers(behind, parts, boxes) != 1
     if hidden.any():
         return np.asarray(behind[hidden][0], dtype=np.float64)
-    beside = points_beside_intersections(parts, boxes, size=size)
-    found = winding_numbers(beside, parts, boxes)
+    beside = _points_beside_intersections(parts, boxes, size=size)
+    found = _winding_numbers(beside, parts, boxes)
     wrong = (found < 0) | (found > 1)
     return np.asarray(beside[wrong][0], dtype=np.float64) if wrong.any() else None
 
@@ -306,7 +306,7 @@ _TURNS = np.linspace(0.0, 2.0 * np.pi, 17)[:-1] + np.pi / 16.0
 _AROUND = np.column_stack([np.cos(_TURNS), np.sin(_TURNS)])  # directions around a seam [16, 2]
 
 
-def points_beside_intersections(parts: list[FloatArray], boxes: FloatArray, *, size: float) -> FloatArray:
+def _points_beside_intersections(parts: list[FloatArray], boxes: FloatArray, *, size: float) -> FloatArray:
     """Return points [k, 3] that would reveal an overlap of shells.
 
     Where two volumes overlap and neither contains the other, the border of the common part passes from one surface to
@@ -401,7 +401,7 @@ SHEAR = np.array([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [-0.21372, -0.13187, 1.0]])
 """Sets upright a direction in which masonry has no edges: rays along it meet faces, not their borders."""
 
 
-def winding_numbers(points: FloatArray, parts: list[FloatArray], boxes: FloatArray) -> IntArray:
+def _winding_numbers(points: FloatArray, parts: list[FloatArray], boxes: FloatArray) -> IntArray:
     """Return how often all shells together enclose each point.
 
     Parameters

@@ -163,14 +163,14 @@ def join(solids: Sequence[Solid], *, name: str) -> Solid:
     mass = sum(solid.mass for solid in solids)
     origin = solids[0].centroid
     centroid = origin + sum((s.mass * (s.centroid - origin) for s in solids), start=np.zeros(3)) / mass
-    inertia = sum((s.inertia + s.mass * parallel_axis(s.centroid - centroid) for s in solids), start=np.zeros((3, 3)))
+    inertia = sum((s.inertia + s.mass * _parallel_axis(s.centroid - centroid) for s in solids), start=np.zeros((3, 3)))
     starts = np.cumsum([0, *(len(solid.vertices) for solid in solids[:-1])])
     triangles = [solid.triangles + start for solid, start in zip(solids, starts, strict=True)]
     vertices = np.concatenate([solid.vertices for solid in solids])
     return _solid(name, mass, centroid, inertia, vertices, np.concatenate(triangles))
 
 
-def parallel_axis(shift: FloatArray) -> FloatArray:
+def _parallel_axis(shift: FloatArray) -> FloatArray:
     """Return the inertia tensor [3, 3] [m2] of a unit point mass at `shift` [3] [m]: |r|^2 E - r r^T."""
     return np.asarray(shift @ shift * np.eye(3) - np.outer(shift, shift), dtype=np.float64)
 

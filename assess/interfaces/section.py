@@ -98,7 +98,7 @@ def hollow_rectangle(
 
 def circle(diameter: float) -> ContactSection:
     """Return a disc of the diameter [m]."""
-    return section_of_discs(_require_size("diameter", diameter) / 2.0)
+    return _section_of_discs(_require_size("diameter", diameter) / 2.0)
 
 
 def annulus(diameter: float, *, inner: float) -> ContactSection:
@@ -110,7 +110,7 @@ def annulus(diameter: float, *, inner: float) -> ContactSection:
     inner : diameter of the hole [m]
     """
     _require_smaller_hole(_require_size("inner diameter", inner), _require_size("diameter", diameter), "diameter")
-    return section_of_discs(diameter / 2.0, inner=inner / 2.0)
+    return _section_of_discs(diameter / 2.0, inner=inner / 2.0)
 
 
 def polygon(region: shapely.Polygon | shapely.MultiPolygon, *, direction: DirectionVector) -> ContactSection:
@@ -142,11 +142,11 @@ def polygon(region: shapely.Polygon | shapely.MultiPolygon, *, direction: Direct
     edges = np.concatenate([np.stack([ring[:-1], ring[1:]], axis=1) for ring in corners])
     edges[:, :, 0] = reach - edges[:, :, 0]
     knots, widths, sides = _widths(edges)
-    return section_of_pieces(knots, widths=widths, sides=sides, breadth=float(np.ptp(across)))
+    return _section_of_pieces(knots, widths=widths, sides=sides, breadth=float(np.ptp(across)))
 
 
 def _widths(edges: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """Return knots [m + 1], widths [m, 2] and sides [m, 3] of a region, see `section_of_pieces`.
+    """Return knots [m + 1], widths [m, 2] and sides [m, 3] of a region, see `_section_of_pieces`.
 
     edges : both ends (depth, offset) of each edge of its border, the region on its right in these axes [n, 2, 2] [m]
 
@@ -219,7 +219,7 @@ def _unit(direction: DirectionVector) -> FloatArray:
     return np.asarray(vector / np.linalg.norm(vector), dtype=np.float64)
 
 
-def section_of_pieces(knots: ArrayLike, *, widths: ArrayLike, sides: ArrayLike, breadth: float) -> ContactSection:
+def _section_of_pieces(knots: ArrayLike, *, widths: ArrayLike, sides: ArrayLike, breadth: float) -> ContactSection:
     """Make a section whose width is linear between knots.
 
     Parameters
@@ -251,7 +251,7 @@ def section_of_pieces(knots: ArrayLike, *, widths: ArrayLike, sides: ArrayLike, 
     )
 
 
-def section_of_discs(outer: float, *, inner: float = 0.0) -> ContactSection:
+def _section_of_discs(outer: float, *, inner: float = 0.0) -> ContactSection:
     """Make a disc of the outer radius with a concentric hole of the inner radius [m]."""
     discs = np.array([[outer, 0.0, 1.0], [inner, outer - inner, -1.0]])[: 2 if inner > 0.0 else 1]
     area = float(np.pi * (outer - inner) * (outer + inner))
@@ -268,7 +268,7 @@ def mirror(section: ContactSection) -> ContactSection:
     L = -np.diff(X)
     widths = np.column_stack([W0 + W1 * L, W0])
     sides = np.column_stack([V0 + d * (V1 + d * V2) for d in (L, L / 2.0, 0.0 * L)])
-    return section_of_pieces(X[0] - X, widths=widths, sides=-sides, breadth=section.breadth)
+    return _section_of_pieces(X[0] - X, widths=widths, sides=-sides, breadth=section.breadth)
 
 
 def _integral(powers: Sequence[FloatArray], L: FloatArray) -> FloatArray:

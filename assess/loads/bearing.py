@@ -174,11 +174,11 @@ def overburden_force(
     if head is None:
         raise GeometryError(f'{where}: {name}: the wall has no geometry, so no top; write a load of kind = "force"')
     middle, elevation = (head[0][0] + head[1][0]) / 2.0, head[0][1]
-    require_on_top(load, thickness=head[1][0] - head[0][0], where=f"{where}: {name}")
+    _require_on_top(load, thickness=head[1][0] - head[0][0], where=f"{where}: {name}")
     if load.force is not None:
         at = (middle + (load.eccentricity or 0.0), elevation)
         return Force(name, (0.0, -load.force), at, UPPER, until="collapse", evidence=WEIGHT)
-    found, states = weight_on_wall(load, piece, solids, moving, where=f"{where}: {name}")
+    found, states = _weight_on_wall(load, piece, solids, moving, where=f"{where}: {name}")
     x = point_in_plane(found.at.tolist(), direction)[0]
     if load.eccentricity is not None or load.through == "joint":
         x = middle + (load.eccentricity or 0.0)  # at rest the resultant of a joint is in its middle
@@ -188,18 +188,18 @@ def overburden_force(
     return Force(name, (0.0, -found.force), (x, elevation), UPPER, tuple(source), until="collapse", evidence=WEIGHT)
 
 
-def weight_on_wall(
+def _weight_on_wall(
     load: OverburdenLoad, piece: Piece, solids: Mapping[str, Solid | None], moving: Sequence[str], *, where: str
 ) -> tuple[Overburden, list[str]]:
     """Return the weight that bodies put on the wall, and the bodies left out because they are drawn in its place."""
-    carried = [require_solid(body, solids, where=where) for body in load.bodies]
+    carried = [_require_solid(body, solids, where=where) for body in load.bodies]
     beside = [solid for key, solid in solids.items() if solid is not None and key not in (*moving, *load.bodies)]
     states = [solid.name for solid in beside if shared_volume(piece.solids, solid)[0] > SAME_PLACE]
     others = [solid for solid in beside if solid.name not in states]
     return overburden(carried, block=piece.solids, others=others), states
 
 
-def require_on_top(load: OverburdenLoad, *, thickness: float, where: str) -> None:
+def _require_on_top(load: OverburdenLoad, *, thickness: float, where: str) -> None:
     """Raise GeometryError if the eccentricity puts a load beside the top of the wall; thickness: of the top [m]."""
     beyond = abs(load.eccentricity or 0.0) - thickness / 2.0
     if beyond > ROUNDING * thickness:
@@ -209,7 +209,7 @@ def require_on_top(load: OverburdenLoad, *, thickness: float, where: str) -> Non
         )
 
 
-def require_solid(body: str, solids: Mapping[str, Solid | None], *, where: str) -> Solid:
+def _require_solid(body: str, solids: Mapping[str, Solid | None], *, where: str) -> Solid:
     """Return the solid of a body that presses; raise GeometryError for one without geometry."""
     solid = solids[body]
     if solid is None:

@@ -43,9 +43,9 @@ def find_block_contact(load: BodyLoad, body: Solid | None, around: Surroundings)
     GeometryError : the body touches nothing of the block, or has no geometry where it needs one
     """
     given = load.at is not None and load.bearing is not None
-    found = find_support(load, body, given=given, around=around)
+    found = _find_support(load, body, given=given, around=around)
     if found is not None:
-        return without_overlapping_bodies(load, found, around=around)
+        return _without_overlapping_bodies(load, found, around=around)
     if body is None or given:
         return BlockContact(None)
     below = any(find_contact(solid, body, tolerance=load.tolerance) for solid in around.fixed)
@@ -81,15 +81,15 @@ def body_loads(
     found = meeting.support
     roof = body if load.role != "floor" else None
     arch = None if roof is None else arch_of(load, roof, along=around.along)
-    at = load_place(load, found, along=around.along)
-    side = 0.0 if roof is None else side_of_span(roof, found, arch, at, along=around.along)
+    at = _load_place(load, found, along=around.along)
+    side = 0.0 if roof is None else _side_of_span(roof, found, arch, at, along=around.along)
     placed = BodyOnBlock(load, body, found, arch, side, where=f'{around.where}: load "{load.body}"')
     whole, of = body_mass(load, body, mass=mass)
-    bearing, how = bears_on_block(placed)
-    part = carried_share(placed, bearing=bearing)
-    source, pushed = [of, part.source, how, *place_source(load, found, along=around.along)], list[Force]()
+    bearing, how = _bears_on_block(placed)
+    part = _carried_share(placed, bearing=bearing)
+    source, pushed = [of, part.source, how, *_place_source(load, found, along=around.along)], list[Force]()
     if roof is not None:
-        thrust = thrust_on(placed, V=g * part.share * whole, along=around.along)
+        thrust = _thrust_on(placed, V=g * part.share * whole, along=around.along)
         force = Force(f"{load.body} (thrust)", (thrust.size, 0.0), at, block, tuple(thrust.source))
         pushed += [force] if thrust.size else []
         source += [] if thrust.size else thrust.source
@@ -121,18 +121,18 @@ def loaded_blocks(
     """
     if len(among.pieces) == 1:
         return (LoadedBlock(load.block or 0, 0),), ()
-    contacts = contacts_with_blocks(load, body, among.pieces)
+    contacts = _contacts_with_blocks(load, body, among.pieces)
     if not contacts:
-        number = load.block if load.block is not None else nearest_block(load, body, among)
+        number = load.block if load.block is not None else _nearest_block(load, body, among)
         return (LoadedBlock(number, number),), ()
-    axis = springing_axis(load, body, along=among.along)
+    axis = _springing_axis(load, body, along=among.along)
     bears = [number for number, each in contacts.items() if carries_weight(each, axis=axis)]
     if load.block is not None:
         left_out = [number for number in bears if number not in taken]
-        return check_given_block(load, load.block, contacts, [*bears, *contacts][0], left_out, among=among)
+        return _check_given_block(load, load.block, contacts, [*bears, *contacts][0], left_out, among=among)
     found = bears if bears and load.bearing is not False else list(contacts)
     if len(found) > 1:
-        refuse_ambiguous(load, found, contacts, bears, among=among)
+        _refuse_ambiguous(load, found, contacts, bears, among=among)
     return tuple(LoadedBlock(number, number) for number in found), ()
 
 
@@ -220,7 +220,7 @@ class CarriedShare:
     warnings: tuple[Message, ...] = ()
 
 
-def find_support(load: BodyLoad, body: Solid | None, *, given: bool, around: Surroundings) -> Support | None:
+def _find_support(load: BodyLoad, body: Solid | None, *, given: bool, around: Surroundings) -> Support | None:
     """Find where the body meets the block and others; None if it does not, or if that is not known.
 
     given : whether the user says all that follows from it
@@ -237,10 +237,10 @@ def find_support(load: BodyLoad, body: Solid | None, *, given: bool, around: Sur
             raise GeometryError(f"{where}: {whose} has no geometry, so it is not known where they touch; {place}")
         return None
     found = support(body, block=around.block, others=(*around.others, *around.fixed), tolerance=load.tolerance)
-    return None if found is None else without_shared_space(found, around.block, tolerance=load.tolerance)
+    return None if found is None else _without_shared_space(found, around.block, tolerance=load.tolerance)
 
 
-def without_shared_space(found: Support, block: tuple[Solid, ...], *, tolerance: float) -> Support:
+def _without_shared_space(found: Support, block: tuple[Solid, ...], *, tolerance: float) -> Support:
     """Leave out contacts with what a cut separated from the block, where both lie at one elevation.
 
     There the face that the cut made is as near to the body as the face on which it stands.
@@ -254,7 +254,7 @@ def without_shared_space(found: Support, block: tuple[Solid, ...], *, tolerance:
     return Support(found.contact, kept)
 
 
-def without_overlapping_bodies(load: BodyLoad, found: Support, *, around: Surroundings) -> BlockContact:
+def _without_overlapping_bodies(load: BodyLoad, found: Support, *, around: Surroundings) -> BlockContact:
     """Leave out contacts with bodies that stand where the block does, and warn of each that overlaps it."""
     kept, warnings = dict(found.others), list[Message]()
     for other in (solid for solid in around.others if solid.name in found.others):
@@ -268,7 +268,7 @@ def without_overlapping_bodies(load: BodyLoad, found: Support, *, around: Surrou
     return BlockContact(Support(found.contact, kept), tuple(warnings))
 
 
-def bears_on_block(placed: BodyOnBlock) -> tuple[bool, Term | Message]:
+def _bears_on_block(placed: BodyOnBlock) -> tuple[bool, Term | Message]:
     """Return whether the block carries the body or is only pushed, and the source."""
     given = placed.load.bearing
     if placed.support is None:
@@ -282,7 +282,7 @@ def bears_on_block(placed: BodyOnBlock) -> tuple[bool, Term | Message]:
     return given, message("load-bears-given" if given else "load-pushes-given", {"seen": seen})
 
 
-def carried_share(placed: BodyOnBlock, *, bearing: bool) -> CarriedShare:
+def _carried_share(placed: BodyOnBlock, *, bearing: bool) -> CarriedShare:
     """Return the share of the body that the block carries."""
     carried = None if placed.support is None else bearing_contacts(placed.support, axis=placed.springs)
     statics = None
@@ -298,7 +298,7 @@ def carried_share(placed: BodyOnBlock, *, bearing: bool) -> CarriedShare:
         warnings = (warning("load-weight-not-carried", load=placed.load.body),) if statics is None else ()
         return CarriedShare(1.0, PUSHES_WHOLE, warnings)
     if statics is None or carried is None:
-        return share_of_sole_support(placed)
+        return _share_of_sole_support(placed)
     if statics == 0.0:
         raise GeometryError(f"{placed.where}: by statics it lifts off the block; give share, or bearing = false")
     names = ", ".join(f'"{name}"' for name in carried.others)
@@ -306,23 +306,23 @@ def carried_share(placed: BodyOnBlock, *, bearing: bool) -> CarriedShare:
     return CarriedShare(statics, message("load-share-statics", values))
 
 
-def share_of_sole_support(placed: BodyOnBlock) -> CarriedShare:
+def _share_of_sole_support(placed: BodyOnBlock) -> CarriedShare:
     """Return the share of a body that nothing else in the project carries: all, or half if it has another foot."""
     if placed.arch is not None and placed.one_foot:
         return CarriedShare(0.5, HALF, (warning("load-half-taken", load=placed.load.body),))
     return CarriedShare(1.0, SOLE_SUPPORT, (warning("load-all-taken", load=placed.load.body),))
 
 
-def load_place(load: BodyLoad, found: Support | None, *, along: FloatArray) -> Point:
+def _load_place(load: BodyLoad, found: Support | None, *, along: FloatArray) -> Point:
     """Return where the load acts, in the plane of motion [m]."""
     at = load.at
     if at is None:
-        assert found is not None  # `find_support` raises where neither is known
+        assert found is not None  # `_find_support` raises where neither is known
         at = tuple(found.contact.centroid.tolist())
     return point_in_plane(at, along.tolist())
 
 
-def place_source(load: BodyLoad, found: Support | None, *, along: FloatArray) -> list[Term | Message]:
+def _place_source(load: BodyLoad, found: Support | None, *, along: FloatArray) -> list[Term | Message]:
     """Say that the load acts at the given place in place of the contact, if it does."""
     if load.at is None:
         return []
@@ -332,7 +332,7 @@ def place_source(load: BodyLoad, found: Support | None, *, along: FloatArray) ->
     return [message("load-place-given", {"x": Quantity(x, "length"), "z": Quantity(z, "length")})]
 
 
-def side_of_span(roof: Solid, found: Support | None, arch: Arch | None, at: Point, *, along: FloatArray) -> float:
+def _side_of_span(roof: Solid, found: Support | None, arch: Arch | None, at: Point, *, along: FloatArray) -> float:
     """Return how far from mid-span a roof or vault meets the block, over the span; positive with the motion."""
     axis, place = along, at[0]
     if found is not None and arch is not None:
@@ -341,7 +341,7 @@ def side_of_span(roof: Solid, found: Support | None, arch: Arch | None, at: Poin
     return (place - (low + high) / 2.0) / (high - low)
 
 
-def thrust_on(placed: BodyOnBlock, *, V: float, along: FloatArray) -> Thrust:
+def _thrust_on(placed: BodyOnBlock, *, V: float, along: FloatArray) -> Thrust:
     """Return the thrust of a roof or vault on the block, outwards; V: its vertical reaction there [N]."""
     given = placed.load.thrust is not None
     if given and not placed.one_foot:
@@ -349,7 +349,7 @@ def thrust_on(placed: BodyOnBlock, *, V: float, along: FloatArray) -> Thrust:
             f"{placed.where}: it meets the block about the middle of its span, so it is not clear which way is "
             'outwards; write the thrust as a load of kind = "force"'
         )
-    if not given and not bears_on_block(placed)[0]:
+    if not given and not _bears_on_block(placed)[0]:
         return Thrust(0.0, [Term("no thrust: it does not stand on the block")])
     found = thrust_of(placed.load, placed.arch, along=along, V=V)
     if not found.size:
@@ -385,7 +385,7 @@ class LoadedBlock:
 LoadedBlocks = tuple[tuple[LoadedBlock, ...], tuple[Message, ...]]  # and warnings
 
 
-def contacts_with_blocks(load: BodyLoad, body: Solid | None, pieces: Sequence[Piece]) -> dict[int, ContactArea]:
+def _contacts_with_blocks(load: BodyLoad, body: Solid | None, pieces: Sequence[Piece]) -> dict[int, ContactArea]:
     """Find where a body meets each block that it touches, by the number of the block."""
     if body is None:
         return {}
@@ -393,7 +393,7 @@ def contacts_with_blocks(load: BodyLoad, body: Solid | None, pieces: Sequence[Pi
     return {number: each for number, each in met.items() if each is not None}
 
 
-def check_given_block(
+def _check_given_block(
     load: BodyLoad,
     given: int,
     contacts: Mapping[int, ContactArea],
@@ -407,7 +407,7 @@ def check_given_block(
     touched : the block that the contact tells; left_out : those that it bears on, without a load
     """
     if given in contacts:
-        cracked = among.cracked and at_one_elevation(contacts, tolerance=load.tolerance)
+        cracked = among.cracked and _at_one_elevation(contacts, tolerance=load.tolerance)
         return (LoadedBlock(given, given),), (_left_out_warning(load, left_out[0]),) if left_out and not cracked else ()
     if load.at is None:
         raise GeometryError(
@@ -422,7 +422,7 @@ def _left_out_warning(load: BodyLoad, number: int) -> Message:
     return warning("load-part-left-out", load=load.body, block=whole_number(number))
 
 
-def refuse_ambiguous(
+def _refuse_ambiguous(
     load: BodyLoad,
     found: Sequence[int],
     contacts: Mapping[int, ContactArea],
@@ -433,7 +433,7 @@ def refuse_ambiguous(
     """Raise GeometryError for a body on several blocks whose parts the statics of its contacts cannot tell."""
     which = f'{among.where}: load "{load.body}"'
     numbers = " and ".join(str(number) for number in found)
-    if among.cracked and at_one_elevation(contacts, tolerance=load.tolerance):
+    if among.cracked and _at_one_elevation(contacts, tolerance=load.tolerance):
         raise GeometryError(
             f"{which}: the crack at z = {among.crack:.4g} m runs through its contact with the wall; give block, 0 "
             "below the crack or 1 above it, or another crack"
@@ -448,19 +448,19 @@ def refuse_ambiguous(
         )
 
 
-def at_one_elevation(contacts: Mapping[int, ContactArea], *, tolerance: float) -> bool:
+def _at_one_elevation(contacts: Mapping[int, ContactArea], *, tolerance: float) -> bool:
     """Return whether the contacts lie at one elevation, as where a crack divides what a body touches."""
     heights = [float(each.centroid[2]) for each in contacts.values()]
     return len(heights) > 1 and max(heights) - min(heights) <= tolerance
 
 
-def springing_axis(load: BodyLoad, body: Solid | None, *, along: FloatArray) -> FloatArray | None:
+def _springing_axis(load: BodyLoad, body: Solid | None, *, along: FloatArray) -> FloatArray | None:
     """Return the axis along which a vault also springs from upright faces [3]; None for other bodies."""
     arch = arch_of(load, body, along=along) if body is not None and load.role == "vault" else None
     return None if arch is None else arch.axis
 
 
-def nearest_block(load: BodyLoad, body: Solid | None, among: MechanismBlocks) -> int:
+def _nearest_block(load: BodyLoad, body: Solid | None, among: MechanismBlocks) -> int:
     """Return the block nearest to the given place, else to the body, if no contact tells.
 
     Raises GeometryError where that is not known either.

@@ -96,8 +96,8 @@ def assemble(
     for chain in chains.values():
         require_movable(chain, name=name)
         require_stable(chain, name=name)
-    pulling = [text for mark, chain in chains.items() for text in supports_in_tension(chain, mark=mark)]
-    kept, back = find_restitutions(restitution, positive, negative, rules=kind.impacts, kind=kind.name, name=name)
+    pulling = [text for mark, chain in chains.items() for text in _supports_in_tension(chain, mark=mark)]
+    kept, back = _find_restitutions(restitution, positive, negative, rules=kind.impacts, kind=kind.name, name=name)
     return Mechanism(
         name=name,
         label=label or name,
@@ -140,10 +140,10 @@ def add_joints(
     MechanismError, InterfaceError : a joint that cannot carry the force on it
     """
     name, kind, rules = mechanism.name, mechanism.kind, mechanism.rules
-    front = replace(mechanism.positive, joints=bearing_joints(mechanism.positive, positive))
-    back = mechanism.negative and replace(mechanism.negative, joints=bearing_joints(mechanism.negative, negative))
+    front = replace(mechanism.positive, joints=_bearing_joints(mechanism.positive, positive))
+    back = mechanism.negative and replace(mechanism.negative, joints=_bearing_joints(mechanism.negative, negative))
     ahead, behind = FlexibleChain(front, name), FlexibleChain(back, name) if back else None
-    fixed = find_restitutions(
+    fixed = _find_restitutions(
         restitution,
         ahead.fixed_hinge_chain,
         behind.fixed_hinge_chain if behind else None,
@@ -151,8 +151,8 @@ def add_joints(
         kind=kind,
         name=name,
     )
-    kept, returned = adjust_to_moving_hinges(fixed, ahead, behind)
-    rigid = find_restitutions(restitution, mechanism.positive, mechanism.negative, rules=rules, kind=kind, name=name)
+    kept, returned = _adjust_to_moving_hinges(fixed, ahead, behind)
+    rigid = _find_restitutions(restitution, mechanism.positive, mechanism.negative, rules=rules, kind=kind, name=name)
     before = _impact_warnings(*rigid)
     others = [each for each in mechanism.warnings if each not in before]
     stiff = all(joint is None or joint.model == "rigid" for joint in (*positive, *negative))
@@ -197,7 +197,7 @@ INSIDE = Term("about hinges a_SF inside the edges")
 CRUSHED = Term("about the resultants of the crushed joints")
 
 
-def adjust_to_moving_hinges(found: Impacts, front: FlexibleChain, back: FlexibleChain | None) -> Impacts:
+def _adjust_to_moving_hinges(found: Impacts, front: FlexibleChain, back: FlexibleChain | None) -> Impacts:
     """Convert coefficients about fixed hinges to the inertia with which the branches begin, at equal shares of energy.
 
     On joints in full contact both branches begin about the same point, so that none can exceed 1.
@@ -220,12 +220,12 @@ def _scaled(kept: RestitutionCoefficient, factor: float) -> RestitutionCoefficie
     return replace(kept, value=value, warning=kept.warning if value > 1.0 or kept.value <= 1.0 else None)
 
 
-def bearing_joints(chain: Chain, joints: tuple[Joint | None, ...]) -> tuple[Joint | None, ...]:
+def _bearing_joints(chain: Chain, joints: tuple[Joint | None, ...]) -> tuple[Joint | None, ...]:
     """Return the joints, without the one at the top of a wall if no load comes through it."""
     return (*joints[:2], None) if len(chain.blocks) == 2 and not top_loads(chain) else joints
 
 
-def find_restitutions(
+def _find_restitutions(
     choices: tuple[RestitutionChoice, RestitutionChoice],
     positive: Chain,
     negative: Chain | None,
@@ -284,7 +284,7 @@ def loose_hinges(hinges: Sequence[Point], outlines: Sequence[Outline], *, mark: 
                 yield warning("loose-hinge", hinge=named, gap=away, block=number_of_block, **point_values(hinge))
 
 
-def supports_in_tension(chain: Chain, *, mark: str = "") -> Iterator[Message]:
+def _supports_in_tension(chain: Chain, *, mark: str = "") -> Iterator[Message]:
     """Yield a warning for each hinge on the ground that would be in tension at incipient motion."""
     for hinge_name, force in zip(hinge_names(chain), hinge_compressions(chain), strict=True):
         if hinge_name in "AD" and force < 0.0:
@@ -306,10 +306,10 @@ def hinge_warnings(piece: Piece, direction: Sequence[float]) -> Iterator[Message
     if rise > LEVEL_RISE:
         yield warning("cut-slopes", rise=Quantity(rise, "length", 3))
     if not piece.cut:
-        yield from uneven_base_warnings(piece.solids, direction)
+        yield from _uneven_base_warnings(piece.solids, direction)
 
 
-def uneven_base_warnings(solids: Sequence[Solid], direction: Sequence[float]) -> Iterator[Message]:
+def _uneven_base_warnings(solids: Sequence[Solid], direction: Sequence[float]) -> Iterator[Message]:
     """Warn of an uneven base: its lowest face is much narrower than the body just above."""
     faces = (lowest_corners(solids), lowest_corners(solids, within=LEVEL_RISE))
     ends = [base_of_section(face, direction=direction) for face in faces]

@@ -39,7 +39,7 @@ REACH = 1.5  # tables end at this many overturning rotations
 FEWEST = 4  # nodes of a piece between two changes: a cubic
 
 
-def first_downward_crossing(
+def _first_downward_crossing(
     values: FloatArray, rotation: FloatArray, value_at: Callable[[float, int], float]
 ) -> float | None:
     """Return the first rotation [rad] at which `values` [n] over `rotation` [n] go from + to -; None if never.
@@ -77,8 +77,8 @@ def staged_branch(stages: Stages, *, restitution: float, name: str) -> Branch:
     chain = stages[0].chain
     require_stable(chain, name=name)
     reach = geometric_limit(chain) * (1.0 - FLAT)
-    scan, number = table_nodes(stages, reach, STATIONS)
-    scanned = integrate_work(stages, scan, number)
+    scan, number = _table_nodes(stages, reach, STATIONS)
+    scanned = _integrate_work(stages, scan, number)
     _require_numbers(scanned, reach, name=name)
 
     def work_at(phi: float, node: int) -> Work:
@@ -86,12 +86,12 @@ def staged_branch(stages: Stages, *, restitution: float, name: str) -> Branch:
             stages[number[node]].chain, np.array([0.0, phi])
         )  # rest first: whether a tie is slack depends on it
 
-    overturning = first_downward_crossing(
+    overturning = _first_downward_crossing(
         scanned.restoring, scan, lambda phi, node: float(work_at(phi, node).restoring[1])
     )
-    critical = first_downward_crossing(scanned.weight, scan, lambda phi, node: float(work_at(phi, node).weight[1]))
+    critical = _first_downward_crossing(scanned.weight, scan, lambda phi, node: float(work_at(phi, node).weight[1]))
     edge = (
-        first_downward_crossing(scanned.excitation, scan, lambda phi, node: float(work_at(phi, node).excitation[1]))
+        _first_downward_crossing(scanned.excitation, scan, lambda phi, node: float(work_at(phi, node).excitation[1]))
         or reach
     )
     if overturning is None or critical is None or max(overturning, critical) >= edge:
@@ -101,8 +101,8 @@ def staged_branch(stages: Stages, *, restitution: float, name: str) -> Branch:
             "cannot overturn as described: check hinges and loads"
         )
     end = min(max(REACH * overturning, 1.05 * critical), 0.5 * (max(overturning, critical) + edge))
-    rotation, number = table_nodes(stages, end, NODES)
-    work = integrate_work(stages, rotation, number)
+    rotation, number = _table_nodes(stages, end, NODES)
+    work = _integrate_work(stages, rotation, number)
     _require_numbers(work, end, name=name)
     columns = (rotation, work.inertia, work.restoring, work.excitation, work.participation, work.lift)
     for column in columns:
@@ -119,7 +119,7 @@ def _require_numbers(work: Work, end: float, *, name: str) -> None:
         )
 
 
-def table_nodes(stages: Stages, end: float, count: int) -> tuple[FloatArray, IntArray]:
+def _table_nodes(stages: Stages, end: float, count: int) -> tuple[FloatArray, IntArray]:
     """Return about `count` rotations from 0 to `end` [rad], two at the end of a stage, and the stage of each [n]."""
     starts = [stage.start for stage in stages if stage.start < end]
     if len(starts) == 1:
@@ -132,7 +132,7 @@ def table_nodes(stages: Stages, end: float, count: int) -> tuple[FloatArray, Int
     return np.concatenate(pieces), np.repeat(np.arange(len(pieces)), [piece.size for piece in pieces])
 
 
-def integrate_work(stages: Stages, rotation: FloatArray, number: IntArray) -> Work:
+def _integrate_work(stages: Stages, rotation: FloatArray, number: IntArray) -> Work:
     """Return the sums of virtual work at rotations [n], each by the stage of its number [n]."""
     found = []
     for stage in np.unique(number):
@@ -224,11 +224,11 @@ def divide_into_stages(chain: Chain, ends: Sequence[float], moments: ActionMomen
         now = moments.at_rotations(np.array([middle]))[:, 0]
         absent = tuple(number for number in ended if middle > ends[number] and now[number] < 0.0)
         if not found or found[-1].absent != absent:
-            found.append(ChainStage(start, remove_actions(chain, absent), absent))
+            found.append(ChainStage(start, _remove_actions(chain, absent), absent))
     return tuple(found)
 
 
-def remove_actions(chain: Chain, absent: Sequence[int]) -> Chain:
+def _remove_actions(chain: Chain, absent: Sequence[int]) -> Chain:
     """Remove actions from a chain, by their number; a joint at its top without load becomes rigid."""
     if not absent:
         return chain
@@ -264,13 +264,13 @@ def scan_rotations(chain: Chain) -> FloatArray:
 
 def end_of(chain: Chain, action: ForceOrTie) -> float:
     """Return the rotation up to which a force or tie is shown to act [rad]; 0 if nothing is shown, inf if it lasts."""
-    broken = breaking_rotation(chain, action) if isinstance(action, Tie) else inf
+    broken = _breaking_rotation(chain, action) if isinstance(action, Tie) else inf
     if isinstance(action.until, float | int):
         return min(broken, rotation_reaching(chain, action, float(action.until), _displacement))
     return broken if lasts(action) else 0.0
 
 
-def breaking_rotation(chain: Chain, tie: Tie) -> float:
+def _breaking_rotation(chain: Chain, tie: Tie) -> float:
     """Return the rotation at which a tie reaches its fracture strain [rad]; inf if never, or if none is known."""
     if tie.elongation is None:
         return inf

@@ -124,7 +124,9 @@ class FlexibleChain(ShortRepr):
         """Return the moment of each action at `rotation` [n] [rad]; positive overturns [actions, n] [N m]."""
         found = self.solve_joints(rotation)
         points = self._points(found, "resultant")
-        holding = [holding_moment(self.jointed, found.configuration, points, [action]) for action in self.chain.actions]
+        holding = [
+            _holding_moment(self.jointed, found.configuration, points, [action]) for action in self.chain.actions
+        ]
         return -np.array(holding).reshape(-1, rotation.size)
 
     @cached_property
@@ -142,7 +144,7 @@ class FlexibleChain(ShortRepr):
         """Solve the equilibrium of the joints at `rotation` [n] [rad]."""
         shape = (len(self.jointed.joints), rotation.size)
         normal = np.broadcast_to(self.at_rest.normal_force, shape)
-        near = contacts_of(self.jointed, self.jointed.configuration(rotation, np.zeros(shape)), normal)
+        near = _contacts_of(self.jointed, self.jointed.configuration(rotation, np.zeros(shape)), normal)
         return solve_joint_equilibrium(self.jointed, rotation, self.rest, contact_arrays(near, "resultant", shape))
 
     def _points(self, found: JointEquilibrium, what: Literal["resultant", "instantaneous_centre"]) -> ComplexArray:
@@ -183,11 +185,11 @@ class FlexibleChain(ShortRepr):
             participation += mass * v.real**2
             inertia += mass * (v.real**2 + bearing * v.imag**2) + turned * moving.rate[number] ** 2
             lift += mass * bearing * v.imag
-        weight = holding_moment(self.jointed, configuration, points, masses, blocks=True)
+        weight = _holding_moment(self.jointed, configuration, points, masses, blocks=True)
         return Work(
             inertia,
             weight,
-            -holding_moment(self.jointed, configuration, points, self.chain.actions),
+            -_holding_moment(self.jointed, configuration, points, self.chain.actions),
             excitation,
             participation,
             lift,
@@ -370,8 +372,8 @@ def solve_joint_equilibrium(
         configuration = jointed.configuration(rotation, now[0])
         points = configuration.corner + now[1] * jointed.faces(configuration)
         loads = block_forces(jointed, configuration, points, jointed.chain.loads)
-        normal = normal_forces(jointed, configuration, hinge_reactions(points, *loads))
-        contacts = contacts_of(jointed, configuration, normal)
+        normal = _normal_forces(jointed, configuration, hinge_reactions(points, *loads))
+        contacts = _contacts_of(jointed, configuration, normal)
         closure = contact_arrays(contacts, "closure", shape)
         found = np.array([(closure - rest[:, None]) * (rotation > 0.0), contact_arrays(contacts, "resultant", shape)])
         residual = found - now
@@ -391,7 +393,7 @@ def solve_joint_equilibrium(
     )
 
 
-def contacts_of(jointed: JointedChain, configuration: Configuration, normal: FloatArray) -> Contacts:
+def _contacts_of(jointed: JointedChain, configuration: Configuration, normal: FloatArray) -> Contacts:
     """Return the contact of each joint under its normal force [hinges, n] [N]."""
     psi = jointed.relative(configuration)
     found: list[Contact | None] = []
@@ -490,7 +492,7 @@ def hinge_reactions(points: ComplexArray, force: ComplexArray, moment: FloatArra
     return np.array([third - force[0] - force[1], third - force[1], third, third + force[2]])
 
 
-def normal_forces(jointed: JointedChain, configuration: Configuration, reactions: ComplexArray) -> FloatArray:
+def _normal_forces(jointed: JointedChain, configuration: Configuration, reactions: ComplexArray) -> FloatArray:
     """Return the normal force of each joint [hinges, n] [N], 0 for a rigid one."""
     forces = np.zeros(reactions.shape)
     for i, ((face, _), joint) in enumerate(zip(jointed.pairs, jointed.joints, strict=True)):
@@ -505,7 +507,7 @@ def normal_forces(jointed: JointedChain, configuration: Configuration, reactions
     return forces
 
 
-def holding_moment(
+def _holding_moment(
     jointed: JointedChain,
     configuration: Configuration,
     points: ComplexArray,

@@ -49,7 +49,7 @@ def flexible_oscillator(pair: ChainPair, front: Stages, back: Stages) -> Oscilla
         return Oscillator(branch_from_rest(positive, None), None, pair.positive.mass, equilibrium=positive.lean)
     alike = same_stages(front, back) and first == second
     negative = positive if alike else make_flexible_side(back, name=name, restitution=second)
-    if not share_rest(pair.positive, pair.negative) or front[0].absent != back[0].absent:
+    if not _share_rest(pair.positive, pair.negative) or front[0].absent != back[0].absent:
         return Oscillator(
             positive=branch_from_rest(positive, None),
             negative=branch_from_rest(negative, None),
@@ -72,7 +72,7 @@ def flexible_oscillator(pair: ChainPair, front: Stages, back: Stages) -> Oscilla
     )
 
 
-def share_rest(positive: Chain, negative: Chain) -> bool:
+def _share_rest(positive: Chain, negative: Chain) -> bool:
     """Return whether both directions use the same joints, and so share one equilibrium.
 
     An arch opens other joints each way: each direction then counts from the equilibrium of its own joints.
@@ -109,7 +109,7 @@ def branch_from_rest(side: FlexibleSide, other: FlexibleSide | None) -> Branch:
         columns = columns[:, columns[0] > (1.0 + 0.5 * FINE) * shift]
         stand = np.array([shift])
         work = side.work_at(stand, np.array([side.chain_at(shift, then="right")]))
-        columns = np.concatenate([branch_columns(stand, work), columns], axis=1)
+        columns = np.concatenate([_branch_columns(stand, work), columns], axis=1)
     elif other is not None and other.lean:
         shift = -other.lean
         back = other.columns(back_from=other.lean)
@@ -136,10 +136,10 @@ def branch_from_rest(side: FlexibleSide, other: FlexibleSide | None) -> Branch:
 
 def same_stages(one: Stages, other: Stages) -> bool:
     """Return whether two sides, each in its own sign, are equal to the last digit."""
-    return same_chain(one[0].chain, other[0].chain) and stage_signature(one) == stage_signature(other)
+    return _same_chain(one[0].chain, other[0].chain) and stage_signature(one) == stage_signature(other)
 
 
-def same_chain(one: Chain, other: Chain) -> bool:
+def _same_chain(one: Chain, other: Chain) -> bool:
     """Return whether two chains, each in its own sign, are equal to the last digit."""
     return (one.blocks, one.hinges, one.loads) == (other.blocks, other.hinges, other.loads) and (
         [_joint_values(joint) for joint in one.joints] == [_joint_values(joint) for joint in other.joints]
@@ -330,7 +330,7 @@ class FlexibleSide(ShortRepr):
             kept = rotation < (1.0 - 0.5 * FINE) * back_from
             rotation = np.append(rotation[kept], back_from)[::-1]
             work = self.work_at(rotation, np.append(self.number[kept], self.chain_at(back_from, then="left"))[::-1])
-        columns = branch_columns(rotation, work)
+        columns = _branch_columns(rotation, work)
         if back_from is not None:
             columns[0] = back_from - columns[0]
             columns[[2, 5]] *= -1.0
@@ -347,7 +347,7 @@ def make_flexible_side(stages: Stages, *, name: str, restitution: float) -> Flex
     )
 
 
-def branch_columns(rotation: FloatArray, work: Work) -> FloatArray:
+def _branch_columns(rotation: FloatArray, work: Work) -> FloatArray:
     """Return the columns of a branch [6, n] from the sums at rotations [n]."""
     return np.array([rotation, work.inertia, work.restoring, work.excitation, work.participation, work.lift])
 

@@ -112,7 +112,7 @@ def four_hinge(
     )
 
 
-def build_four_hinge(
+def _build_four_hinge(
     name: str,
     definition: FourHinge,
     pieces: Sequence[Piece],
@@ -121,7 +121,7 @@ def build_four_hinge(
 ) -> MechanismPieces:
     """Build three blocks between given hinges, or an arch whose hinges are searched for."""
     if definition.hinges == "minimum":
-        return arch_mechanism(name, definition, pieces[0], **common_arguments(definition))
+        return _arch_mechanism(name, definition, pieces[0], **common_arguments(definition))
     mechanism = four_hinge(
         name,
         [piece.body for piece in pieces],
@@ -135,7 +135,7 @@ def build_four_hinge(
 
 FOUR_HINGE = MechanismKind(
     definition=FourHinge,
-    build=build_four_hinge,
+    build=_build_four_hinge,
     impacts=ImpactRules(
         two_sided={"thesis": conserve_momentum, "momentum": conserve_momentum}, one_sided={"thesis": no_rebound}
     ),
@@ -148,7 +148,7 @@ SKEW = 0.35  # rad: a joint farther off square to the arch gets a warning
 CHOICES_AT_ONCE = 20_000  # choices of four joints evaluated together: 80 voussoirs have 1.7 million
 
 
-def arch_mechanism(
+def _arch_mechanism(
     name: str, definition: FourHinge, piece: Piece, *, sides: Sides, **common: Any
 ) -> tuple[Mechanism, list[Piece]]:
     """Build the four-hinge mechanism of an arch that opens at the joints where it resists least, in each direction.
@@ -158,35 +158,37 @@ def arch_mechanism(
 
     Raises MechanismError or GeometryError where a joint misses the body, or no four joints make a mechanism.
     """
-    pieces, joints = cut_into_voussoirs(piece, joint_lines(definition), definition.towards, where=f'mechanism "{name}"')
-    warnings = tuple(joint_warnings(pieces, joints))
+    pieces, joints = _cut_into_voussoirs(
+        piece, _joint_lines(definition), definition.towards, where=f'mechanism "{name}"'
+    )
+    warnings = tuple(_joint_warnings(pieces, joints))
     try:
-        made = arch_at_weakest_hinges(name, [each.body for each in pieces], joints, sides=sides, **common)
+        made = _arch_at_weakest_hinges(name, [each.body for each in pieces], joints, sides=sides, **common)
     except MechanismError as error:
         start = f'mechanism "{name}": '
         raise MechanismError(start + "; ".join((*map(str, warnings), str(error).removeprefix(start)))) from None
     return replace(made, warnings=(*warnings, *made.warnings)), pieces
 
 
-def arch_at_weakest_hinges(
+def _arch_at_weakest_hinges(
     name: str, voussoirs: Sequence[PlanarBody], joints: Sequence[Line], *, sides: Sides, **common: Any
 ) -> Mechanism:
     """Build the mechanism of an arch of voussoirs that opens at its weakest joints, in each direction."""
-    plain = [rigid_block(body) for body in voussoirs]
+    plain = [_rigid_block(body) for body in voussoirs]
     front = weakest_hinges(plain, joints, name=name)
     _, positive = divide_arch(voussoirs, front)
-    negative, warnings = None, [hinges_message("hinges-found-positive", front, len(joints), flip=False)]
+    negative, warnings = None, [_hinges_message("hinges-found-positive", front, len(joints), flip=False)]
     if sides == "two":
         turned = [replace(block, centroid=mirror_point(block.centroid)) for block in plain[::-1]]
         back = weakest_hinges(turned, [(mirror_point(a), mirror_point(b)) for a, b in joints[::-1]], name=name)
         a, b, c, d = (mirror_point(hinge) for hinge in back.hinges)
-        negative = mirror_chain_back(divide_arch(voussoirs[::-1], replace(back, hinges=(a, b, c, d)))[1])
-        warnings.append(hinges_message("hinges-found-negative", back, len(joints), flip=True))
+        negative = _mirror_chain_back(divide_arch(voussoirs[::-1], replace(back, hinges=(a, b, c, d)))[1])
+        warnings.append(_hinges_message("hinges-found-negative", back, len(joints), flip=True))
     outlines = tuple(body.outline for body in voussoirs)
     return assemble(name, FOUR_HINGE, positive, negative, outlines=outlines, warnings=warnings, **common)
 
 
-def joint_warnings(pieces: Sequence[Piece], joints: Sequence[Line]) -> Iterator[Message]:
+def _joint_warnings(pieces: Sequence[Piece], joints: Sequence[Line]) -> Iterator[Message]:
     """Warn of joints that hardly belong to this arch: much of it lies beyond them, or they are not square to it."""
     left, whole = (
         sum(solid.mass for solid in solids)
@@ -203,13 +205,13 @@ def joint_warnings(pieces: Sequence[Piece], joints: Sequence[Line]) -> Iterator[
             return
 
 
-def mirror_chain_back(chain: Chain) -> Chain:
+def _mirror_chain_back(chain: Chain) -> Chain:
     """Return a chain from the far springing in the sign of the negative branch, its parts in order from the near."""
     parts = tuple((replace(part, centroid=mirror_point(part.centroid)), number) for part, number in chain.parts[::-1])
     return replace(mirror_chain(chain.blocks, chain.hinges), parts=parts)
 
 
-def hinges_message(key: str, found: ArchHinges, joints: int, *, flip: bool) -> Message:
+def _hinges_message(key: str, found: ArchHinges, joints: int, *, flip: bool) -> Message:
     """Say which hinges were found, in the axes of the project."""
     places: dict[str, Value] = {}
     for letter, at in zip("abcd", found.hinges, strict=True):
@@ -219,7 +221,7 @@ def hinges_message(key: str, found: ArchHinges, joints: int, *, flip: bool) -> M
     return note(key, joints=number, multiplier=multiplier, hinges=message("four-hinges", places))
 
 
-def joint_lines(definition: FourHinge) -> list[Line]:
+def _joint_lines(definition: FourHinge) -> list[Line]:
     """Return the joints in the plane of motion, from one springing to the other."""
     joints = definition.joints
     if not isinstance(joints, RadialJoints):
@@ -229,7 +231,7 @@ def joint_lines(definition: FourHinge) -> list[Line]:
     return [((x, z), (x + float(np.cos(angle)), z + float(np.sin(angle)))) for angle in angles]
 
 
-def cut_into_voussoirs(
+def _cut_into_voussoirs(
     piece: Piece, lines: Sequence[Line], direction: Sequence[float], *, where: str
 ) -> tuple[list[Piece], list[Line]]:
     """Cut the body at its joints into voussoirs, and find the ends of each joint at its faces.
@@ -238,26 +240,26 @@ def cut_into_voussoirs(
     """
     if not piece.solids:
         raise GeometryError(f"{where}: its body has no geometry to open at joints; give it a mesh, box or profile")
-    require_joints_apart(lines, where=where)
+    _require_joints_apart(lines, where=where)
     along = np.append(np.array(direction[:2]) / np.linalg.norm(direction), 0.0)
-    normals = joint_normals(lines)
-    near = divide_at_joint(piece.solids, lines[0], normals[0], along, where=f"{where}: joint 1")
+    normals = _joint_normals(lines)
+    near = _divide_at_joint(piece.solids, lines[0], normals[0], along, where=f"{where}: joint 1")
     rest, joints, pieces = near.above, [], []
     for number, (line, normal) in enumerate(zip(lines[1:], normals[1:], strict=True), start=2):
         if not rest:
             raise GeometryError(
                 f"{where}: joint {number} lies beyond the end of the body; remove it or mend the joints"
             )
-        parts = divide_at_joint(rest, line, -normal, along, where=f"{where}: joint {number}")
-        pieces.append(Piece(voussoir_body(parts.above, direction, number - 1), parts.above, None))
-        joints.append(joint_ends(parts.foot, line, along))
+        parts = _divide_at_joint(rest, line, -normal, along, where=f"{where}: joint {number}")
+        pieces.append(Piece(_voussoir_body(parts.above, direction, number - 1), parts.above, None))
+        joints.append(_joint_ends(parts.foot, line, along))
         rest = parts.below
-    springing = divide_at_joint(pieces[0].solids, lines[0], normals[0], along, where=f"{where}: joint 1").foot
+    springing = _divide_at_joint(pieces[0].solids, lines[0], normals[0], along, where=f"{where}: joint 1").foot
     pieces[-1] = replace(pieces[-1], fixed=(*piece.fixed, *near.below, *rest))
-    return pieces, [joint_ends(springing, lines[0], along), *joints]
+    return pieces, [_joint_ends(springing, lines[0], along), *joints]
 
 
-def require_joints_apart(lines: Sequence[Line], *, where: str) -> None:
+def _require_joints_apart(lines: Sequence[Line], *, where: str) -> None:
     """Raise GeometryError for a joint without length, or two of them in one place."""
     middles = [np.add(a, b) / 2.0 for a, b in lines]
     size = max(float(np.hypot(*np.subtract(b, a))) for a, b in lines)
@@ -273,7 +275,7 @@ def require_joints_apart(lines: Sequence[Line], *, where: str) -> None:
             )
 
 
-def divide_at_joint(
+def _divide_at_joint(
     solids: Sequence[Solid], line: Line, normal: FloatArray, along: FloatArray, *, where: str
 ) -> Division:
     """Divide solids by the upright sheet through a line of the plane of motion."""
@@ -281,7 +283,7 @@ def divide_at_joint(
     return divide(solids, Plane(point, normal[0] * along + np.array([0.0, 0.0, normal[1]])), where=where)
 
 
-def joint_ends(foot: FloatArray, line: Line, along: FloatArray) -> Line:
+def _joint_ends(foot: FloatArray, line: Line, along: FloatArray) -> Line:
     """Find the two ends of a joint, the first where its line begins, so that first ends lie on one face."""
     points = np.column_stack([foot @ along, foot[:, 2]])
     way = np.subtract(line[1], line[0])
@@ -290,7 +292,7 @@ def joint_ends(foot: FloatArray, line: Line, along: FloatArray) -> Line:
     return (float(first[0]), float(first[1])), (float(last[0]), float(last[1]))
 
 
-def joint_normals(lines: Sequence[Line]) -> list[FloatArray]:
+def _joint_normals(lines: Sequence[Line]) -> list[FloatArray]:
     """Return the unit normal of each joint towards the next; of the last joint, away from the one before."""
     middles = [np.add(a, b) / 2.0 for a, b in lines]
     normals = []
@@ -303,7 +305,7 @@ def joint_normals(lines: Sequence[Line]) -> list[FloatArray]:
     return normals
 
 
-def voussoir_body(solids: Sequence[Solid], direction: Sequence[float], number: int) -> PlanarBody:
+def _voussoir_body(solids: Sequence[Solid], direction: Sequence[float], number: int) -> PlanarBody:
     """Return the body between two joints."""
     return replace(
         join_bodies([planar_body(solid, direction=direction) for solid in solids]), name=f"voussoir {number}"
@@ -368,11 +370,11 @@ def divide_arch(voussoirs: Sequence[PlanarBody], hinging: ArchHinges) -> tuple[l
     spans = list(pairwise(hinging.joints))
     bodies = [join_planar(voussoirs[a:b], name=f"block {n}") for n, (a, b) in enumerate(spans, start=1)]
     numbers = [next((n for n, (a, b) in enumerate(spans) if a <= i < b), None) for i in range(len(voussoirs))]
-    parts = tuple((rigid_block(part), number) for part, number in zip(voussoirs, numbers, strict=True))
-    return bodies, Chain(tuple(rigid_block(body) for body in bodies), hinging.hinges, parts=parts)
+    parts = tuple((_rigid_block(part), number) for part, number in zip(voussoirs, numbers, strict=True))
+    return bodies, Chain(tuple(_rigid_block(body) for body in bodies), hinging.hinges, parts=parts)
 
 
-def rigid_block(body: PlanarBody) -> RigidBlock:
+def _rigid_block(body: PlanarBody) -> RigidBlock:
     """Return the mass, centroid and inertia of a body."""
     return RigidBlock(body.mass, body.centroid, body.inertia)
 

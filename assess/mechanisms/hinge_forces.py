@@ -26,7 +26,7 @@ def hinge_forces(mechanism: Mechanism) -> tuple[HingeForces, ...]:
     return tuple(
         forces
         for chain, faces, first in zip(chains, mechanism.faces, (True, False), strict=False)
-        for forces in chain_hinge_forces(chain_at_start(chain, name=mechanism.name), faces, positive=first)
+        for forces in _chain_hinge_forces(chain_at_start(chain, name=mechanism.name), faces, positive=first)
     )
 
 
@@ -49,14 +49,14 @@ def chain_at_start(chain: Chain, *, name: str) -> Chain:
     return fixed if incipient_motion(fixed).multiplier > 0.0 else chain
 
 
-def chain_hinge_forces(chain: Chain, faces: tuple[Face, ...], *, positive: bool) -> list[HingeForces]:
+def _chain_hinge_forces(chain: Chain, faces: tuple[Face, ...], *, positive: bool) -> list[HingeForces]:
     """Return the forces of the hinges of one branch in its own sign."""
     found, mark, single = incipient_motion(chain), "" if positive else "'", len(chain.blocks) == 1
     made = []
     for number, (hinge_name, face) in enumerate(zip(hinge_names(chain), faces, strict=True)):
-        force = force_on_pressing_block(chain, found, number)
-        starting = resolve_pressure(force, face.normal)
-        resting = resolve_pressure(force_at_rest(chain), face.normal) if single else Pressure(starting.normal, 0.0)
+        force = _force_on_pressing_block(chain, found, number)
+        starting = _resolve_pressure(force, face.normal)
+        resting = _resolve_pressure(_force_at_rest(chain), face.normal) if single else Pressure(starting.normal, 0.0)
         made.append(
             HingeForces(
                 hinge=f"{hinge_name}{mark}",
@@ -77,14 +77,14 @@ def chain_hinge_forces(chain: Chain, faces: tuple[Face, ...], *, positive: bool)
     return made
 
 
-def force_on_pressing_block(chain: Chain, found: IncipientMotion, number: int) -> Vector:
+def _force_on_pressing_block(chain: Chain, found: IncipientMotion, number: int) -> Vector:
     """Return the force (x, z) on the block that presses at a hinge [N].
 
     At the top of a wall V is the load there, because the support itself has no vertical reaction.
     """
     x, z = found.forces[number].tolist()
     if is_top_support(chain, number):
-        return (-x, min(sum(upward(load) for load in chain.loads if rests_on_top(load, chain)), 0.0) + 0.0)
+        return (-x, min(sum(upward(load) for load in chain.loads if _rests_on_top(load, chain)), 0.0) + 0.0)
     return (x, z) if number < 2 else (-x, -z)
 
 
@@ -99,13 +99,13 @@ def is_top_support(chain: Chain, number: int) -> bool:
     return len(chain.blocks) == number == 2
 
 
-def rests_on_top(load: Load, chain: Chain) -> bool:
+def _rests_on_top(load: Load, chain: Chain) -> bool:
     """Return whether a load rests on the top of a wall."""
     top, height = chain.hinges[2][1], chain.hinges[2][1] - chain.hinges[0][1]
     return load.block == 1 and isclose(load.at[1], top, rel_tol=0.0, abs_tol=ON_TOP * height)
 
 
-def resolve_pressure(force: Vector, normal: Vector) -> Pressure:
+def _resolve_pressure(force: Vector, normal: Vector) -> Pressure:
     """Resolve a force (x, z) on the block that presses [N] into parts normal to the faces and along them."""
     (x, z), (n_x, n_z) = force, normal
     return Pressure(x * n_x + z * n_z, x * n_z - z * n_x)
@@ -142,7 +142,7 @@ def incipient_motion(chain: Chain) -> IncipientMotion:
     return IncipientMotion(float(solved[-1]), solved[:-1].reshape(-1, 2))
 
 
-def force_at_rest(chain: Chain) -> Point:
+def _force_at_rest(chain: Chain) -> Point:
     """Return the force (x, z) of the hinge on a single block at rest [N]."""
     x, z = (-sum(force[i] for _, _, force, _ in _loads(chain)) + 0.0 for i in (0, 1))
     return (x, z)

@@ -142,7 +142,7 @@ def collapse_branch(chain: Chain, *, name: str) -> Branch:
     """
     rigid = replace(chain, joints=())
     end = float(staged_branch(single_stage(rigid), restitution=0.0, name=name).rotation[-1])
-    acting = chain_actions(rigid, name=name, end=end)
+    acting = _chain_actions(rigid, name=name, end=end)
     found = staged_branch(acting.up_to(acting.lasting_ends), restitution=0.0, name=name)
     return staged_branch(acting.up_to(_lasting_to_collapse(acting, found.overturning)), restitution=0.0, name=name)
 
@@ -150,7 +150,7 @@ def collapse_branch(chain: Chain, *, name: str) -> Branch:
 def _oscillator_or_none(pair: ChainPair, sides: Sequence[Stages]) -> Oscillator | None:
     """Return the oscillator of a mechanism with the stages of its chains; None if it falls at rest."""
     try:
-        return make_oscillator(pair, sides[0], sides[-1])
+        return _make_oscillator(pair, sides[0], sides[-1])
     except (MechanismError, InterfaceError):
         return None
 
@@ -182,10 +182,10 @@ NUMBERS = ("restitution", "overturning", "critical", "unstable")
 
 def oscillator_at_start(pair: ChainPair) -> Oscillator:
     """Return the oscillator with every action that is there at rest."""
-    return make_oscillator(pair, single_stage(pair.positive), single_stage(pair.negative or pair.positive))
+    return _make_oscillator(pair, single_stage(pair.positive), single_stage(pair.negative or pair.positive))
 
 
-def make_oscillator(pair: ChainPair, front: Stages, back: Stages) -> Oscillator:
+def _make_oscillator(pair: ChainPair, front: Stages, back: Stages) -> Oscillator:
     """Return the oscillator of a mechanism whose actions end.
 
     Directions that are the same but for ROUNDING share one branch, so that both directions and both polarities of a
@@ -271,13 +271,13 @@ def mechanism_actions(pair: ChainPair, starting: Oscillator) -> tuple[ChainActio
     """
     sides = zip((pair.positive, pair.negative), starting.branches, starting.equilibria, strict=False)
     return tuple(
-        chain_actions(chain, name=pair.name, end=float(branch.rotation[-1]) + rest)
+        _chain_actions(chain, name=pair.name, end=float(branch.rotation[-1]) + rest)
         for chain, branch, rest in sides
         if chain is not None
     )
 
 
-def chain_actions(chain: Chain, *, name: str, end: float) -> ChainActions:
+def _chain_actions(chain: Chain, *, name: str, end: float) -> ChainActions:
     """Return the actions on one chain, with moments up to the rotation `end` [rad]; name: of the mechanism."""
     actions = chain.actions
     flexible = actions and any(chain.joints)

@@ -118,19 +118,19 @@ def find_restitution(
     rule = choice or default_rule(ending, starting, rules=rules)
     kept = rules.two_sided[rule](ending, starting)
     _require_no_gain(kept, ending=ending, starting=starting, name=name)
-    kept = replace(kept, source=kept.source + compare_rules(rule, kept, ending=ending, starting=starting, rules=rules))
+    kept = replace(kept, source=kept.source + _compare_rules(rule, kept, ending=ending, starting=starting, rules=rules))
     return _stopped_at_impact(kept) if kept.value < 0.0 else _with_warning(kept, ending=ending, starting=starting)
 
 
 def default_rule(ending: Chain, starting: Chain, *, rules: ImpactRules) -> RestitutionRule:
     """Return momentum if a load moves with the mechanism, else the rule of the thesis unless it would add energy."""
-    if moving_masses(ending, starting):
+    if _moving_masses(ending, starting):
         return "momentum"
     kept = rules.two_sided["thesis"](ending, starting)
     return "momentum" if _adds_energy(kept, ending=ending, starting=starting) else "thesis"
 
 
-def compare_rules(
+def _compare_rules(
     rule: RestitutionRule, kept: RestitutionCoefficient, *, ending: Chain, starting: Chain, rules: ImpactRules
 ) -> tuple[Message, ...]:
     """Return what the other rule gives, and loads that slide on their seats; nothing if the value is the same."""
@@ -139,16 +139,16 @@ def compare_rules(
     messages: tuple[Message, ...] = ()
     if abs(value - kept.value) > SAME:
         messages = (message("restitution-other", {"rule": other, "value": Quantity(value, "ratio", 3)}),)
-    if rule != "momentum" or not moving_masses(ending, starting):
+    if rule != "momentum" or not _moving_masses(ending, starting):
         return messages
     new = velocity_field(starting, sliding=True)
-    slid = -kinetic_product(velocity_field(ending, sliding=True), new) / inertia_at_rest(new)
+    slid = -_kinetic_product(velocity_field(ending, sliding=True), new) / _inertia_at_rest(new)
     if abs(slid - kept.value) <= NOTABLE:
         return messages
     return (*messages, message("restitution-sliding", {"value": Quantity(slid, "ratio", 3)}))
 
 
-def moving_masses(*chains: Chain) -> tuple[str, ...]:
+def _moving_masses(*chains: Chain) -> tuple[str, ...]:
     """Return the names of the loads that move with the mechanism, bearing or not."""
     return tuple(dict.fromkeys(load.name for chain in chains for load in chain.loads if isinstance(load, PointMass)))
 
@@ -172,24 +172,24 @@ def _with_warning(kept: RestitutionCoefficient, *, ending: Chain, starting: Chai
     """Add a warning to a coefficient above 1, or well above that of the blocks without their loads."""
     if kept.value > 1.0:
         return replace(kept, warning=_above_one_warning(kept, ending=ending, starting=starting))
-    loads = moving_masses(ending, starting)
+    loads = _moving_masses(ending, starting)
     if not loads:
         return kept
-    plain = conserve_momentum(*(without_masses(chain) for chain in (ending, starting))).value
+    plain = conserve_momentum(*(_without_masses(chain) for chain in (ending, starting))).value
     if kept.value <= plain + NOTABLE:
         return kept
     values: dict[str, Value] = {"value": Quantity(kept.value, figures=3), "plain": Quantity(plain, figures=3)}
     return replace(kept, warning=warning("restitution-of-high-mass", loads=", ".join(loads), **values))
 
 
-def without_masses(chain: Chain) -> Chain:
+def _without_masses(chain: Chain) -> Chain:
     """Return the chain without the loads that move with it."""
     return replace(chain, loads=tuple(load for load in chain.loads if not isinstance(load, PointMass)))
 
 
 def _above_one_warning(kept: RestitutionCoefficient, *, ending: Chain, starting: Chain) -> Message:
     """Return a warning that explains a coefficient above 1 without a gain of energy."""
-    share = inertia_at_rest(velocity_field(starting)) / inertia_at_rest(velocity_field(ending))
+    share = _inertia_at_rest(velocity_field(starting)) / _inertia_at_rest(velocity_field(ending))
     return warning(
         "restitution-above-one",
         value=Quantity(kept.value),
@@ -200,7 +200,7 @@ def _above_one_warning(kept: RestitutionCoefficient, *, ending: Chain, starting:
 
 def _adds_energy(kept: RestitutionCoefficient, *, ending: Chain, starting: Chain) -> bool:
     """Return whether an impact would add energy."""
-    return kept.value > 0.0 and kept.value**2 * inertia_at_rest(velocity_field(starting)) > inertia_at_rest(
+    return kept.value > 0.0 and kept.value**2 * _inertia_at_rest(velocity_field(starting)) > _inertia_at_rest(
         velocity_field(ending)
     ) * (1 + 1e-9)
 
@@ -220,7 +220,7 @@ def conserve_momentum(ending: Chain, starting: Chain) -> RestitutionCoefficient:
     For one block this is the angular momentum about the new hinge. No impact by this rule adds energy.
     """
     new = velocity_field(starting)
-    return RestitutionCoefficient(-kinetic_product(velocity_field(ending), new) / inertia_at_rest(new), MOMENTUM)
+    return RestitutionCoefficient(-_kinetic_product(velocity_field(ending), new) / _inertia_at_rest(new), MOMENTUM)
 
 
 def conserve_about_base(ending: Chain, starting: Chain) -> RestitutionCoefficient:
@@ -230,7 +230,7 @@ def conserve_about_base(ending: Chain, starting: Chain) -> RestitutionCoefficien
     """
     old, new = velocity_field(ending), velocity_field(starting)
     x, z = starting.hinges[0]
-    return RestitutionCoefficient(angular_momentum(old, -x, z) / angular_momentum(new, x, z), ABOUT_BASE)
+    return RestitutionCoefficient(_angular_momentum(old, -x, z) / _angular_momentum(new, x, z), ABOUT_BASE)
 
 
 def housner_rule(ending: Chain, starting: Chain) -> RestitutionCoefficient:
@@ -334,7 +334,7 @@ def velocity_field(chain: Chain, *, sliding: bool = False) -> VelocityField:
     return VelocityField(*np.array(rows, dtype=np.float64).T)
 
 
-def kinetic_product(ending: VelocityField, starting: VelocityField) -> float:
+def _kinetic_product(ending: VelocityField, starting: VelocityField) -> float:
     """Return the kinetic product of two fields [kg m2], the second mirrored back to the sign of the first.
 
     The product of a field with itself, not mirrored, is the inertia I of the branch.
@@ -344,7 +344,7 @@ def kinetic_product(ending: VelocityField, starting: VelocityField) -> float:
     return float(along + up + np.sum(ending.inertia * ending.rate * -starting.rate))
 
 
-def inertia_at_rest(moving: VelocityField) -> float:
+def _inertia_at_rest(moving: VelocityField) -> float:
     """Return I of the branch at rest [kg m2]."""
     squares = (
         moving.horizontal_mass * moving.dx**2 + moving.vertical_mass * moving.dz**2 + moving.inertia * moving.rate**2
@@ -352,7 +352,7 @@ def inertia_at_rest(moving: VelocityField) -> float:
     return float(np.sum(squares))
 
 
-def angular_momentum(moving: VelocityField, x: float, z: float) -> float:
+def _angular_momentum(moving: VelocityField, x: float, z: float) -> float:
     """Return the angular momentum about a point (x, z) in the frame of the field, clockwise [kg m2]."""
     horizontal = (moving.z - z) * moving.horizontal_mass * moving.dx
     vertical = (moving.x - x) * moving.vertical_mass * moving.dz

@@ -244,7 +244,7 @@ def equivalent_block(
     )
 
 
-def build_equivalent_block(
+def _build_equivalent_block(
     name: str, definition: EquivalentBlock, pieces: Sequence[Piece], *, loads: tuple[Load, ...]
 ) -> MechanismPieces:
     """Build the mechanism of published parameters, which has no masonry and no loads."""
@@ -270,5 +270,5 @@ SINGLE_BLOCK = MechanismKind(
     definition=SingleBlock, build=build_single_block, impacts=BLOCK_RULES, support="free", direction_sought=True
 )
 EQUIVALENT_BLOCK = MechanismKind(
-    definition=EquivalentBlock, build=build_equivalent_block, impacts=BLOCK_RULES, support="free"
+    definition=EquivalentBlock, build=_build_equivalent_block, impacts=BLOCK_RULES, support="free"
 )

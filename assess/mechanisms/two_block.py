@@ -95,11 +95,11 @@ def two_block(
         raise MechanismError(f'mechanism "{name}": hinges_negative with sides = "one"; remove one of them')
     outlines = (lower.outline, upper.outline)
     blocks = tuple(RigidBlock(body.mass, body.centroid, body.inertia) for body in (lower, upper))
-    front = hinges or edge_hinges(lower, upper, ahead=True, name=name)
+    front = hinges or _edge_hinges(lower, upper, ahead=True, name=name)
     _require_order(front, name=name)
     negative = None
     if sides == "two":
-        back = hinges_negative or edge_hinges(lower, upper, ahead=False, name=name)
+        back = hinges_negative or _edge_hinges(lower, upper, ahead=False, name=name)
         _require_order(back, name=name)
         negative = mirror_chain(blocks, back, loads)
     return assemble(
@@ -112,14 +112,14 @@ def two_block(
         outlines=outlines,
         warnings=(
             *warnings,
-            *loads_across_crack(loads, front[1][1]),
+            *_loads_across_crack(loads, front[1][1]),
             *loose_hinges(hinges or (), outlines),
             *loose_hinges(hinges_negative or (), outlines, mark="'"),
         ),
     )
 
 
-def build_two_block(
+def _build_two_block(
     name: str,
     definition: TwoBlock,
     pieces: Sequence[Piece],
@@ -148,7 +148,7 @@ def build_two_block(
 
 TWO_BLOCK = MechanismKind(
     definition=TwoBlock,
-    build=build_two_block,
+    build=_build_two_block,
     impacts=ImpactRules(
         two_sided={"thesis": conserve_about_base, "sorrentino": conserve_about_base, "momentum": conserve_momentum},
         one_sided={"thesis": no_rebound},
@@ -158,7 +158,7 @@ TWO_BLOCK = MechanismKind(
 )
 
 
-def edge_hinges(lower: PlanarBody, upper: PlanarBody, *, ahead: bool, name: str) -> Hinges:
+def _edge_hinges(lower: PlanarBody, upper: PlanarBody, *, ahead: bool, name: str) -> Hinges:
     """Return hinges A, B, C at the edges of the base, of the joint and of the top, for motion ahead or back."""
     head = top_edge(upper)
     if lower.base is None or upper.base is None or head is None:
@@ -179,7 +179,7 @@ def _require_order(hinges: Hinges, *, name: str) -> None:
         )
 
 
-def loads_across_crack(loads: Sequence[Load], elevation: float) -> Iterator[Message]:
+def _loads_across_crack(loads: Sequence[Load], elevation: float) -> Iterator[Message]:
     """Yield a warning for each load of a wall of two blocks across the crack from its block."""
     for load in loads:
         side = int(load.at[1] >= elevation)

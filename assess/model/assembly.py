@@ -44,7 +44,7 @@ def mechanism_of(name: str, definition: Definition, bodies: Bodies) -> Built:
         mechanism, _ = MECHANISM_KINDS[definition.kind].build(name, definition, (), loads=())
         return Built(mechanism, None)
     rigid, members = on_rigid_hinges(name, definition, bodies)
-    jointed = place_on_joints(rigid, definition, members, bodies, restitution=definition.restitution.choices)
+    jointed = _place_on_joints(rigid, definition, members, bodies, restitution=definition.restitution.choices)
     faces = faces_of(jointed, definition, members, bodies)
     return Built(replace(jointed, faces=faces, direction=definition.towards), scene_of(members, definition.towards))
 
@@ -52,7 +52,7 @@ def mechanism_of(name: str, definition: Definition, bodies: Bodies) -> Built:
 def on_rigid_hinges(name: str, definition: BlockMechanism, bodies: Bodies) -> MechanismPieces:
     """Build the mechanism on rigid hinges, before it is placed on its joints."""
     try:
-        pieces, crack = cut_into_blocks(name, definition, bodies)
+        pieces, crack = _cut_into_blocks(name, definition, bodies)
         load_set = loads_of(name, definition, pieces, bodies)
         require_as_found(crack, load_set.loads)
         mechanism, members = MECHANISM_KINDS[definition.kind].build(name, definition, pieces, loads=load_set.loads)
@@ -62,7 +62,7 @@ def on_rigid_hinges(name: str, definition: BlockMechanism, bodies: Bodies) -> Me
     return replace(mechanism, warnings=(*warnings, *load_set.warnings)), members
 
 
-def cut_into_blocks(name: str, definition: BlockMechanism, bodies: Bodies) -> tuple[Sequence[Piece], Crack | None]:
+def _cut_into_blocks(name: str, definition: BlockMechanism, bodies: Bodies) -> tuple[Sequence[Piece], Crack | None]:
     """Cut the bodies into blocks; a wall of one body is cut at its crack, which is returned too."""
     pieces = pieces_of(name, definition, bodies)
     if not isinstance(definition, TwoBlock) or len(pieces) == 2:
@@ -76,7 +76,7 @@ NEAR = 0.02  # of the depth of a contact: a hinge farther from its edge gets a w
 TURNED = 0.05  # rad: where the resultant of an unsymmetric contact is looked at
 
 
-def place_on_joints(
+def _place_on_joints(
     mechanism: Mechanism,
     definition: BlockMechanism,
     pieces: Sequence[Piece],
@@ -92,28 +92,28 @@ def place_on_joints(
     interfaces = [definition.interface_at(hinge_name) for hinge_name in hinge_names(mechanism.positive)]
     found = [
         [
-            joint_at(PressedHinge(number, chain, mechanism.name, definition, interface, tuple(pieces), sign), bodies)
+            _joint_at(PressedHinge(number, chain, mechanism.name, definition, interface, tuple(pieces), sign), bodies)
             for number, interface in enumerate(interfaces)
         ]
         for chain, sign in zip(chains, (1.0, -1.0), strict=False)
     ]
     warnings = [each for side in found for _, messages in side for each in messages]
     joints = [tuple(joint for joint, _ in side) for side in found]
-    through = through_of(definition.loads)
-    moved = [move_loads_to_joint(chain, side[-1], through) for chain, side in zip(chains, joints, strict=True)]
-    joints = [joints_under_loads(chain, side, through) for chain, side in zip(moved, joints, strict=True)]
+    through = _through_of(definition.loads)
+    moved = [_move_loads_to_joint(chain, side[-1], through) for chain, side in zip(chains, joints, strict=True)]
+    joints = [_joints_under_loads(chain, side, through) for chain, side in zip(moved, joints, strict=True)]
     loaded = replace(mechanism, positive=moved[0], negative=moved[1] if len(moved) > 1 else None)
     if not any(joint for side in joints for joint in side):
         return loaded
     if loaded.positive.loads != mechanism.positive.loads and "joint" not in through.values():
         warnings.append(warning("load-through-top"))
-    warnings += contact_offset_warnings(mechanism, joints)
+    warnings += _contact_offset_warnings(mechanism, joints)
     made = add_joints(loaded, joints[0], joints[-1] if len(joints) > 1 else (), restitution=restitution)
-    warnings = [*made.warnings, *warnings, *eccentricity_warnings(made)]
+    warnings = [*made.warnings, *warnings, *_eccentricity_warnings(made)]
     return replace(made, warnings=distinct(warnings))
 
 
-def contact_offset_warnings(mechanism: Mechanism, joints: Sequence[Sequence[Joint | None]]) -> Iterator[Message]:
+def _contact_offset_warnings(mechanism: Mechanism, joints: Sequence[Sequence[Joint | None]]) -> Iterator[Message]:
     """Warn if the contacts at the base lie in different places for the two directions."""
     if mechanism.negative is None or len(mechanism.positive.blocks) == 3:
         return
@@ -169,10 +169,10 @@ class PressedHinge:
         )
 
 
-def joint_at(hinge: PressedHinge, bodies: Bodies) -> tuple[Joint | None, tuple[Message, ...]]:
+def _joint_at(hinge: PressedHinge, bodies: Bodies) -> tuple[Joint | None, tuple[Message, ...]]:
     """Return the joint under a hinge, with warnings; None if it is rigid or carries nothing."""
     interface = hinge.interface
-    law = law_of(interface, next(materials_of(hinge.definition.bodies, bodies), None), where=hinge.where)
+    law = _law_of(interface, next(materials_of(hinge.definition.bodies, bodies), None), where=hinge.where)
     if law is None:
         return None, ()
     endless = interface.model != "rigid" and law.strength == inf and interface.strength is None
@@ -180,13 +180,13 @@ def joint_at(hinge: PressedHinge, bodies: Bodies) -> tuple[Joint | None, tuple[M
     warnings = (warning("never-crushes", interface=hinge_name),) if endless else ()
     shape, sense = interface.shape, float(JointedChain(hinge.chain, hinge.name).sense[hinge.number])
     if isinstance(shape, Shape):
-        joint, more = shaped_joint(hinge, law, shape, sense=sense)
+        joint, more = _shaped_joint(hinge, law, shape, sense=sense)
     else:
-        joint, more = outlined_joint(hinge, law, sense=sense)
+        joint, more = _outlined_joint(hinge, law, sense=sense)
     return joint, (*warnings, *more)
 
 
-def shaped_joint(
+def _shaped_joint(
     hinge: PressedHinge, law: JointLaw, shape: Shape, *, sense: float
 ) -> tuple[Joint, tuple[Message, ...]]:
     """Return a joint of given sizes in the plane of the faces that meet, level if there are none."""
@@ -197,11 +197,11 @@ def shaped_joint(
         normal = DOWN if is_top_support(hinge.chain, hinge.number) else UP
         warnings = (warning("joint-taken-level", interface=hinge.hinge_name),)
     return Joint(
-        _inward(normal, sense), section_of_shape(shape, hinge.motion_plane), law, hinge.interface.model
+        _inward(normal, sense), _section_of_shape(shape, hinge.motion_plane), law, hinge.interface.model
     ), warnings
 
 
-def outlined_joint(hinge: PressedHinge, law: JointLaw, *, sense: float) -> tuple[Joint, tuple[Message, ...]]:
+def _outlined_joint(hinge: PressedHinge, law: JointLaw, *, sense: float) -> tuple[Joint, tuple[Message, ...]]:
     """Return the joint of the outline where faces meet; warn if the hinge is not at its edge."""
     joint_plane, view = hinge.plane(), hinge.motion_plane
     inward = _inward(joint_plane.normal, sense)
@@ -216,7 +216,7 @@ def outlined_joint(hinge: PressedHinge, law: JointLaw, *, sense: float) -> tuple
     return joint, (warning(key, interface=hinge.hinge_name, distance=distance, depth=depth),)
 
 
-def law_of(interface: Interface, material: Material | None, *, where: str) -> JointLaw | None:
+def _law_of(interface: Interface, material: Material | None, *, where: str) -> JointLaw | None:
     """Return stiffness and strength; None for a rigid joint of unlimited strength."""
     strength = interface.strength
     if interface.model == "rigid":
@@ -232,7 +232,7 @@ def law_of(interface: Interface, material: Material | None, *, where: str) -> Jo
     return JointLaw(material.young_modulus / (interface.course_thickness or inf), strength)
 
 
-def section_of_shape(shape: Shape, view: MotionPlane) -> ContactSection:
+def _section_of_shape(shape: Shape, view: MotionPlane) -> ContactSection:
     """Return a contact of given sizes, seen in the direction of motion."""
     if shape.rectangle is not None:
         return rectangle(*shape.rectangle)
@@ -251,7 +251,7 @@ def _inward(normal: Vector, sense: float) -> Vector:
     return (-sense * normal[1] + 0.0, sense * normal[0] + 0.0)
 
 
-def eccentricity_warnings(mechanism: Mechanism) -> Iterator[Message]:
+def _eccentricity_warnings(mechanism: Mechanism) -> Iterator[Message]:
     """Warn of contacts that are not symmetric about the plane of motion."""
     for chain, mark in ((mechanism.positive, ""), (mechanism.negative, "'")):
         if chain is None:
@@ -269,7 +269,7 @@ def eccentricity_warnings(mechanism: Mechanism) -> Iterator[Message]:
 ON_MIDDLE = 1e-3  # of the depth of a joint: a load this near its middle acts through it unless the load says otherwise
 
 
-def move_loads_to_joint(chain: Chain, joint: Joint | None, through: Mapping[str, Through]) -> Chain:
+def _move_loads_to_joint(chain: Chain, joint: Joint | None, through: Mapping[str, Through]) -> Chain:
     """Move the loads that act through the joint at the top of a wall to its hinge.
 
     On a joint their resultant is still in the middle at rest, and moves to the edge as the wall rotates; on a rigid
@@ -284,13 +284,13 @@ def move_loads_to_joint(chain: Chain, joint: Joint | None, through: Mapping[str,
     if len(chain.blocks) != 2:
         return chain
     loads = [
-        replace(load, at=chain.hinges[2]) if acts_through_joint(load, chain, joint, through.get(load.name)) else load
+        replace(load, at=chain.hinges[2]) if _acts_through_joint(load, chain, joint, through.get(load.name)) else load
         for load in chain.loads
     ]
     return replace(chain, loads=tuple(loads))
 
 
-def acts_through_joint(load: Load, chain: Chain, joint: Joint | None, through: Through) -> bool:
+def _acts_through_joint(load: Load, chain: Chain, joint: Joint | None, through: Through) -> bool:
     """Return whether a load acts through the joint at the top: as it says, else if it is on the middle."""
     if through is not None:
         return through == "joint"
@@ -301,7 +301,7 @@ def acts_through_joint(load: Load, chain: Chain, joint: Joint | None, through: T
     return dist(load.at, middle) <= ON_MIDDLE * joint.section.depth
 
 
-def joints_under_loads(
+def _joints_under_loads(
     chain: Chain, joints: tuple[Joint | None, ...], through: Mapping[str, Through]
 ) -> tuple[Joint | None, ...]:
     """Return the joints of a chain, without the one at the top of a wall if all loads at its hinge are fixed there.
@@ -319,7 +319,7 @@ def joints_under_loads(
     return (*joints[:2], None) if fixed else joints
 
 
-def through_of(loads: Sequence[LoadDefinition]) -> dict[str, Through]:
+def _through_of(loads: Sequence[LoadDefinition]) -> dict[str, Through]:
     """Return how each overburden presses on its wall, by the name of its force."""
     entries = enumerate(loads, start=1)
     return {overburden_name(number): load.through for number, load in entries if isinstance(load, OverburdenLoad)}

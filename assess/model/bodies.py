@@ -213,28 +213,30 @@ def pieces_of(name: str, definition: BlockMechanism, bodies: Bodies) -> tuple[Pi
     """
     plane = cut_of(definition, where=f'mechanism "{name}"')
     if plane is None:
-        return tuple(uncut_block(block, definition.towards, bodies) for block in definition.blocks)
-    crossed = [crosses_plane(block, plane, bodies) for block in definition.blocks]
+        return tuple(_uncut_block(block, definition.towards, bodies) for block in definition.blocks)
+    crossed = [_crosses_plane(block, plane, bodies) for block in definition.blocks]
     if len(definition.blocks) == 1 or not any(crossed):
         crossed = [True, *crossed[1:]]  # one must be: `divide` says why it is not
     return tuple(
-        block_above_cut(name, block, plane, definition.towards, bodies)
+        _block_above_cut(name, block, plane, definition.towards, bodies)
         if cut
-        else uncut_block(block, definition.towards, bodies)
+        else _uncut_block(block, definition.towards, bodies)
         for block, cut in zip(definition.blocks, crossed, strict=True)
     )
 
 
-def uncut_block(block: Sequence[str], direction: Sequence[float], bodies: Bodies) -> Piece:
+def _uncut_block(block: Sequence[str], direction: Sequence[float], bodies: Bodies) -> Piece:
     """Return the bodies of a block uncut."""
     standing = tuple(solid for body in block if (solid := bodies[body].solid) is not None)
     seen = [bodies[body].in_plane(direction) for body in block]
     return Piece(join_bodies(seen), standing, lowest_corners(standing) if standing else None)
 
 
-def block_above_cut(name: str, block: Sequence[str], plane: Plane, direction: Sequence[float], bodies: Bodies) -> Piece:
+def _block_above_cut(
+    name: str, block: Sequence[str], plane: Plane, direction: Sequence[float], bodies: Bodies
+) -> Piece:
     """Return the part of a block above a cut."""
-    parts = divide(solids_to_cut(name, block, bodies), plane, where=f'mechanism "{name}"')
+    parts = divide(_solids_to_cut(name, block, bodies), plane, where=f'mechanism "{name}"')
     return replace(piece_above_cut(parts, direction), fixed=parts.below)
 
 
@@ -257,7 +259,7 @@ def scene_of(pieces: Sequence[Piece], direction: Sequence[float]) -> Scene | Non
     )
 
 
-def crosses_plane(block: Sequence[str], plane: Plane, bodies: Bodies) -> bool:
+def _crosses_plane(block: Sequence[str], plane: Plane, bodies: Bodies) -> bool:
     """Return whether a body of the block reaches below the plane."""
     corners = [solid.vertices for body in block if (solid := bodies[body].solid) is not None]
     return any(bool(((points - plane.point) @ plane.normal < 0.0).any()) for points in corners)
@@ -277,7 +279,7 @@ def cut_of(definition: BlockMechanism, *, where: str) -> Plane | None:
     return None if cut is None else level_plane(cut)
 
 
-def solids_to_cut(name: str, block: Sequence[str], bodies: Bodies) -> list[Solid]:
+def _solids_to_cut(name: str, block: Sequence[str], bodies: Bodies) -> list[Solid]:
     """Return the solids of a block; raise GeometryError for a body without geometry."""
     found = []
     for body in block:
@@ -307,7 +309,7 @@ def gaps_of(definitions: Mapping[str, Definition], bodies: Bodies) -> Iterator[M
     """
     for name, definition in definitions.items():
         chained = definition.blocks if isinstance(definition, BlockMechanism) else ()
-        blocks = [block_solids(block, bodies) for block in chained]
+        blocks = [_block_solids(block, bodies) for block in chained]
         where = f"mechanisms.{name}"
         yield from (warning("gap", where, **each) for block in blocks for each in gaps_in_block(block))
         pairs = pairwise(blocks)
@@ -316,7 +318,7 @@ def gaps_of(definitions: Mapping[str, Definition], bodies: Bodies) -> Iterator[M
         )
 
 
-def block_solids(block: Sequence[str], bodies: Bodies) -> list[Solid]:
+def _block_solids(block: Sequence[str], bodies: Bodies) -> list[Solid]:
     """Return the solids of a block; none if a body has no geometry, as its extent is not known."""
     found = [solid for body in block if (solid := bodies[body].solid) is not None]
     return found if len(found) == len(block) else []
@@ -325,7 +327,7 @@ def block_solids(block: Sequence[str], bodies: Bodies) -> list[Solid]:
 def gaps_in_block(block: Sequence[Solid]) -> Iterator[Gap]:
     """Find each gap that would have to be closed for the bodies of a block to touch one another."""
     pairs = list(combinations(range(len(block)), 2))
-    joined = [(i, j) for i, j in pairs if in_contact(block[i], block[j])]
+    joined = [(i, j) for i, j in pairs if _in_contact(block[i], block[j])]
     while len(block) > 1:
         group = connected_groups(np.array(joined, dtype=np.int64).reshape(-1, 2), count=len(block))
         across = [(shortest_distance(block[i], block[j]), (i, j)) for i, j in pairs if group[i] != group[j]]
@@ -333,24 +335,24 @@ def gaps_in_block(block: Sequence[Solid]) -> Iterator[Gap]:
             return
         distance, (i, j) = min(across)
         joined.append((i, j))
-        yield gap_values(block[i], block[j], distance)
+        yield _gap_values(block[i], block[j], distance)
 
 
 def gaps_at_hinge(one: Sequence[Solid], other: Sequence[Solid]) -> Iterator[Gap]:
     """Find the gap between two blocks with a hinge between them that touch nowhere."""
     pairs = list(product(one, other))
-    if not pairs or any(in_contact(*pair) for pair in pairs):
+    if not pairs or any(_in_contact(*pair) for pair in pairs):
         return
     distances = [shortest_distance(*pair) for pair in pairs]
-    yield gap_values(*pairs[int(np.argmin(distances))], min(distances))
+    yield _gap_values(*pairs[int(np.argmin(distances))], min(distances))
 
 
-def in_contact(one: Solid, other: Solid) -> bool:
+def _in_contact(one: Solid, other: Solid) -> bool:
     """Return whether two bodies are closer than the thickness of a joint."""
     return shortest_distance(one, other, limit=CONTACT_TOLERANCE) < CONTACT_TOLERANCE
 
 
-def gap_values(one: Solid, other: Solid, distance: float) -> Gap:
+def _gap_values(one: Solid, other: Solid, distance: float) -> Gap:
     """Return the values of a warning: which two bodies are apart, and by how much [m]."""
     return {"one": one.name, "other": other.name, "distance": Quantity(distance, "length", 3)}
 

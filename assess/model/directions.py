@@ -77,13 +77,13 @@ def mechanism_in_direction(name: str, definition: Definition, bodies: Bodies) ->
         not isinstance(definition, BlockMechanism)
         or not MECHANISM_KINDS[definition.kind].direction_sought
         or definition.direction == "sweep"
-        or not has_geometry(definition, bodies)
+        or not _has_geometry(definition, bodies)
     ):
         return mechanism_as_given(name, definition, bodies)
-    search = prepare_search(name, definition, bodies)
+    search = _prepare_search(name, definition, bodies)
     if definition.direction is None:
         return build_in_weakest_direction(search)
-    return build_in_given_direction(search)
+    return _build_in_given_direction(search)
 
 
 def mechanism_as_given(name: str, definition: Definition, bodies: Bodies) -> Built:
@@ -96,7 +96,7 @@ def mechanism_as_given(name: str, definition: Definition, bodies: Bodies) -> Bui
     bodies : of the building, by name
     """
     if isinstance(definition, BlockMechanism) and definition.direction == "sweep":
-        return sweep_directions(name, definition, bodies)
+        return _sweep_directions(name, definition, bodies)
     return mechanism_of(name, definition, bodies)
 
 
@@ -104,40 +104,40 @@ CLEARLY = 0.95  # of a given direction's multiplier: a candidate below it is cle
 LISTED = 4
 
 
-def has_geometry(definition: BlockMechanism, bodies: Bodies) -> bool:
+def _has_geometry(definition: BlockMechanism, bodies: Bodies) -> bool:
     """Return whether all bodies of a mechanism have geometry."""
     return all(bodies[body].solid is not None for body in definition.bodies)
 
 
 def build_in_weakest_direction(search: DirectionSearch) -> Built:
     """Build the mechanism in its weakest direction; raise ProjectError with the candidates if it must be given."""
-    candidates = evaluate_candidates(search)
+    candidates = _evaluate_candidates(search)
     known = [each for each in candidates if each.multiplier is not None]
     if not known:  # nor can it be built towards any: say why
-        return mechanism_of(search.name, turn_towards(search.definition, candidates[0].direction), search.bodies)
-    reason = next(reasons_for_given_direction(search.definition), "")
+        return mechanism_of(search.name, _turn_towards(search.definition, candidates[0].direction), search.bodies)
+    reason = next(_reasons_for_given_direction(search.definition), "")
     if reason:
-        raise ProjectError(f"{search.where}.direction: missing; {reason}; the candidates are {list_directions(known)}")
-    pool, blocked = free_candidates(known)
-    found = weakest_of([with_displacement(each, search) for each in near_least(pool)])
+        raise ProjectError(f"{search.where}.direction: missing; {reason}; the candidates are {_list_directions(known)}")
+    pool, blocked = _free_candidates(known)
+    found = _weakest_of([_with_displacement(each, search) for each in _near_least(pool)])
     candidates = tuple(found if each.angle == found.angle else each for each in candidates)
-    behind = () if blocked else bodies_that_stop(search.obstacles, opposite_direction(found.direction))
-    definition = with_sides(turn_towards(search.definition, found.direction), behind)
+    behind = () if blocked else _bodies_that_stop(search.obstacles, _opposite_direction(found.direction))
+    definition = _with_sides(_turn_towards(search.definition, found.direction), behind)
     built = mechanism_of(search.name, definition, search.bodies)
     messages = [
-        *obstacle_messages(candidates, found, blocked=blocked, where=search.where),
-        *sides_messages(behind, search),
+        *_obstacle_messages(candidates, found, blocked=blocked, where=search.where),
+        *_sides_messages(behind, search),
     ]
-    messages += [left_out_warning(each, search.where) for each in candidates if each.reason not in ("", OTHER_SIDE)]
-    return with_messages(built, candidates, messages, search)
+    messages += [_left_out_warning(each, search.where) for each in candidates if each.reason not in ("", OTHER_SIDE)]
+    return _with_messages(built, candidates, messages, search)
 
 
-def with_sides(definition: BlocksT, behind: Sequence[str]) -> BlocksT:
+def _with_sides(definition: BlocksT, behind: Sequence[str]) -> BlocksT:
     """Return the definition with its sides: those given, else one if bodies stand behind."""
     return replace(definition, sides=definition.sides or ("one" if behind else "two"))
 
 
-def reasons_for_given_direction(definition: BlockMechanism) -> Iterator[str]:
+def _reasons_for_given_direction(definition: BlockMechanism) -> Iterator[str]:
     """Say why the direction cannot be found for the user."""
     if definition.sides == "one":
         yield 'with sides = "one" it says which way the mechanism is free'
@@ -145,40 +145,40 @@ def reasons_for_given_direction(definition: BlockMechanism) -> Iterator[str]:
         yield f"{format_key(key)} is measured along it"
 
 
-def list_directions(known: Sequence[CandidateDirection]) -> str:
+def _list_directions(known: Sequence[CandidateDirection]) -> str:
     """List directions with their multipliers, the weakest first."""
-    rising = sorted(known, key=rank_key)
-    texts = [f"{vector_text(each.direction)} with a multiplier of {each.multiplier:.4g}" for each in rising[:LISTED]]
+    rising = sorted(known, key=_rank_key)
+    texts = [f"{_vector_text(each.direction)} with a multiplier of {each.multiplier:.4g}" for each in rising[:LISTED]]
     return ", ".join(texts) + (f" and {len(rising) - LISTED} stronger" if len(rising) > LISTED else "")
 
 
-def opposite_direction(direction: Vector) -> Vector:
+def _opposite_direction(direction: Vector) -> Vector:
     """Return the opposite direction."""
     return (-direction[0], -direction[1], 0.0)
 
 
-def build_in_given_direction(search: DirectionSearch) -> Built:
+def _build_in_given_direction(search: DirectionSearch) -> Built:
     """Build the mechanism in the given direction, with a warning if another is clearly weaker."""
     ahead = CandidateDirection(direction_angle(search.definition.towards)).direction
-    into = bodies_that_stop(search.obstacles, ahead)
-    behind = () if into else bodies_that_stop(search.obstacles, opposite_direction(ahead))
-    built = mechanism_of(search.name, with_sides(search.definition, behind), search.bodies)
-    messages = [*direction_warnings(into, ahead, search), *sides_messages(behind, search)]
+    into = _bodies_that_stop(search.obstacles, ahead)
+    behind = () if into else _bodies_that_stop(search.obstacles, _opposite_direction(ahead))
+    built = mechanism_of(search.name, _with_sides(search.definition, behind), search.bodies)
+    messages = [*_direction_warnings(into, ahead, search), *_sides_messages(behind, search)]
     if search.definition.hinges is not None or next(search.definition.keys_along(), None) is not None:
-        return with_messages(built, (), messages, search)
-    candidates = evaluate_candidates(search)
-    messages += weaker_direction_warnings(built.mechanism, candidates, search)
-    return with_messages(built, candidates, messages, search)
+        return _with_messages(built, (), messages, search)
+    candidates = _evaluate_candidates(search)
+    messages += _weaker_direction_warnings(built.mechanism, candidates, search)
+    return _with_messages(built, candidates, messages, search)
 
 
-def direction_warnings(into: Sequence[str], ahead: Vector, search: DirectionSearch) -> Iterator[Message]:
+def _direction_warnings(into: Sequence[str], ahead: Vector, search: DirectionSearch) -> Iterator[Message]:
     """Warn that the given direction leads into a body."""
     if into:
-        values = {"direction": vector_text(ahead), "bodies": ", ".join(into)}
+        values = {"direction": _vector_text(ahead), "bodies": ", ".join(into)}
         yield message("direction-into", values, severity=Severity.WARNING, where=search.where)
 
 
-def weaker_direction_warnings(
+def _weaker_direction_warnings(
     given: Mechanism, candidates: Sequence[CandidateDirection], search: DirectionSearch
 ) -> Iterator[Message]:
     """Warn if an unobstructed candidate is clearly weaker than the mechanism in its given direction."""
@@ -188,53 +188,53 @@ def weaker_direction_warnings(
         unobstructed = [each for each in unobstructed if np.array(each.direction) @ ahead > -AHEAD]
     if not unobstructed:
         return
-    weak = weakest_of([with_displacement(each, search) for each in near_least(unobstructed)])
+    weak = _weakest_of([_with_displacement(each, search) for each in _near_least(unobstructed)])
     own = min((given.positive, *([given.negative] if given.negative else [])), key=uplift_multiplier)
-    if multiplier_of(weak) >= CLEARLY * uplift_multiplier(own):
+    if _multiplier_of(weak) >= CLEARLY * uplift_multiplier(own):
         return
     values: dict[str, Value] = {
-        "direction": vector_text(weak.direction),
-        "weaker": Quantity(multiplier_of(weak)),
-        "weaker_d0": length_text(weak.displacement),
+        "direction": _vector_text(weak.direction),
+        "weaker": Quantity(_multiplier_of(weak)),
+        "weaker_d0": _length_text(weak.displacement),
         "given": Quantity(uplift_multiplier(own)),
-        "given_d0": length_text(displacement_of(own, name=search.name)),
+        "given_d0": _length_text(_displacement_of(own, name=search.name)),
     }
     yield message("direction-weaker", values, severity=Severity.WARNING, where=search.where)
 
 
-def length_text(length: float | None) -> Value:
+def _length_text(length: float | None) -> Value:
     """Return a displacement [m] as a value of a message."""
     return Term("none, as it never overturns,") if length is None else Quantity(length, "length")
 
 
-def obstacle_messages(
+def _obstacle_messages(
     candidates: Sequence[CandidateDirection], found: CandidateDirection, *, blocked: bool, where: str
 ) -> Iterator[Message]:
     """Tell which directions are stopped by bodies beside the mechanism."""
     for each in candidates:
         if each.multiplier is None or not each.touching:
             continue
-        bodies, weaker = ", ".join(each.touching), Quantity(multiplier_of(each))
-        values: dict[str, Value] = {"direction": vector_text(each.direction), "bodies": bodies, "weaker": weaker}
+        bodies, weaker = ", ".join(each.touching), Quantity(_multiplier_of(each))
+        values: dict[str, Value] = {"direction": _vector_text(each.direction), "bodies": bodies, "weaker": weaker}
         if not blocked:
             yield message("direction-stopped", values, where=where)
         elif each.angle == found.angle:
             yield message("direction-held", values, severity=Severity.WARNING, where=where)
 
 
-def sides_messages(behind: Sequence[str], search: DirectionSearch) -> Iterator[Message]:
+def _sides_messages(behind: Sequence[str], search: DirectionSearch) -> Iterator[Message]:
     """Tell that it rocks to one side because of what stands behind it."""
     if behind and search.definition.sides is None:
         yield message("sides-by-contact", {"bodies": ", ".join(behind)}, where=search.where)
 
 
-def left_out_warning(candidate: CandidateDirection, where: str) -> Message:
+def _left_out_warning(candidate: CandidateDirection, where: str) -> Message:
     """Say why a direction was left out."""
-    values = {"direction": vector_text(candidate.direction), "why": candidate.reason}
+    values = {"direction": _vector_text(candidate.direction), "why": candidate.reason}
     return message("direction-left-out", values, severity=Severity.WARNING, where=where)
 
 
-def with_messages(
+def _with_messages(
     built: Built, candidates: Sequence[CandidateDirection], messages: Sequence[Message], search: DirectionSearch
 ) -> Built:
     """Return the mechanism with its candidates, the bodies beside it and the messages on them."""
@@ -274,34 +274,34 @@ class DirectionSearch:
         return f"mechanisms.{self.name}"
 
 
-def prepare_search(name: str, definition: BlockMechanism, bodies: Bodies) -> DirectionSearch:
+def _prepare_search(name: str, definition: BlockMechanism, bodies: Bodies) -> DirectionSearch:
     """Find the candidate directions of a mechanism and the bodies beside it."""
-    standing, bare = solids_of_blocks(name, definition, bodies), one_sided_definition(definition)
+    standing, bare = _solids_of_blocks(name, definition, bodies), _one_sided_definition(definition)
     if isinstance(bare, SingleBlock) and not isinstance(bare.cut, CutAngle):
-        block = standing_above_cut(name, bare, standing)
-        standing, foot, towards = block.solids, block.foot, block_by_direction(name, bare, block, bodies)
+        block = _standing_above_cut(name, bare, standing)
+        standing, foot, towards = block.solids, block.foot, _block_by_direction(name, bare, block, bodies)
     else:
         foot = lowest_corners(standing)
 
         def towards(direction: Vector) -> Mechanism:
-            return on_rigid_hinges(name, turn_towards(bare, direction), bodies)[0]
+            return on_rigid_hinges(name, _turn_towards(bare, direction), bodies)[0]
 
-    angles = candidate_angles(definition, foot, np.concatenate([solid.vertices for solid in standing]))
-    return DirectionSearch(name, definition, bodies, foot, obstacles_of(definition, standing, bodies), angles, towards)
+    angles = _candidate_angles(definition, foot, np.concatenate([solid.vertices for solid in standing]))
+    return DirectionSearch(name, definition, bodies, foot, _obstacles_of(definition, standing, bodies), angles, towards)
 
 
-def candidate_angles(definition: BlockMechanism, foot: FloatArray, corners: FloatArray) -> tuple[float, ...]:
+def _candidate_angles(definition: BlockMechanism, foot: FloatArray, corners: FloatArray) -> tuple[float, ...]:
     """Return the angles [deg] of the candidates, rising, from the corners of the base and of the whole mechanism."""
     plan = hull_edge_normals(corners)
     if isinstance(definition, TwoBlock):
-        normals = thinnest_normal(corners[:, :2], plan)
+        normals = _thinnest_normal(corners[:, :2], plan)
     else:
-        normals = plan if isinstance(definition.cut, CutAngle) else edge_normals_and_beside(foot)
+        normals = plan if isinstance(definition.cut, CutAngle) else _edge_normals_and_beside(foot)
     normals = normals if normals.size else plan
     return tuple(np.unique(np.round(np.concatenate([normals, normals + 180.0]), 9) % 360.0).tolist())
 
 
-def one_sided_definition(definition: BlocksT) -> BlocksT:
+def _one_sided_definition(definition: BlocksT) -> BlocksT:
     """Return the definition for one side, without what depends on the impacts or is measured along the direction."""
     changes: dict[str, Any] = {"sides": "one", "restitution": Restitution(positive=0.0, negative=0.0)}
     if definition.direction is None:
@@ -313,37 +313,37 @@ def one_sided_definition(definition: BlocksT) -> BlocksT:
     return replace(definition, **{**changes, "hinges_negative": None})
 
 
-def thinnest_normal(plan: FloatArray, normals: FloatArray) -> FloatArray:
+def _thinnest_normal(plan: FloatArray, normals: FloatArray) -> FloatArray:
     """Return the normal [deg] among [k] along which a plan [n, 2] is thinnest, the first of equals."""
     at = np.radians(normals)
     width = np.ptp(plan @ np.array([np.cos(at), np.sin(at)]), axis=0)
     return normals[[int(np.argmin(np.round(width / width.max(), DIGITS)))]]
 
 
-def evaluate_candidates(search: DirectionSearch) -> tuple[CandidateDirection, ...]:
+def _evaluate_candidates(search: DirectionSearch) -> tuple[CandidateDirection, ...]:
     """Evaluate every candidate: its multiplier, or why it cannot rock that way, and what touches it there."""
-    return tuple(evaluate_candidate(angle, search) for angle in search.angles)
+    return tuple(_evaluate_candidate(angle, search) for angle in search.angles)
 
 
-def evaluate_candidate(angle: float, search: DirectionSearch) -> CandidateDirection:
+def _evaluate_candidate(angle: float, search: DirectionSearch) -> CandidateDirection:
     """Evaluate one candidate; raise FallingError if it already falls and no direction is given."""
     candidate = CandidateDirection(angle)
-    candidate = replace(candidate, touching=bodies_that_stop(search.obstacles, candidate.direction))
-    if not hinge_on_side(search, candidate.direction):
+    candidate = replace(candidate, touching=_bodies_that_stop(search.obstacles, candidate.direction))
+    if not _hinge_on_side(search, candidate.direction):
         return replace(candidate, reason=OTHER_SIDE)
     try:
         return replace(candidate, multiplier=uplift_multiplier(search.mechanism_towards(candidate.direction).positive))
     except FallingError as error:
         if search.definition.direction is None and not candidate.touching:
             raise FallingError(
-                f"{error} (towards {vector_text(candidate.direction)}, looked at as `direction` is absent)"
+                f"{error} (towards {_vector_text(candidate.direction)}, looked at as `direction` is absent)"
             ) from None
         return replace(candidate, reason=str(error))
     except AssessError as error:
         return replace(candidate, reason=str(error))
 
 
-def hinge_on_side(search: DirectionSearch, direction: Vector) -> bool:
+def _hinge_on_side(search: DirectionSearch, direction: Vector) -> bool:
     """Return whether a hinge given in space lies on the side of the base towards `direction`; true if none is given."""
     hinges = search.definition.hinge_points
     if hinges is None or len(hinges[0]) == 2:
@@ -354,7 +354,7 @@ def hinge_on_side(search: DirectionSearch, direction: Vector) -> bool:
     return ON_SIDE[0] < out < ON_SIDE[1]
 
 
-def vector_text(direction: Vector) -> str:
+def _vector_text(direction: Vector) -> str:
     """Write a direction as the project file does."""
     return "[" + ", ".join(f"{round(part, 6) + 0.0:g}" for part in direction) + "]"
 
@@ -365,15 +365,15 @@ def uplift_multiplier(chain: Chain) -> float:
     return float(work.restoring[0] / (g * work.excitation[0]))
 
 
-def with_displacement(candidate: CandidateDirection, search: DirectionSearch) -> CandidateDirection:
+def _with_displacement(candidate: CandidateDirection, search: DirectionSearch) -> CandidateDirection:
     """Return the candidate with d0* of its control point."""
     return replace(
         candidate,
-        displacement=displacement_of(search.mechanism_towards(candidate.direction).positive, name=search.name),
+        displacement=_displacement_of(search.mechanism_towards(candidate.direction).positive, name=search.name),
     )
 
 
-def displacement_of(chain: Chain, *, name: str) -> float | None:
+def _displacement_of(chain: Chain, *, name: str) -> float | None:
     """Return d0* of a chain on rigid hinges, the displacement at overturning [m]; None if it never overturns.
 
     With what is shown to last to collapse: 0 where it stands only by other ties and forces.
@@ -387,46 +387,46 @@ def displacement_of(chain: Chain, *, name: str) -> float | None:
     return float(displacement(side, np.array(side.overturning), mass=chain.mass))
 
 
-def free_candidates(known: Sequence[CandidateDirection]) -> tuple[list[CandidateDirection], bool]:
+def _free_candidates(known: Sequence[CandidateDirection]) -> tuple[list[CandidateDirection], bool]:
     """Return the candidates that nothing stops; all of them, and True, if bodies hold the weak axis both ways.
 
     What holds a wall on both faces, as a floor and a buttress may, does not make its own plane its weak direction.
     """
     free = [each for each in known if not each.touching]
-    least = min(known, key=rank_key)
+    least = min(known, key=_rank_key)
     back = [each for each in known if abs((each.angle - least.angle) % 360.0 - 180.0) < 1e-6]
     both = bool(least.touching) and all(each.touching for each in back)
-    if not free or (both and multiplier_of(min(free, key=rank_key)) > MUCH_STRONGER * multiplier_of(least)):
+    if not free or (both and _multiplier_of(min(free, key=_rank_key)) > MUCH_STRONGER * _multiplier_of(least)):
         return list(known), True
     return free, False
 
 
-def multiplier_of(candidate: CandidateDirection) -> float:
+def _multiplier_of(candidate: CandidateDirection) -> float:
     """Return the multiplier of a candidate that has one [-]."""
     assert candidate.multiplier is not None
     return candidate.multiplier
 
 
-def near_least(pool: Sequence[CandidateDirection]) -> list[CandidateDirection]:
+def _near_least(pool: Sequence[CandidateDirection]) -> list[CandidateDirection]:
     """Return the candidates whose multiplier is near the least."""
-    least = min(map(multiplier_of, pool))
-    return [each for each in pool if multiplier_of(each) <= NEAR * max(least, 0.0) or multiplier_of(each) == least]
+    least = min(map(_multiplier_of, pool))
+    return [each for each in pool if _multiplier_of(each) <= NEAR * max(least, 0.0) or _multiplier_of(each) == least]
 
 
-def weakest_of(near: Sequence[CandidateDirection]) -> CandidateDirection:
+def _weakest_of(near: Sequence[CandidateDirection]) -> CandidateDirection:
     """Return the candidate of least d0*; ties go to the least multiplier, then to the nearest to +x, then +y."""
     return min(
-        near, key=lambda each: (round_rank(inf if each.displacement is None else each.displacement), *rank_key(each))
+        near, key=lambda each: (_round_rank(inf if each.displacement is None else each.displacement), *_rank_key(each))
     )
 
 
-def rank_key(candidate: CandidateDirection) -> tuple[float, float, float]:
+def _rank_key(candidate: CandidateDirection) -> tuple[float, float, float]:
     """Return what candidates are sorted by: the multiplier, then nearness to +x, then to +y."""
     x, y, _ = candidate.direction
-    return round_rank(multiplier_of(candidate)), -round(x, DIGITS), -round(y, DIGITS)
+    return _round_rank(_multiplier_of(candidate)), -round(x, DIGITS), -round(y, DIGITS)
 
 
-def round_rank(value: float) -> float:
+def _round_rank(value: float) -> float:
     """Round to so many figures that equals stay equal."""
     return float(f"{value:.{DIGITS}g}")
 
@@ -438,28 +438,28 @@ SAME = 1e-6  # deg: directions this near are one
 TIE = 1e-9  # multipliers this near the least are as weak
 
 
-def sweep_directions(name: str, definition: BlockMechanism, bodies: Bodies) -> Built:
+def _sweep_directions(name: str, definition: BlockMechanism, bodies: Bodies) -> Built:
     """Build the mechanism in the weakest of directions all around."""
-    standing = solids_of_blocks(name, definition, bodies)
+    standing = _solids_of_blocks(name, definition, bodies)
     corner: tuple[Message, ...] = ()
     if isinstance(definition, SingleBlock) and not isinstance(definition.cut, CutAngle):
-        block = standing_above_cut(name, definition, standing)
-        found = resistance_by_direction(
-            block_by_direction(name, definition, block, bodies), swept_angles(edge_normals_and_beside(block.foot))
+        block = _standing_above_cut(name, definition, standing)
+        found = _resistance_by_direction(
+            _block_by_direction(name, definition, block, bodies), _swept_angles(_edge_normals_and_beside(block.foot))
         )
-        corner = (warning("turns-about-corner"),) if has_slope(block.foot) else ()
+        corner = (warning("turns-about-corner"),) if _has_slope(block.foot) else ()
     else:  # the crack turns with the direction, and with it the blocks
         plan = np.concatenate([solid.vertices for solid in standing])
-        found = resistance_by_direction(
-            lambda direction: mechanism_of(name, turn_towards(definition, direction), bodies).mechanism,
-            swept_angles(hull_edge_normals(plan)),
+        found = _resistance_by_direction(
+            lambda direction: mechanism_of(name, _turn_towards(definition, direction), bodies).mechanism,
+            _swept_angles(hull_edge_normals(plan)),
         )
-    built = mechanism_of(name, turn_towards(definition, direction_at(found.weakest)), bodies)
+    built = mechanism_of(name, _turn_towards(definition, direction_at(found.weakest)), bodies)
     kept = (each for each in built.mechanism.warnings if each.key != ASKEW)  # every direction has been looked at
     return replace(built, mechanism=replace(built.mechanism, directions=found, warnings=(*kept, *corner)))
 
 
-def solids_of_blocks(name: str, definition: BlockMechanism, bodies: Bodies) -> tuple[Solid, ...]:
+def _solids_of_blocks(name: str, definition: BlockMechanism, bodies: Bodies) -> tuple[Solid, ...]:
     """Return the solids of all blocks; raise MechanismError for a body without geometry, which has one plane only."""
     found = []
     for body in (body for block in definition.blocks for body in block):
@@ -473,7 +473,7 @@ def solids_of_blocks(name: str, definition: BlockMechanism, bodies: Bodies) -> t
     return tuple(found)
 
 
-def swept_angles(normals: FloatArray) -> tuple[float, ...]:
+def _swept_angles(normals: FloatArray) -> tuple[float, ...]:
     """Return the directions [deg] to evaluate: even steps, and the normals [k] of the edges of the base.
 
     Where the multiplier of a block has a minimum, the hinge passes from one corner to the next: over an edge, or
@@ -484,19 +484,19 @@ def swept_angles(normals: FloatArray) -> tuple[float, ...]:
     return tuple(np.sort(np.concatenate([even, normals[apart]])).tolist())
 
 
-def has_slope(foot: FloatArray) -> bool:
+def _has_slope(foot: FloatArray) -> bool:
     """Return whether the corners [k, 3] of a base lie at different elevations."""
     return float(np.ptp(foot[:, 2])) > LEVEL_RISE
 
 
-def edge_normals_and_beside(foot: FloatArray) -> FloatArray:
+def _edge_normals_and_beside(foot: FloatArray) -> FloatArray:
     """Return the normals of the edges between corners [k, 3] [deg]; on a slope also just beside.
 
     There the lower end has the larger height to the centroid over it, and so the least multiplier.
     """
     normals = hull_edge_normals(foot)
     beside = [normals + turn for turn in (-BESIDE, 0.0, BESIDE)]
-    return np.unique(np.concatenate(beside) % 360.0) if has_slope(foot) else normals
+    return np.unique(np.concatenate(beside) % 360.0) if _has_slope(foot) else normals
 
 
 @dataclass(frozen=True)
@@ -511,7 +511,7 @@ class StandingBlock:
     fixed: tuple[Solid, ...] = ()
 
 
-def standing_above_cut(name: str, definition: SingleBlock, solids: tuple[Solid, ...]) -> StandingBlock:
+def _standing_above_cut(name: str, definition: SingleBlock, solids: tuple[Solid, ...]) -> StandingBlock:
     """Return the block above its cut, which is the same in every direction."""
     plane = cut_of(definition, where=f'mechanism "{name}"')
     if plane is None:
@@ -520,7 +520,7 @@ def standing_above_cut(name: str, definition: SingleBlock, solids: tuple[Solid, 
     return StandingBlock(parts.above, parts.foot, parts.below)
 
 
-def block_by_direction(
+def _block_by_direction(
     name: str, definition: SingleBlock, standing: StandingBlock, bodies: Bodies
 ) -> Callable[[Vector], Mechanism]:
     """Return a function of the direction that builds the single block; it is cut once and its loads are found once."""
@@ -535,19 +535,19 @@ def block_by_direction(
         body = join_bodies([planar_body_without_outline(solid, direction=direction) for solid in standing.solids])
         body = replace(body, base=base_of_section(standing.foot, direction=direction))
         pieces = [Piece(body, standing.solids, None, fixed=standing.fixed)]
-        faced = turn_towards(definition, direction)
+        faced = _turn_towards(definition, direction)
         load_set = loads_of(name, faced, pieces, bodies, find=find)
         return build_single_block(name, faced, pieces, loads=load_set.loads)[0]
 
     return block
 
 
-def turn_towards(definition: BlocksT, direction: Vector) -> BlocksT:
+def _turn_towards(definition: BlocksT, direction: Vector) -> BlocksT:
     """Return the definition with a direction."""
     return replace(definition, direction=direction)
 
 
-def resistance_by_direction(mechanism_towards: Callable[[Vector], Mechanism], around: Sequence[float]) -> Directions:
+def _resistance_by_direction(mechanism_towards: Callable[[Vector], Mechanism], around: Sequence[float]) -> Directions:
     """Find the resistance to positive rotation towards each of the angles `around` [n] [deg], rising.
 
     The smallest angle of the least multiplier is the weakest; opposite angles are the two signs of one plane.
@@ -587,7 +587,7 @@ class Obstacle:
         return float(self.faces.area[ahead].sum()) > SMALLEST
 
 
-def obstacles_of(definition: BlockMechanism, standing: Sequence[Solid], bodies: Bodies) -> tuple[Obstacle, ...]:
+def _obstacles_of(definition: BlockMechanism, standing: Sequence[Solid], bodies: Bodies) -> tuple[Obstacle, ...]:
     """Find the bodies that touch what moves (`standing`), other than those of the mechanism and its loads."""
     low = min(float(solid.vertices[:, 2].min()) for solid in standing)
     high = max(float(solid.vertices[:, 2].max()) for solid in standing)
@@ -604,7 +604,7 @@ def obstacles_of(definition: BlockMechanism, standing: Sequence[Solid], bodies: 
     return tuple(Obstacle(other.name, faces) for other, faces in found if float(faces.area.sum()) > SMALLEST)
 
 
-def bodies_that_stop(obstacles: Sequence[Obstacle], direction: Vector) -> tuple[str, ...]:
+def _bodies_that_stop(obstacles: Sequence[Obstacle], direction: Vector) -> tuple[str, ...]:
     """Return the bodies that stop a motion towards `direction`."""
     return tuple(obstacle.body for obstacle in obstacles if obstacle.stops(direction))
 

@@ -95,17 +95,17 @@ def find_joint_plane(
             "{ rectangle = [thickness, length] }"
         )
     if face is not None:
-        return joint_plane_between(number, hinge, ordered, blocks, view, where=where)
+        return _joint_plane_between(number, hinge, ordered, blocks, view, where=where)
     piece = ordered[-1 if pressing == blocks - 1 else 0]
     if blocks == number == 2:
-        return joint_plane_on_face(piece.solids, hinge, view, UP, where=where)
+        return _joint_plane_on_face(piece.solids, hinge, view, UP, where=where)
     plane = cut_of(definition, where=where) if piece.cut and len(pieces) == blocks else None
     if plane is None:
-        return joint_plane_on_face(piece.solids, hinge, view, DOWN, where=where)
+        return _joint_plane_on_face(piece.solids, hinge, view, DOWN, where=where)
     return JointPlane(view.project_vector(plane.normal), plane, divide(piece.solids, plane, where=where).region)
 
 
-def normal_at(
+def _normal_at(
     number: int, hinge: Point, definition: BlockMechanism, pieces: Sequence[Piece], view: MotionPlane, *, where: str
 ) -> Vector:
     """Return the normal of the joint plane at a hinge, from the held face to the pressing block; a known cut is reused.
@@ -126,7 +126,7 @@ def normal_at(
     return find_joint_plane(number, hinge, definition, pieces, view, where=where).normal
 
 
-def joint_plane_on_face(
+def _joint_plane_on_face(
     solids: Sequence[Solid], hinge: Point, view: MotionPlane, side: Vector, *, where: str
 ) -> JointPlane:
     """Find the face of a block on the ground, or of a wall under the support at its top.
@@ -134,7 +134,7 @@ def joint_plane_on_face(
     It is the one through the hinge that looks most to that side; the lowest (highest) one where none does.
     """
     at = view.world(hinge)
-    found = [normal for normal in normals_at(solids, at, view) if normal[2] * side[1] >= NOT_UPRIGHT]
+    found = [normal for normal in _normals_at(solids, at, view) if normal[2] * side[1] >= NOT_UPRIGHT]
     if found:
         outward = max(found, key=lambda normal: float(normal[2] * side[1]))
         plane = Plane(at, outward)
@@ -142,7 +142,7 @@ def joint_plane_on_face(
         heights = np.concatenate([solid.vertices[:, 2] for solid in solids])
         level = float(heights.max() if side == UP else heights.min())
         plane = Plane(view.world((hinge[0], level)), np.array([0.0, 0.0, side[1]]))
-    region = _parts_with_area(faces_in(solids, plane))
+    region = _parts_with_area(_faces_in(solids, plane))
     if region.area <= SLIVER:
         raise GeometryError(
             f"{where}: no face of its block lies at the hinge ({hinge[0]:.4g}, {hinge[1]:.4g}) m; give shape"
@@ -150,16 +150,16 @@ def joint_plane_on_face(
     return JointPlane(view.project_vector(-plane.normal), plane, region)
 
 
-def joint_plane_between(
+def _joint_plane_between(
     number: int, hinge: Point, pieces: Sequence[Piece], blocks: int, view: MotionPlane, *, where: str
 ) -> JointPlane:
     """Find where two blocks, or two voussoirs of an arch, touch with an edge of the contact at the hinge."""
     at = view.world(hinge)
     for over, under in _neighbours(number, pieces, blocks):
-        for outward in normals_at(over, at, view):
+        for outward in _normals_at(over, at, view):
             plane = Plane(at, outward)
-            facing = faces_in(under, Plane(at, -outward), seen_in=plane)
-            region = _parts_with_area(shapely.intersection(faces_in(over, plane), facing))
+            facing = _faces_in(under, Plane(at, -outward), seen_in=plane)
+            region = _parts_with_area(shapely.intersection(_faces_in(over, plane), facing))
             if region.area <= SLIVER:
                 continue
             joint_plane = JointPlane(view.project_vector(-outward), plane, region)
@@ -186,7 +186,7 @@ def _neighbours(
         yield (other.solids, one.solids) if pressing > face else (one.solids, other.solids)
 
 
-def normals_at(solids: Sequence[Solid], at: FloatArray, view: MotionPlane) -> list[FloatArray]:
+def _normals_at(solids: Sequence[Solid], at: FloatArray, view: MotionPlane) -> list[FloatArray]:
     """Return the outward unit normals of the faces that contain the axis through a point [3], largest face first."""
     there: list[tuple[FloatArray, FloatArray]] = []
     for corners, normal, area in map(_faces, solids):
@@ -202,7 +202,7 @@ def normals_at(solids: Sequence[Solid], at: FloatArray, view: MotionPlane) -> li
     return [normal for normal, _ in sorted(found, key=lambda each: -each[1])]
 
 
-def faces_in(solids: Sequence[Solid], plane: Plane, *, seen_in: Plane | None = None) -> shapely.Geometry:
+def _faces_in(solids: Sequence[Solid], plane: Plane, *, seen_in: Plane | None = None) -> shapely.Geometry:
     """Return the faces of solids that lie in a plane and face along its normal, in the coordinates of `seen_in`."""
     shown, pieces = seen_in or plane, []
     axes = np.column_stack([project_on_plane(shown, unit) for unit in np.eye(3)])
@@ -233,12 +233,12 @@ def faces_of(
     mechanism: Mechanism, definition: BlockMechanism, pieces: Sequence[Piece], bodies: Bodies
 ) -> tuple[tuple[Face, ...], ...]:
     """Return the faces at the hinges of the positive and of the negative branch, each in its own sign."""
-    frictions = [friction_at(number, definition, bodies) for number in range(len(mechanism.positive.hinges))]
+    frictions = [_friction_at(number, definition, bodies) for number in range(len(mechanism.positive.hinges))]
     chains = [chain for chain in (mechanism.positive, mechanism.negative) if chain is not None]
     return tuple(
         tuple(
             Face(
-                *hinge_normal(number, chain, definition, pieces, MotionPlane.towards(definition.towards, sign=sign)),
+                *_hinge_normal(number, chain, definition, pieces, MotionPlane.towards(definition.towards, sign=sign)),
                 *frictions[number],
             )
             for number in range(len(chain.hinges))
@@ -247,7 +247,7 @@ def faces_of(
     )
 
 
-def hinge_normal(
+def _hinge_normal(
     number: int, chain: Chain, definition: BlockMechanism, pieces: Sequence[Piece], view: MotionPlane
 ) -> tuple[Vector, bool]:
     """Return the normal at a hinge, to the pressing block, and whether the geometry shows it; otherwise it is vertical.
@@ -261,13 +261,13 @@ def hinge_normal(
         return (normal.real, normal.imag), True
     upright = DOWN if len(chain.blocks) == number == 2 else UP
     try:
-        found = normal_at(number, chain.hinges[number], definition, pieces, view, where="")
+        found = _normal_at(number, chain.hinges[number], definition, pieces, view, where="")
     except GeometryError:
         return upright, False
     return (upright, False) if ground and found[1] * upright[1] < STEEP else (found, True)
 
 
-def friction_at(number: int, definition: BlockMechanism, bodies: Bodies) -> tuple[float | None, Term | Message]:
+def _friction_at(number: int, definition: BlockMechanism, bodies: Bodies) -> tuple[float | None, Term | Message]:
     """Return the least friction of the blocks that meet at a hinge, None if one has none, with the remedy."""
     least: float | None = None
     for block in FACING_BLOCKS[definition.number_of_blocks][number]:

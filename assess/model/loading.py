@@ -57,9 +57,9 @@ def loads_of(
 
     Raises GeometryError for a body that touches nothing of its block.
     """
-    blocks = blocks_of(name, definition, pieces)
+    blocks = _blocks_of(name, definition, pieces)
     parts = [
-        loads_of_entry(number, load, blocks, definition, bodies, find=find)
+        _loads_of_entry(number, load, blocks, definition, bodies, find=find)
         for number, load in enumerate(definition.loads, start=1)
     ]
     carried = dict.fromkeys(load.body for load in definition.loads if isinstance(load, BodyLoad))
@@ -72,7 +72,7 @@ def loads_of(
     )
 
 
-def loads_of_entry(
+def _loads_of_entry(
     number: int,
     load: LoadDefinition,
     blocks: MechanismBlocks,
@@ -94,19 +94,19 @@ def loads_of_entry(
         )
         return LoadSet((force,), (), (False,))
     if isinstance(load, BodyLoad):
-        part = loads_of_body(load, blocks, definition, bodies, find=find)
+        part = _loads_of_body(load, blocks, definition, bodies, find=find)
     else:
-        part = LoadSet((load_in_plane(number, load, definition.towards),), ())
+        part = LoadSet((_load_in_plane(number, load, definition.towards),), ())
     outlines = [piece.body.outline for piece in blocks.pieces]
     warnings = (
         *part.warnings,
-        *misplaced_load_warnings(part.loads, blocks),
-        *moving_anchor_warnings(part.loads, outlines),
+        *_misplaced_load_warnings(part.loads, blocks),
+        *_moving_anchor_warnings(part.loads, outlines),
     )
     return LoadSet(part.loads, warnings, (isinstance(load, BodyLoad) and load.block is None,) * len(part.loads))
 
 
-def blocks_of(name: str, definition: BlockMechanism, pieces: Sequence[Piece]) -> MechanismBlocks:
+def _blocks_of(name: str, definition: BlockMechanism, pieces: Sequence[Piece]) -> MechanismBlocks:
     """Return the blocks as loads meet them; two blocks without geometry part at hinge B."""
     cracked = len(definition.blocks) == 1 and len(pieces) == 2
     foot, crack = pieces[-1].foot, None
@@ -117,7 +117,7 @@ def blocks_of(name: str, definition: BlockMechanism, pieces: Sequence[Piece]) ->
     return MechanismBlocks(tuple(pieces), crack, cracked, definition.along, where=f'mechanism "{name}"')
 
 
-def loads_of_body(
+def _loads_of_body(
     load: BodyLoad,
     blocks: MechanismBlocks,
     definition: BlockMechanism,
@@ -157,7 +157,7 @@ def surroundings(load: BodyLoad, blocks: MechanismBlocks, number: int, bodies: B
     return Surroundings(pieces[number].solids, tuple(others), fixed, blocks.along, where=blocks.where)
 
 
-def load_in_plane(
+def _load_in_plane(
     number: int,
     load: MassLoad | ForceLoad | TieLoad,
     direction: Sequence[float],
@@ -168,7 +168,7 @@ def load_in_plane(
         return PointMass(name, load.mass, at, load.bearing, load.block, seat=load.seat)
     way = None if load.direction is None else unit_in_plane(load.direction, direction)
     if isinstance(load, TieLoad):
-        return tie_in_plane(name, load, at, way, direction)
+        return _tie_in_plane(name, load, at, way, direction)
     if isinstance(load.force, tuple):
         force = load.force
     else:
@@ -177,7 +177,7 @@ def load_in_plane(
     return Force(name, force, at, load.block, until=load.until, evidence=load.evidence)
 
 
-def tie_in_plane(name: str, load: TieLoad, at: Point, way: Point | None, direction: Sequence[float]) -> Tie:
+def _tie_in_plane(name: str, load: TieLoad, at: Point, way: Point | None, direction: Sequence[float]) -> Tie:
     """Return a tie in the plane of motion; raise GeometryError if its anchor is then where it holds the block."""
     anchor = None if load.anchor is None else point_in_plane(load.anchor, direction)
     if anchor == at:
@@ -198,7 +198,7 @@ def tie_in_plane(name: str, load: TieLoad, at: Point, way: Point | None, directi
     )
 
 
-def moving_anchor_warnings(loads: Sequence[Load], outlines: Sequence[Outline]) -> Iterator[Message]:
+def _moving_anchor_warnings(loads: Sequence[Load], outlines: Sequence[Outline]) -> Iterator[Message]:
     """Warn of each tie whose anchor lies on a block of the mechanism, seen in the plane of motion."""
     for load in loads:
         if not isinstance(load, Tie) or load.anchor is None:
@@ -209,7 +209,7 @@ def moving_anchor_warnings(loads: Sequence[Load], outlines: Sequence[Outline]) -
                 yield warning("load-anchor-moves", load=load.name, block=whole_number(block), **anchor)
 
 
-def misplaced_load_warnings(loads: Sequence[Load], blocks: MechanismBlocks) -> Iterator[Message]:
+def _misplaced_load_warnings(loads: Sequence[Load], blocks: MechanismBlocks) -> Iterator[Message]:
     """Warn of each load that is not on or near its block, seen in the plane of motion, ignoring the crack."""
     for load in loads:
         whole = blocks.pieces if blocks.cracked else [blocks.pieces[min(load.block, len(blocks.pieces) - 1)]]

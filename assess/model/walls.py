@@ -123,11 +123,11 @@ def crack_of(
         crack = front[1][1] if front is not None else "sorrentino"
     if not isinstance(crack, str):
         return Crack(float(crack))
-    find = crack_by_formula if crack == "sorrentino" else crack_by_search
+    find = _crack_by_formula if crack == "sorrentino" else _crack_by_search
     load_set = loads()
     strength = next(materials_of(definition.blocks[0], bodies)).tensile_strength or 0.0
     elevation, notice = find(definition, whole, load_set, strength=strength)
-    return Crack(elevation, (notice,), loads_above(load_set, elevation))
+    return Crack(elevation, (notice,), _loads_above(load_set, elevation))
 
 
 def blocks_at(elevation: float, name: str, definition: TwoBlock, whole: Piece) -> tuple[Piece, Piece]:
@@ -138,10 +138,10 @@ def blocks_at(elevation: float, name: str, definition: TwoBlock, whole: Piece) -
     parts = divide(whole.solids, level_plane(elevation), where=f'mechanism "{name}", crack')
     if not parts.below:
         raise CrackError(f"the crack at z = {elevation:.4g} m is at the foot of the wall; give one above it")
-    return block_below_crack(parts, whole, definition.towards), piece_above_cut(parts, definition.towards)
+    return _block_below_crack(parts, whole, definition.towards), piece_above_cut(parts, definition.towards)
 
 
-def loads_above(load_set: LoadSet, elevation: float) -> tuple[Load, ...]:
+def _loads_above(load_set: LoadSet, elevation: float) -> tuple[Load, ...]:
     """Assign the loads of a wall to its blocks, if it cracks at an elevation [m]."""
     return tuple(
         replace(load, block=UPPER if load.at[1] >= elevation else 0) if by_place else load
@@ -161,7 +161,7 @@ def require_as_found(crack: Crack | None, loads: Sequence[Load]) -> None:
         )
 
 
-def panel_of(definition: TwoBlock, whole: Piece, loads: Sequence[Load], *, strength: float) -> WallPanel:
+def _panel_of(definition: TwoBlock, whole: Piece, loads: Sequence[Load], *, strength: float) -> WallPanel:
     """Return the box around a wall and the load on its top: forces and bearing masses of the upper block."""
     points = np.concatenate([solid.vertices for solid in whole.solids])
     along = definition.along
@@ -185,7 +185,7 @@ def panel_of(definition: TwoBlock, whole: Piece, loads: Sequence[Load], *, stren
     )
 
 
-def crack_by_formula(
+def _crack_by_formula(
     definition: TwoBlock, whole: Piece, load_set: LoadSet, *, strength: float
 ) -> tuple[float, Message]:
     """Find the crack by eq. 3.27 with the loads above it: elevation [m] and how it was found.
@@ -195,7 +195,7 @@ def crack_by_formula(
 
     Raises CrackError where none does, or where one puts the crack at the very top.
     """
-    found = list(consistent_cracks(definition, whole, load_set, strength=strength))
+    found = list(_consistent_cracks(definition, whole, load_set, strength=strength))
     if not found:
         raise CrackError(
             'crack = "sorrentino": wherever the formula puts the crack, other loads stand above it than it was found '
@@ -205,7 +205,7 @@ def crack_by_formula(
     return elevation, notice
 
 
-def consistent_cracks(
+def _consistent_cracks(
     definition: TwoBlock, whole: Piece, load_set: LoadSet, *, strength: float
 ) -> Iterator[tuple[float, float, Message]]:
     """Find the cracks by eq. 3.27 that agree with the loads above them: uplift multiplier, elevation, and how.
@@ -216,22 +216,22 @@ def consistent_cracks(
         {load.at[1] for load, by_place in zip(load_set.loads, load_set.block_by_place, strict=True) if by_place}
     )
     for lowest, next_one in pairwise((-inf, *heights, inf)):
-        loads = loads_above(load_set, next_one)
-        panel = panel_of(definition, whole, loads, strength=strength)
+        loads = _loads_above(load_set, next_one)
+        panel = _panel_of(definition, whole, loads, strength=strength)
         on_top = panel.base + (1.0 - MARGIN) * panel.height
         if lowest > on_top:
             return
         try:
-            elevation, notice = crack_of_panel(panel, sides="two" if definition.two_sided else "one")
+            elevation, notice = _crack_of_panel(panel, sides="two" if definition.two_sided else "one")
         except CrackError:
             if next_one < on_top:
                 continue
             raise
         if lowest < elevation <= next_one:
-            yield cracked_multiplier(definition, whole, panel, loads, elevation), elevation, notice
+            yield _cracked_multiplier(definition, whole, panel, loads, elevation), elevation, notice
 
 
-def crack_of_panel(panel: WallPanel, *, sides: str) -> tuple[float, Message]:
+def _crack_of_panel(panel: WallPanel, *, sides: str) -> tuple[float, Message]:
     """Find the crack by eq. 3.27, or by its general form for an eccentric load: elevation [m] and how it was found.
 
     Where the wall rocks to both sides the load is taken at the face that is worse.
@@ -258,16 +258,18 @@ def crack_of_panel(panel: WallPanel, *, sides: str) -> tuple[float, Message]:
     return elevation, warning("crack-by-formula", **values)
 
 
-def crack_by_search(definition: TwoBlock, whole: Piece, load_set: LoadSet, *, strength: float) -> tuple[float, Message]:
+def _crack_by_search(
+    definition: TwoBlock, whole: Piece, load_set: LoadSet, *, strength: float
+) -> tuple[float, Message]:
     """Find the crack of least uplift multiplier: elevation [m] and how it was found.
 
     The multiplier jumps where the crack passes a load, from one block to the other; there it is looked for on both
     sides, out of reach of the contact.
     """
-    panel = panel_of(definition, whole, loads_above(load_set, -inf), strength=strength)
+    panel = _panel_of(definition, whole, _loads_above(load_set, -inf), strength=strength)
 
     def multiplier(elevation: float) -> float:
-        return cracked_multiplier(definition, whole, panel, loads_above(load_set, elevation), elevation)
+        return _cracked_multiplier(definition, whole, panel, _loads_above(load_set, elevation), elevation)
 
     jumps = [load.at[1] for load, by_place in zip(load_set.loads, load_set.block_by_place, strict=True) if by_place]
     elevation = find_least_multiplier(
@@ -283,12 +285,12 @@ def crack_by_search(definition: TwoBlock, whole: Piece, load_set: LoadSet, *, st
     return elevation, found
 
 
-def cracked_multiplier(
+def _cracked_multiplier(
     definition: TwoBlock, whole: Piece, panel: WallPanel, loads: tuple[Load, ...], elevation: float
 ) -> float:
     """Return the multiplier that opens a crack at an elevation [m], the least of the sides that rock."""
     parts = divide(whole.solids, level_plane(elevation), where="crack")
-    blocks = (static_block(parts.below, definition.towards), static_block(parts.above, definition.towards))
+    blocks = (_static_block(parts.below, definition.towards), _static_block(parts.above, definition.towards))
     base, joint, head = whole.body.base, base_of_section(parts.foot, direction=definition.towards), top_edge(whole.body)
     assert base is not None  # a piece with solids has a base and a top
     assert head is not None
@@ -302,14 +304,14 @@ def cracked_multiplier(
     return min(found)
 
 
-def static_block(solids: Sequence[Solid], direction: Sequence[float]) -> RigidBlock:
+def _static_block(solids: Sequence[Solid], direction: Sequence[float]) -> RigidBlock:
     """Return solids that move as one as a block for statics: mass and centroid in the plane of motion."""
     masses = np.array([solid.mass for solid in solids])
     centre = masses @ np.array([solid.centroid for solid in solids]) / masses.sum()
     return RigidBlock(float(masses.sum()), point_in_plane(centre.tolist(), direction), 0.0)
 
 
-def block_below_crack(parts: Division, whole: Piece, direction: Sequence[float]) -> Piece:
+def _block_below_crack(parts: Division, whole: Piece, direction: Sequence[float]) -> Piece:
     """Return the lower side of a crack as a block on the base of the whole wall."""
     body = join_bodies([planar_body(solid, direction=direction) for solid in parts.below])
     return replace(whole, body=replace(body, base=whole.body.base), solids=parts.below)
@@ -363,7 +365,7 @@ def find_least_multiplier(
     CrackError : the multiplier is least at an end, so that no crack between controls
     """
     ends = (low + MARGIN * (high - low), high - MARGIN * (high - low))
-    parts = list(split_range(ends, jumps, apart=apart))
+    parts = list(_split_range(ends, jumps, apart=apart))
     best, at, bounds = inf, low, ends
     for start, end in parts:
         stations = np.linspace(start, end, STATIONS)
@@ -382,7 +384,7 @@ def find_least_multiplier(
     return float(found.x)
 
 
-def split_range(ends: tuple[float, float], jumps: Sequence[float], *, apart: float) -> Iterator[tuple[float, float]]:
+def _split_range(ends: tuple[float, float], jumps: Sequence[float], *, apart: float) -> Iterator[tuple[float, float]]:
     """Split a range at jumps, leaving out what is nearer than `apart` to one."""
     start = ends[0]
     for jump in sorted(each for each in set(jumps) if ends[0] < each + apart and each - apart < ends[1]):

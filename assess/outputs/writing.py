@@ -75,7 +75,7 @@ def output_folder(
         At once, if the folder cannot be written or holds files that may not be replaced.
     """
     with make_folder(folder), hold_lock(folder, command=command, patient=patient):
-        recover(folder, tell=tell)
+        _recover(folder, tell=tell)
         manifest = read(folder)
         refuse_obstacles(folder, manifest, owner, expected)
         with make_stage(folder, command=command) as place:
@@ -213,14 +213,14 @@ def _raise_output_error(folder: Path, obstacles: Mapping[str, str], *, kept: str
 def _commit(place: Path, folder: Path, manifest: Manifest, owner: str) -> None:
     """Move what was made into the folder; if that is not possible, leave it beside the folder."""
     made = place / MADE
-    files = {name: digest(made / name) for name in files_in(made)}
+    files = {name: digest(made / name) for name in _files_in(made)}
     kept = {name: old for name, old in manifest.files_of(owner).items() if name == owner and name not in files}
     listed = Manifest({**manifest.sets, owner: {**files, **kept}}).with_present_digests(folder)
     obstacles = _find_obstacles(folder, manifest, owner, list(files))
     written = listed if not obstacles else Manifest({owner: files})
     (made / MANIFEST).write_text(written.text(), encoding="utf-8", newline="\n")
     if obstacles:
-        left = keep_beside(place, folder)
+        left = _keep_beside(place, folder)
         _raise_output_error(folder, obstacles, kept=f"; nothing there was touched, and what was made is in {left}")
     gone = [name for name in manifest.files_of(owner) if name not in files and name != owner]
     _move_into_place([*files, *gone, *manifest.earlier, MANIFEST], place, folder)
@@ -236,10 +236,10 @@ def _move_into_place(names: Sequence[str], place: Path, folder: Path) -> None:
                 if path.exists():
                     flush(path)
             write_journal(place, moves)
-            finish_moves(place, folder, moves)
+            _finish_moves(place, folder, moves)
         except OSError as error:
-            take_back_moves(place, folder, moves)
-            left = keep_beside(place, folder)
+            _take_back_moves(place, folder, moves)
+            left = _keep_beside(place, folder)
             where = error.filename2 or error.filename or folder
             raise OutputError(
                 f"{where}: cannot be written ({error.strerror}); nothing in {folder} was changed, and what was made is "
@@ -292,35 +292,35 @@ def recover_for_reading(folder: Path, *, tell: TellMessage) -> None:
     """
     if any((each / JOURNAL).is_file() for each in _stages(folder)):
         with hold_lock(folder, command="a command that reads there", patient=True):
-            recover(folder, tell=tell)
+            _recover(folder, tell=tell)
 
 
-def recover(folder: Path, *, tell: TellMessage) -> None:
+def _recover(folder: Path, *, tell: TellMessage) -> None:
     """Recover a folder whose lock the caller holds; remove stages that are left behind."""
-    for stage in left_behind(folder, locked=True):
+    for stage in _left_behind(folder, locked=True):
         if (stage / JOURNAL).is_file() and not stage.is_symlink():
             with defer_signals():
                 tell(_finish_or_take_back(stage, folder))
-        remove_stage(stage)
+        _remove_stage(stage)
 
 
 def _finish_or_take_back(stage: Path, folder: Path) -> Message:
-    moves = read_moves(stage)
-    if moves is not None and can_finish(stage, folder, moves):
-        finish_moves(stage, folder, moves)
+    moves = _read_moves(stage)
+    if moves is not None and _can_finish(stage, folder, moves):
+        _finish_moves(stage, folder, moves)
         return note("writing-finished", str(folder))
-    take_back_moves(stage, folder, guess_moves(stage, folder) if moves is None else moves)
-    left = any((stage / each).is_dir() and files_in(stage / each) for each in (MADE, OLD))
-    place = keep_beside(stage, folder) if left else folder
+    _take_back_moves(stage, folder, _guess_moves(stage, folder) if moves is None else moves)
+    left = any((stage / each).is_dir() and _files_in(stage / each) for each in (MADE, OLD))
+    place = _keep_beside(stage, folder) if left else folder
     return note("writing-taken-back", str(folder), place=str(place))
 
 
-def keep_beside(stage: Path, folder: Path) -> Path:
+def _keep_beside(stage: Path, folder: Path) -> Path:
     """Move the files of a stage into a new folder beside `folder`, or within it, and return the new folder.
 
     Old files whose place is taken by others go with them.
     """
-    if (stage / OLD).is_dir() and files_in(stage / OLD):
+    if (stage / OLD).is_dir() and _files_in(stage / OLD):
         (stage / OLD).rename(stage / MADE / OLD)
     beside = folder.absolute()
     for parent, name in ((beside.parent, f"{beside.name}-new"), (beside, "new")):
@@ -354,7 +354,7 @@ def write_journal(stage: Path, moves: Sequence[Move]) -> None:
     flush(stage)
 
 
-def finish_moves(stage: Path, folder: Path, moves: Sequence[Move]) -> None:
+def _finish_moves(stage: Path, folder: Path, moves: Sequence[Move]) -> None:
     """Carry out the moves that are not done yet."""
     for move in moves:
         made, saved, target = _made_saved_target(stage, folder, move)
@@ -369,7 +369,7 @@ def finish_moves(stage: Path, folder: Path, moves: Sequence[Move]) -> None:
     _close_journal(stage, folder, moves)
 
 
-def take_back_moves(stage: Path, folder: Path, moves: Sequence[Move]) -> None:
+def _take_back_moves(stage: Path, folder: Path, moves: Sequence[Move]) -> None:
     """Undo the moves that are done; files whose place is taken stay in the stage."""
     for move in reversed(moves):
         made, saved, target = _made_saved_target(stage, folder, move)
@@ -387,7 +387,7 @@ def take_back_moves(stage: Path, folder: Path, moves: Sequence[Move]) -> None:
     _close_journal(stage, folder, moves)
 
 
-def read_moves(stage: Path) -> list[Move] | None:
+def _read_moves(stage: Path) -> list[Move] | None:
     """Return the moves in the journal of a stage; None if it cannot be read."""
     try:
         content = json.loads((stage / JOURNAL).read_text(encoding="utf-8"))
@@ -397,7 +397,7 @@ def read_moves(stage: Path) -> list[Move] | None:
     return moves if content.get("format") == 1 and all(stays_inside(move.name) for move in moves) else None
 
 
-def can_finish(stage: Path, folder: Path, moves: Sequence[Move]) -> bool:
+def _can_finish(stage: Path, folder: Path, moves: Sequence[Move]) -> bool:
     """Return whether all new files are whole, and no unknown file is in their place."""
     for move in moves:
         made, _, target = _made_saved_target(stage, folder, move)
@@ -409,10 +409,10 @@ def can_finish(stage: Path, folder: Path, moves: Sequence[Move]) -> bool:
     return True
 
 
-def guess_moves(stage: Path, folder: Path) -> list[Move]:
+def _guess_moves(stage: Path, folder: Path) -> list[Move]:
     """Return the moves as the files show them, for a damaged journal: files in `old` were in the folder."""
     moves = []
-    for name in files_in(stage / OLD) if (stage / OLD).is_dir() else []:
+    for name in _files_in(stage / OLD) if (stage / OLD).is_dir() else []:
         was = digest(stage / OLD / name)
         now = digest(folder / name)
         moves.append(Move(name, None if now == was else now, was))
@@ -489,7 +489,7 @@ def make_stage(place: Path, *, command: str) -> Iterator[Path]:
     finally:
         with defer_signals():
             if not (folder / JOURNAL).exists():
-                remove_stage(folder)
+                _remove_stage(folder)
 
 
 def _make_hidden_folder(folder: Path) -> None:
@@ -505,7 +505,7 @@ def _empty_stage(folder: Path) -> None:
     """Remove the files of a stage except its lock, which goes last; none while moves are unfinished."""
     for each in () if (folder / JOURNAL).exists() else folder.iterdir():
         if each.name != LOCK:
-            remove_stage(each)
+            _remove_stage(each)
 
 
 def _stages(place: Path) -> list[Path]:
@@ -515,7 +515,7 @@ def _stages(place: Path) -> list[Path]:
         return []
 
 
-def left_behind(place: Path, *, locked: bool = False) -> list[Path]:
+def _left_behind(place: Path, *, locked: bool = False) -> list[Path]:
     """Return the stages in `place` that no command uses; locked: no other command can begin one there now."""
     return [each for each in _stages(place) if _is_left_behind(each, locked=locked)]
 
@@ -537,12 +537,12 @@ def _is_older_than_a_day(path: Path) -> bool:
 
 def remove_abandoned_stages(place: Path) -> None:
     """Remove the abandoned stages in `place` that hold no old files."""
-    for each in left_behind(place):
+    for each in _left_behind(place):
         if not (each / OLD).exists():
-            remove_stage(each)
+            _remove_stage(each)
 
 
-def remove_stage(found: Path) -> None:
+def _remove_stage(found: Path) -> None:
     """Remove a stage; a link is removed, not followed."""
     if found.is_dir() and not found.is_symlink():
         shutil.rmtree(found, ignore_errors=True)
@@ -551,7 +551,7 @@ def remove_stage(found: Path) -> None:
         found.unlink()
 
 
-def files_in(folder: Path) -> list[str]:
+def _files_in(folder: Path) -> list[str]:
     """Return every file below `folder`, as a sorted list of paths with slashes."""
     return sorted(path.relative_to(folder).as_posix() for path in folder.rglob("*") if not path.is_dir())
 

@@ -69,7 +69,7 @@ UnitFault = Callable[[Path, Mapping[str, Any], KeyColumn], str]
 """Says why the unit of a column cannot stand there, from the path and the tables of the template; "" if it can."""
 
 
-def no_unit_fault(path: Path, tables: Mapping[str, Any], column: KeyColumn) -> str:
+def _no_unit_fault(path: Path, tables: Mapping[str, Any], column: KeyColumn) -> str:
     """Take any unit."""
     return ""
 
@@ -77,7 +77,7 @@ def no_unit_fault(path: Path, tables: Mapping[str, Any], column: KeyColumn) -> s
 def find_tasks(
     source: Path,
     template: Path | None = None,
-    unit_fault: UnitFault = no_unit_fault,
+    unit_fault: UnitFault = _no_unit_fault,
     *,
     progress: Callable[[int], object] = bool,
 ) -> tuple[Task, ...]:
@@ -156,7 +156,7 @@ def row_fault(task: Task, text: str) -> str:
 
 def _tasks_below(folder: Path) -> Iterator[Task]:
     """Yield a task for each project file below a folder, in the order of their paths."""
-    files, hash_of = sorted(_project_files(folder)), files_hash()
+    files, hash_of = sorted(_project_files(folder)), _files_hash()
     if not files:
         raise ProjectError(
             f"{folder}: no project below it; give a folder with project files, or a table with --template"
@@ -208,13 +208,13 @@ def _tasks_of_table(source: Path, template: Path, unit_fault: UnitFault) -> Iter
     lines, seen = read_table(source), dict[str, int]()
     header = _column_names(next(lines))
     try:
-        columns = columns_of(header, tables, skipped=(ID,))
+        columns = _columns_of(header, tables, skipped=(ID,))
     except ProjectError as error:
         raise ProjectError(f"{source}: {error}") from None
     for column in columns:
         if column and column.unit and (fault := unit_fault(template, tables, column)):
             raise ProjectError(f"{source}: column {quote(f'{column.key} [{column.unit}]')}: {fault}")
-    start, hash_of = hashlib.sha256(template.read_bytes()), files_hash()
+    start, hash_of = hashlib.sha256(template.read_bytes()), _files_hash()
     for line in lines:
         key = _row_key(line, header)
         if key in seen:
@@ -285,7 +285,7 @@ LOCK_ENDING = ".toml"  # how a file of [records] ends that names files itself: t
 FilesHash = Callable[[Mapping[str, Any], Path], str]
 
 
-def files_hash() -> FilesHash:
+def _files_hash() -> FilesHash:
     """Return a function of a project's tables and folder: the hash of the files that they name.
 
     Each file is read once, however many projects name it.
@@ -414,7 +414,9 @@ def _places(value: Any, place: KeyPath) -> Iterator[KeyPath]:
         yield place
 
 
-def columns_of(header: Sequence[str], template: Mapping[str, Any], *, skipped: Sequence[str]) -> list[KeyColumn | None]:
+def _columns_of(
+    header: Sequence[str], template: Mapping[str, Any], *, skipped: Sequence[str]
+) -> list[KeyColumn | None]:
     """Return the columns of a table's header; None for those that are `skipped`.
 
     Raises

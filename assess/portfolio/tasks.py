@@ -133,10 +133,10 @@ def compute_rows(runner: Runner, jobs: Sequence[Job]) -> Computed:
     start = perf_counter()
     if any(job.program != describe_program().sha256 for job in jobs):
         raise AssessError("a worker runs another version of this program; install the same one on all machines")
-    return Computed(tuple(row_of_job(runner, job) for job in jobs), perf_counter() - start)
+    return Computed(tuple(_row_of_job(runner, job) for job in jobs), perf_counter() - start)
 
 
-def row_of_job(runner: Runner, job: Job) -> ProjectRow:
+def _row_of_job(runner: Runner, job: Job) -> ProjectRow:
     """Return the row of a project; one that cannot be assessed is broken, with the reason in one line."""
     try:
         return runner(job)

@@ -120,8 +120,8 @@ def build_to_decide(project: Project) -> Study:
     with locate_errors(str(project.path)):
         if project.sweeps:
             return study_of(project)
-        study, files, messages = deciding_study(project)
-        return replace(study, messages=input_messages(project, study, files, messages))
+        study, files, messages = _deciding_study(project)
+        return replace(study, messages=_input_messages(project, study, files, messages))
 
 
 def uses_of_project(project: Project) -> tuple[str, ...]:
@@ -132,35 +132,35 @@ def uses_of_project(project: Project) -> tuple[str, ...]:
     AssessError, SpectrumError or RecordError : as `build`
     """
     with locate_errors(str(project.path)):
-        return uses_of(project.content, deciding_study(project)[0])
+        return uses_of(project.content, _deciding_study(project)[0])
 
 
 def study_of(project: Project, *, executor: Executor | None = None) -> Study:
     """Build the study of a project, with errors that do not name the project file."""
     content = project.content
     report = report_matter_of(content, project.folder)
-    study, files, messages = deciding_study(project, executor=executor)
+    study, files, messages = _deciding_study(project, executor=executor)
     solids = files.solids
     annex, annex_messages = annex_of(project, uses_of(content, study))
     return replace(
         study,
         annex=annex,
-        inputs=tuple(inputs_of(project, files.named.records, annex)),
+        inputs=tuple(_inputs_of(project, files.named.records, annex)),
         fragility=fragility_question(content, study.hazard, folder=project.folder),
         report=report,
         resolved=with_procedures_run(resolve(project), content),
-        messages=(*input_messages(project, study, files, messages), *annex_messages),
+        messages=(*_input_messages(project, study, files, messages), *annex_messages),
         sweeps=tuple(
-            sweep_of(sweep, project, files, beside={m.name: m.adjacent_bodies for m in study.mechanisms})
+            _sweep_of(sweep, project, files, beside={m.name: m.adjacent_bodies for m in study.mechanisms})
             for sweep in project.sweeps
         ),
-        survey=survey_of(project, study, solids, partial(study_of_mechanism, project=project, files=files)),
-        variables=variables_of(project, study, solids, partial(study_of_mechanism, project=project, files=files)),
+        survey=survey_of(project, study, solids, partial(_study_of_mechanism, project=project, files=files)),
+        variables=variables_of(project, study, solids, partial(_study_of_mechanism, project=project, files=files)),
         sampling=sampling_of(project, study, solids, partial(cases_of, project=project, files=files)),
     )
 
 
-def deciding_study(
+def _deciding_study(
     project: Project, *, executor: Executor | None = None
 ) -> tuple[Study, ProjectFiles, tuple[Message, ...]]:
     """Build what the verdict of a project depends on; with what its files hold, and messages on the records."""
@@ -169,8 +169,8 @@ def deciding_study(
     spectrum = None if site is None else spectrum_of(site)
     models = models_of(content.bodies, known={})
     solids = {name: solid_of(name, body, content.materials, models) for name, body in content.bodies.items()}
-    named, messages = all_records(content.records, project.folder, spectrum)
-    study = study_of_mechanisms(content, ProjectFiles(models, solids, spectrum, named), names=content.mechanisms)
+    named, messages = _all_records(content.records, project.folder, spectrum)
+    study = _study_of_mechanisms(content, ProjectFiles(models, solids, spectrum, named), names=content.mechanisms)
     selection = content.records.selection
     if selection is not None and spectrum is not None:
         named, messages = select_records(
@@ -185,7 +185,7 @@ def deciding_study(
     return study, ProjectFiles(models, solids, spectrum, named), messages
 
 
-def study_of_mechanisms(
+def _study_of_mechanisms(
     content: sections.Content, files: ProjectFiles, *, names: Iterable[str], built_by: Builder = mechanism_in_direction
 ) -> Study:
     """Build the study of some mechanisms of a project, without messages about its file.
@@ -214,7 +214,7 @@ def study_of_mechanisms(
     return Study(
         spectrum=files.spectrum,
         vertical_ratio=0.0 if site is None else site.vertical_ratio,
-        building=structure_below(building),
+        building=_structure_below(building),
         records=files.named.records,
         fitting=files.named.fitting,
         artificial=None
@@ -233,12 +233,12 @@ def study_of_mechanisms(
         mechanisms=tuple(each.mechanism for each in built.values()),
         scenes={each.mechanism.name: each.scene for each in built.values() if each.scene is not None},
         amplified={name: amplify(amplification_method_of(chosen[name]), one) for name, one in in_place.items()},
-        equations={name: equation_of(section, content) for name, section in chosen.items()},
+        equations={name: _equation_of(section, content) for name, section in chosen.items()},
         inputs=(),
         resolved={},
         messages=(),
         sweeps=(),
-        pulses=None if content.analysis.pulses is None else grid_of(content.analysis.pulses),
+        pulses=None if content.analysis.pulses is None else _grid_of(content.analysis.pulses),
         hazard=None if site is None else hazard_over_periods(site),
         free_periods=free_periods_of(content),
         knowledge=knowledge_of(content),
@@ -246,7 +246,7 @@ def study_of_mechanisms(
     )
 
 
-def input_messages(
+def _input_messages(
     project: Project, study: Study, files: ProjectFiles, messages: tuple[Message, ...]
 ) -> tuple[Message, ...]:
     """Return the messages on a project's input.
@@ -267,7 +267,9 @@ def input_messages(
     )
 
 
-def sweep_of(sweep: KeySweep, project: Project, files: ProjectFiles, *, beside: Mapping[str, tuple[str, ...]]) -> Sweep:
+def _sweep_of(
+    sweep: KeySweep, project: Project, files: ProjectFiles, *, beside: Mapping[str, tuple[str, ...]]
+) -> Sweep:
     """Build the cases of a sweep, each with the mechanisms that depend on its key; beside: bodies that touch each."""
     names = dependents(project.content, sweep.path, beside=beside)
     if not names:
@@ -279,11 +281,11 @@ def sweep_of(sweep: KeySweep, project: Project, files: ProjectFiles, *, beside: 
 def case_of(variant: ProjectVariant, project: Project, files: ProjectFiles, *, names: tuple[str, ...]) -> SweepCase:
     """Build one case of a sweep."""
     with locate_errors(variant.name):
-        study = study_of_mechanisms(variant.content, files_of_case(variant.content, project, files), names=names)
+        study = _study_of_mechanisms(variant.content, _files_of_case(variant.content, project, files), names=names)
     return SweepCase(variant.value, variant.name, study)
 
 
-def study_of_mechanism(
+def _study_of_mechanism(
     name: str, content: sections.Content, replaced: Mapping[str, Solid], *, project: Project, files: ProjectFiles
 ) -> Study:
     """Build the study of one mechanism from other content of the project, with some of its bodies replaced.
@@ -295,22 +297,22 @@ def study_of_mechanism(
 
 def cases_of(content: sections.Content, *, project: Project, files: ProjectFiles) -> Cases:
     """Return what builds the study of one mechanism from other content of the project, whose files are read once."""
-    known = files_of_case(content, project, files)
+    known = _files_of_case(content, project, files)
 
     def study_of_case(name: str, replaced: Mapping[str, Solid]) -> Study:
         solids = {**known.solids, **replaced}
-        return study_of_mechanisms(content, replace(known, solids=solids), names=(name,), built_by=mechanism_as_given)
+        return _study_of_mechanisms(content, replace(known, solids=solids), names=(name,), built_by=mechanism_as_given)
 
     return Cases(known.solids, study_of_case)
 
 
-def files_of_case(content: sections.Content, project: Project, files: ProjectFiles) -> ProjectFiles:
+def _files_of_case(content: sections.Content, project: Project, files: ProjectFiles) -> ProjectFiles:
     """Read the files of a case; what the case has not changed is not read again."""
     whole = project.content
-    changed = {name: body for name, body in content.bodies.items() if not same_body(name, content, whole)}
+    changed = {name: body for name, body in content.bodies.items() if not _same_body(name, content, whole)}
     models = models_of(changed, known=files.models)
     solids = {
-        name: solid_in_case(name, content, whole, models, files.solids) if name in changed else files.solids[name]
+        name: _solid_in_case(name, content, whole, models, files.solids) if name in changed else files.solids[name]
         for name in content.bodies
     }
     site = site_in(content)
@@ -319,11 +321,11 @@ def files_of_case(content: sections.Content, project: Project, files: ProjectFil
     if not same and (content.records.select is not None or content.records.lock is not None):
         how = "selected by" if content.records.lock is None else "locked by"
         raise ProjectError(f"records: a sweep cannot vary what records are {how}; sweep another key")
-    records = files.named if same else all_records(content.records, project.folder, spectrum)[0]
+    records = files.named if same else _all_records(content.records, project.folder, spectrum)[0]
     return ProjectFiles(models, solids, spectrum, records)
 
 
-def solid_in_case(
+def _solid_in_case(
     name: str,
     case: sections.Content,
     whole: sections.Content,
@@ -338,7 +340,7 @@ def solid_in_case(
     return scale_density(known, after / before)
 
 
-def same_body(name: str, case: sections.Content, whole: sections.Content) -> bool:
+def _same_body(name: str, case: sections.Content, whole: sections.Content) -> bool:
     """Whether a body and its material are those of the whole project."""
     material = getattr(case.bodies[name], "material", "")
     return case.bodies[name] == whole.bodies[name] and case.materials.get(material) == whole.materials.get(material)
@@ -351,7 +353,7 @@ def levels_of(given: tuple[float, ...] | None, spectrum: Spectrum | None) -> tup
     return levels_with_site(tuple(sorted(given or ())), spectrum.pga)
 
 
-def structure_below(section: sections.BuildingSection | None) -> Building | None:
+def _structure_below(section: sections.BuildingSection | None) -> Building | None:
     """Return the structure below the mechanisms; None if its height is not given."""
     if section is None or section.height is None:
         return None
@@ -361,13 +363,13 @@ def structure_below(section: sections.BuildingSection | None) -> Building | None
     return Building(**section.model_dump(include=CLAUSES_NEED), limit_states=stated)
 
 
-def equation_of(section: sections.MechanismSection, content: sections.Content) -> Equation:
+def _equation_of(section: sections.MechanismSection, content: sections.Content) -> Equation:
     """Return the equation of motion requested, else linearised for equivalent blocks and exact for all others."""
     default: Equation = "linearised" if isinstance(section, sections.EquivalentBlockSection) else "exact"
     return content.analysis.equation or default
 
 
-def grid_of(section: sections.Pulses) -> PulseGrid:
+def _grid_of(section: sections.Pulses) -> PulseGrid:
     """Return the grid of pulses of the envelopes."""
     spaced = np.geomspace if section.frequency.spacing == "log" else np.linspace
     frequency = spaced(section.frequency.start, section.frequency.to, section.frequency.count)
@@ -375,7 +377,7 @@ def grid_of(section: sections.Pulses) -> PulseGrid:
     return PulseGrid(pulse_shape(section.shape, gamma=section.gamma, nu=section.nu), frequency, amplitude)
 
 
-def all_records(
+def _all_records(
     section: sections.Records, folder: Path, spectrum: Spectrum | None
 ) -> tuple[RecordSet, tuple[Message, ...]]:
     """Read every horizontal record named or locked, with messages; none are read here if a suite is to be selected."""
@@ -391,7 +393,7 @@ def all_records(
     )
 
 
-def inputs_of(project: Project, records: Sequence[Record], annex: AnnexResult | None) -> Iterator[Input]:
+def _inputs_of(project: Project, records: Sequence[Record], annex: AnnexResult | None) -> Iterator[Input]:
     """Hash the project file and every file it names; if records are selected or locked, only those used.
 
     Parameters

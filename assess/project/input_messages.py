@@ -46,7 +46,7 @@ def project_messages(
 ) -> Iterator[Message]:
     """Yield what the engineer should know before reading any result."""
     mechanisms = study.mechanisms
-    yield from implausible_numbers(content)
+    yield from _implausible_numbers(content)
     for name, solid in solids.items():
         if solid is not None:
             yield from _body_messages(name, solid, content.bodies[name])
@@ -71,11 +71,11 @@ def _body_messages(name: str, solid: Solid, body: sections.BodySection) -> Itera
     """Report what was done to the mesh of a body, and an implausible size or place."""
     if isinstance(body, sections.MeshBody) and solid.history:
         yield from (note("mesh", f"bodies.{name}", file=body.mesh.name, step=step) for step in solid.history)
-    about_size = size_warning(solid, unit=mesh_unit_of(body))
+    about_size = size_warning(solid, unit=_mesh_unit_of(body))
     yield from locate(() if about_size is None else (about_size,), f"bodies.{name}")
 
 
-def mesh_unit_of(body: sections.BodySection) -> float | None:
+def _mesh_unit_of(body: sections.BodySection) -> float | None:
     """Return the unit in which a mesh was read [m], if it is stated by the project or taken as metre; else None."""
     if not isinstance(body, sections.MeshBody):
         return None
@@ -134,7 +134,7 @@ def _crushing_messages(
             )
 
 
-def implausible_numbers(content: sections.Content) -> Iterator[Message]:
+def _implausible_numbers(content: sections.Content) -> Iterator[Message]:
     """Yield a warning for each number that is beyond what masonry and sites have.
 
     Parameters

@@ -71,7 +71,7 @@ class KeyedValue:
         return self.kind is not None or is_number(self.value)
 
 
-def one_number(value: Any) -> bool:
+def _one_number(value: Any) -> bool:
     """Whether a key holds a number, or a table that spreads one number over its keys, like restitution."""
     if isinstance(value, ProjectSection):
         return all(is_number(item) for _, item in value)
@@ -123,7 +123,7 @@ def _metadata(annotation: Any) -> Iterator[Any]:
 
 def swept_value(key: str, by_key: Mapping[str, KeyedValue], *, where: str) -> KeyedValue:
     """Return what stands at the key that a sweep names; raise ProjectError if it does not exist or holds no number."""
-    entry = by_key.get(key) or by_key.get(count_from_0(key))
+    entry = by_key.get(key) or by_key.get(_count_from_0(key))
     if entry is not None and (entry.is_number or isinstance(entry.value, ProjectSection)):
         return entry
     what = "unknown key" if entry is None else "holds no number"
@@ -141,7 +141,7 @@ def _remedy(key: str, by_key: Mapping[str, KeyedValue]) -> str:
     return remedy + (" (loads.0 or loads[1] is the first of a list)" if ".loads" in key else "")
 
 
-def count_from_0(key: str) -> str:
+def _count_from_0(key: str) -> str:
     """Write a key with dots and items counted from 0; errors print them in brackets, counted from 1."""
     return re.sub(r"\[([1-9][0-9]{0,3})\]", lambda found: f".{int(found[1]) - 1}", key)
 
@@ -321,7 +321,7 @@ def read_case(raw: Mapping[str, Any], folder: Path, path: KeyPath, value: Any, *
     except ValidationError as error:
         prefix = f"{key_text(path)}: {value_text(value)}: "  # by the name of the case already
         raise ProjectError(f"{name}: {error_line(error, raw=raw).removeprefix(prefix)}") from None
-    if not one_number(value_at(content, path)):
+    if not _one_number(value_at(content, path)):
         raise ProjectError(f"{name}: not a number; only numbers can be swept")
     return content
 
@@ -393,7 +393,7 @@ def _uncertain_value(
     key, entry = key_text(path), by_key.get(".".join(map(str, path)))
     if entry is None or entry.uncertain is None:
         raise ProjectError(f"{key}: must be one number; only these may be {{ mean, cov }}: {MAY_BE_UNCERTAIN}")
-    mean = si_mean(content, path)
+    mean = _si_mean(content, path)
     if not isinstance(mean, float) or mean == 0.0 or not isfinite(mean):
         raise ProjectError(f"{key}.mean: {value_text(number.mean)}: no number to scatter about; write it without cov")
     kind = entry.kind or KINDS["ratio"]
@@ -407,7 +407,7 @@ def _uncertain_value(
     return UncertainValue(path, given, -inf if limits.crosses_zero else 0.0, limits.most / abs(mean))
 
 
-def si_mean(content: Content, path: KeyPath) -> Any:
+def _si_mean(content: Content, path: KeyPath) -> Any:
     """Return the number at a key [SI]; of a restitution that of both directions."""
     value = value_at(content, path)
     return value.positive if isinstance(value, RestitutionSection) else value

@@ -133,7 +133,7 @@ def load_tree(tables: dict[str, Any], file: Path, *, sha256: str) -> Project:
         raise ProjectError(f"{file}: {error_line(error, raw=raw)}") from None
     except ProjectError as error:
         raise ProjectError(f"{file}: {error}") from None
-    messages = (*bare_number_messages(raw), *weight_density_messages(content, raw))
+    messages = (*bare_number_messages(raw), *_weight_density_messages(content, raw))
     project = Project(content, file, sha256, varied, messages, raw, uncertain)
     _check_sources(project)
     return project
@@ -374,7 +374,7 @@ def _acceleration_messages(raw: Mapping[str, Any]) -> Iterator[Message]:
 DENSITY = KINDS["density"]
 
 
-def weight_density_messages(content: Content, raw: Mapping[str, Any]) -> Iterator[Message]:
+def _weight_density_messages(content: Content, raw: Mapping[str, Any]) -> Iterator[Message]:
     """Note each density of the `raw` file that is a weight per volume."""
     for place in keyed_values(content).values():
         typed = look_up(raw, place.path)[1] if place.kind == DENSITY else None

@@ -90,14 +90,14 @@ def select_records(
     try:
         if selection.code is None:
             over = band(*periods_of(selection, spectrum, study.mechanisms), weights=selection.weights)
-            found = select(offer.candidates, spectrum, criteria_of_section(section, selection, over))
+            found = select(offer.candidates, spectrum, _criteria_of_section(section, selection, over))
         else:
             rules = SELECTION_RULES[selection.code]
             target = target_of(rules.code, study, spectrum)
             over = band_for(rules, target)
             if selection.periods is not None:
                 over = band(*selection.periods, weights=selection.weights)
-            criteria = criteria_of_section(section, selection, over)
+            criteria = _criteria_of_section(section, selection, over)
             found = select_for(offer.candidates, rules, target, criteria, read=read_candidate)
     except RecordError as error:
         raise ProjectError(f"records.select: {error}") from None
@@ -125,7 +125,7 @@ def periods_of(selection: sections.Select, spectrum: Spectrum, mechanisms: Itera
     return max(SHARE_OF_SHORTEST * least, float(PERIODS[0])), min(MULTIPLE_OF_LONGEST * largest, longest)
 
 
-def criteria_of_section(section: sections.Records, selection: sections.Select, over: Band) -> SuiteCriteria:
+def _criteria_of_section(section: sections.Records, selection: sections.Select, over: Band) -> SuiteCriteria:
     """Return the criteria of the selection."""
     filters = CandidateFilters(
         selection.magnitude, selection.distance, selection.vs30, selection.pga, selection.duration, selection.events
@@ -184,7 +184,7 @@ def locked_records(path: Path, *, folder: Path, spectrum: Spectrum) -> RecordSet
             f"the site's spectrum ({spectrum.code}, PGA {spectrum.pga / g:.4g} g), its factors do not apply; {AGAIN}"
         )
     recorded = [(_locked_record(one, path=path, folder=folder), one.scale_factor) for one in lock.records]
-    made = [] if lock.artificial is None else artificial_records_of(lock.artificial, spectrum)
+    made = [] if lock.artificial is None else _artificial_records_of(lock.artificial, spectrum)
     both = [*recorded, *((one, lock.artificial.scale_factor) for one in made if lock.artificial is not None)]
     if not both:
         raise ProjectError(f"{LOCK_KEY}: {path.name} holds no records; {AGAIN}")
@@ -195,8 +195,8 @@ def locked_records(path: Path, *, folder: Path, spectrum: Spectrum) -> RecordSet
         code=lock.chosen.code or "",
     )
     fitting = Fitting(
-        band=band_of(lock.chosen),
-        selection=selection_of(lock),
+        band=_band_of(lock.chosen),
+        selection=_selection_of(lock),
         nga=tuple((one.id, one.nga) for one in lock.records if one.nga is not None),
         given_factors=given,
     )
@@ -266,7 +266,7 @@ def _check_file(file: Path, sha256: str, lock: Path) -> None:
         )
 
 
-def artificial_records_of(recipe: LockedArtificial, spectrum: Spectrum) -> tuple[Record, ...]:
+def _artificial_records_of(recipe: LockedArtificial, spectrum: Spectrum) -> tuple[Record, ...]:
     """Make the artificial records of a lock again; raise ProjectError if they are not the same."""
     made = artificial_records(
         spectrum, count=recipe.count, seed=recipe.seed, duration=recipe.duration_s, band=recipe.periods_s
@@ -279,7 +279,7 @@ def artificial_records_of(recipe: LockedArtificial, spectrum: Spectrum) -> tuple
     return made
 
 
-def band_of(chosen: LockedChoice) -> Band:
+def _band_of(chosen: LockedChoice) -> Band:
     """Return the periods that the records are compared at."""
     if chosen.how == "all":
         return ALL_PERIODS
@@ -289,14 +289,14 @@ def band_of(chosen: LockedChoice) -> Band:
         raise ProjectError(f"{LOCK_KEY}: chosen: {error}; {AGAIN}") from None
 
 
-def selection_of(lock: SuiteLock) -> Selection | None:
+def _selection_of(lock: SuiteLock) -> Selection | None:
     """Return how the records of a lock were chosen, without the candidates; None if all were taken."""
     chosen = lock.chosen
     if chosen.how == "all":
         return None
     criteria = SuiteCriteria(
         count=len(lock.records),
-        band=band_of(chosen),
+        band=_band_of(chosen),
         scale_limits=chosen.scale_limits or (0.0, np.inf),
         one_per_event=chosen.one_per_event is not False,
         fit=chosen.fit or "suite",

@@ -208,7 +208,7 @@ def is_replaceable(path: Path) -> bool:
         return False
 
 
-def lock_text(
+def _lock_text(
     target: LockedTarget,
     chosen: LockedChoice,
     *,
@@ -292,7 +292,7 @@ def suite_text(
         )
         for motion, candidate in zip(recorded, candidates or [None] * len(recorded), strict=True)
     ]
-    return lock_text(
+    return _lock_text(
         LockedTarget(code=mark.code, pga_g=round(mark.pga / g, DIGITS), sha256=mark.sha256),
         _locked_choice(fitting, scale_to, further_factor),
         artificial=None if recipe is None else _locked_artificial(*recipe, [m for m in motions if m.record.artificial]),

@@ -196,7 +196,7 @@ def select_for_target(
     ------
     AssessError : an option cannot be followed
     """
-    spectrum, criteria = spectrum_at(target), criteria_of_options(options)
+    spectrum, criteria = _spectrum_at(target), _criteria_of_options(options)
     if kept is not None and sum(place.is_dir() for place in places) > 1:
         raise AssessError(f"--catalogue {kept}: one catalogue is of one folder; give one folder")
     offer = suites.candidate_records(places, overrides=overrides, flatfile=flatfile, kept=kept, executor=executor)
@@ -222,7 +222,7 @@ def select_for_target(
     return SelectedSuite(suite, motions, spectrum, chosen.fitting, criteria.scale_to)
 
 
-def criteria_of_options(options: SuiteOptions) -> SuiteCriteria:
+def _criteria_of_options(options: SuiteOptions) -> SuiteCriteria:
     """Return the criteria in SI; raise AssessError for an unknown word or a range that falls."""
     spans = {**options.spans, "scale-limits": options.scale_limits}
     for name, span in spans.items():
@@ -269,7 +269,7 @@ def write_scaled_files(
     AssessError : an option cannot be followed
     """
     _check_period(at)
-    spectrum, fitting = spectrum_at(target), Fitting(band(*periods))
+    spectrum, fitting = _spectrum_at(target), Fitting(band(*periods))
     found = suites.with_unique_names([record for file in files for record in read_with_overrides(file, overrides)])
     records = horizontal_records(found)
     if at is None:
@@ -291,7 +291,7 @@ def _check_period(at: float | None) -> None:
         )
 
 
-def spectrum_at(target: Path) -> Spectrum:
+def _spectrum_at(target: Path) -> Spectrum:
     """Return the spectrum of a project's site, or of a table in a .csv or .txt file."""
     if target.suffix.lower() in (".csv", ".txt") and target.is_file():
         return read_table(target)

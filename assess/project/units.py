@@ -222,18 +222,18 @@ _POWER = r"(?:(?:\^|\*\*)?-?[1-9]|[⁻]?[¹²³⁴])?"
 SIGNS = "%‰°'\""
 
 
-def name_pattern(letter: str) -> str:
+def _name_pattern(letter: str) -> str:
     """Return the pattern of a unit's name, of a class of letters."""
     return f"{letter}+(?:_{letter}+)*"
 
 
-def unit_pattern(letter: str) -> str:
+def _unit_pattern(letter: str) -> str:
     """Return the pattern of a unit: names and signs with their powers, multiplied and divided."""
-    factor = rf"(?:1(?=\s*/)|{name_pattern(letter)}|[{SIGNS}]){_POWER}"
+    factor = rf"(?:1(?=\s*/)|{_name_pattern(letter)}|[{SIGNS}]){_POWER}"
     return rf"{factor}(?:\s*[*/·]\s*{factor}|\s+{factor})*"
 
 
-_UNIT = re.compile(unit_pattern(r"[^\W\d_]"))
+_UNIT = re.compile(_unit_pattern(r"[^\W\d_]"))
 UNITS_OF_ACCELERATION = ("g", "gal")
 
 
@@ -265,7 +265,7 @@ def reads_unit(unit: str, kind: QuantityKind) -> bool:
     return True
 
 
-def has_dimension(unit: str, kind: QuantityKind) -> bool:
+def _has_dimension(unit: str, kind: QuantityKind) -> bool:
     """Whether a unit of pint's has the dimension of `kind`, or that of its weight."""
     return _dimension(_as_pint(unit, kind)) in [_dimension(each) for each in (kind.unit, kind.weight) if each]
 
@@ -322,7 +322,7 @@ def _registry() -> Any:
 
 def prefixes_and_names(kind: QuantityKind) -> tuple[list[str], list[str]]:
     """Return the prefixes of units and the names, without prefix and plural, that units of `kind` have by pint."""
-    names = [name for name, root in _names().items() if _allows(kind, root) and has_dimension(name, kind)]
+    names = [name for name, root in _names().items() if _allows(kind, root) and _has_dimension(name, kind)]
     return sorted(filter(None, _registry()._prefixes)), sorted(names)
 
 
@@ -416,7 +416,7 @@ INFINITE = ("inf", "infinite")
 SHARE_UNITS = ("", "%", "percent", "permille")
 """The units of a change that is a share of a number, and no amount."""
 _LETTER = "[A-Za-z]"
-_PLAIN_UNIT = re.compile(rf"{name_pattern(_LETTER)}|[{SIGNS}]")
+_PLAIN_UNIT = re.compile(rf"{_name_pattern(_LETTER)}|[{SIGNS}]")
 _BEYOND_A_KEYBOARD = "[^ -~¹²³⁴⁻·°‰]"
 
 
@@ -442,8 +442,8 @@ def quantity_pattern(kind: str, form: QuantityForm = "quantity") -> str:
 
 def _pattern_of_unit(kind: QuantityKind) -> str:
     """Return the pattern of a unit: a name of the kind, or a product, unless it is known as of another kind."""
-    plain = rf"(?:{name_pattern(_LETTER)}|[{SIGNS}])\s*$"
-    return rf"(?!{_any_of(_refused_units(kind))}\s*$)(?:{_pattern_of_names(kind)}|(?!{plain}){unit_pattern(_LETTER)})"
+    plain = rf"(?:{_name_pattern(_LETTER)}|[{SIGNS}])\s*$"
+    return rf"(?!{_any_of(_refused_units(kind))}\s*$)(?:{_pattern_of_names(kind)}|(?!{plain}){_unit_pattern(_LETTER)})"
 
 
 def _pattern_of_names(kind: QuantityKind) -> str:
@@ -459,7 +459,7 @@ def _refused_units(kind: QuantityKind) -> Iterator[str]:
     """Yield units that a pattern of the kind might take for one of it: usual ones of other kinds, ambiguous ones."""
     yield from (unit for unit in (*AMBIGUOUS, *UNITS_OF_ACCELERATION) if not reads_unit(unit, kind))
     usual = dict.fromkeys(unit for units in USUAL.values() for unit in units)
-    yield from (unit for unit in usual if not has_dimension(unit, kind))
+    yield from (unit for unit in usual if not _has_dimension(unit, kind))
 
 
 def _any_of(texts: Iterable[str]) -> str:

@@ -89,8 +89,8 @@ def variables_of(
         if mechanism.name in swept:
             found.append(UnvariedNumber(mechanism.name, "", SWEPT))
         else:
-            directed = fix_direction(project, mechanism)
-            found += variables_of_mechanism(
+            directed = _fix_direction(project, mechanism)
+            found += _variables_of_mechanism(
                 VariedMechanism(mechanism, study.amplified[mechanism.name], directed, solids, build_study), sensitivity
             )
     return tuple(found)
@@ -101,7 +101,7 @@ def _mechanisms_in_sweeps(project: Project) -> set[str]:
     return {name for each in project.sweeps for name in dependents(project.content, each.path)}
 
 
-def fix_direction(project: Project, mechanism: Mechanism) -> Project:
+def _fix_direction(project: Project, mechanism: Mechanism) -> Project:
     """Fix the direction and the sides that were found for a mechanism, so that they stay the same."""
     section = project.content.mechanisms[mechanism.name]
     if isinstance(section, sections.EquivalentBlockSection):
@@ -114,18 +114,18 @@ def fix_direction(project: Project, mechanism: Mechanism) -> Project:
     return replace(project, raw=raw, content=sections.Content.model_validate(raw, context={"folder": project.folder}))
 
 
-def variables_of_mechanism(
+def _variables_of_mechanism(
     subject: VariedMechanism, sensitivity: sections.Sensitivity
 ) -> Iterator[Variable | UnvariedNumber]:
     """Yield the variables of one mechanism that are requested."""
     if sensitivity.thickness is not None and isinstance(subject.section, sections.ChainSection):
-        yield vary_thickness(subject, subject.section, sensitivity.thickness)
+        yield _vary_thickness(subject, subject.section, sensitivity.thickness)
     for number in dict.fromkeys(numbers_of(subject)):
         change = sensitivity.entries()[number.parameter]
         if change is not None:
-            yield vary_at_key(subject, number, change)
+            yield _vary_at_key(subject, number, change)
     if sensitivity.restitution is not None:
-        yield vary_restitution(subject, sensitivity.restitution)
+        yield _vary_restitution(subject, sensitivity.restitution)
 
 
 def numbers_of(subject: VariedMechanism) -> Iterator[VariedNumber]:
@@ -137,7 +137,7 @@ def numbers_of(subject: VariedMechanism) -> Iterator[VariedNumber]:
         return
     for name in subject.materials:
         yield VariedNumber("density", ("materials", name, "density"), "kg/m^3")
-    yield from joint_numbers(subject, section)
+    yield from _joint_numbers(subject, section)
     if subject.amplified.by_stiffness:
         for name in subject.materials:
             if materials[name].young_modulus is not None:
@@ -145,10 +145,10 @@ def numbers_of(subject: VariedMechanism) -> Iterator[VariedNumber]:
     for name in subject.materials:
         if materials[name].friction:
             yield VariedNumber("friction", ("materials", name, "friction"))
-    yield from load_numbers(subject, section)
+    yield from _load_numbers(subject, section)
 
 
-def joint_numbers(subject: VariedMechanism, section: sections.ChainSection) -> Iterator[VariedNumber]:
+def _joint_numbers(subject: VariedMechanism, section: sections.ChainSection) -> Iterator[VariedNumber]:
     """Yield strength and stiffness of the joints, each at the key that gives it."""
     content = subject.project.content
     bodies = (content.bodies[name] for block in section.blocks for name in block)
@@ -169,7 +169,7 @@ def joint_numbers(subject: VariedMechanism, section: sections.ChainSection) -> I
             yield VariedNumber("stiffness", ("materials", str(name), "young_modulus"), "Pa")
 
 
-def load_numbers(subject: VariedMechanism, section: sections.ChainSection) -> Iterator[VariedNumber]:
+def _load_numbers(subject: VariedMechanism, section: sections.ChainSection) -> Iterator[VariedNumber]:
     """Yield the loads given as numbers; a force given by two components is two of them."""
     for place, load in enumerate(section.loads):
         path = ("mechanisms", subject.name, "loads", place)
@@ -183,10 +183,10 @@ def load_numbers(subject: VariedMechanism, section: sections.ChainSection) -> It
             yield VariedNumber("loads", (*path, "force"), "N")
 
 
-def vary_at_key(subject: VariedMechanism, number: VariedNumber, change: sections.Change) -> Variable | UnvariedNumber:
+def _vary_at_key(subject: VariedMechanism, number: VariedNumber, change: sections.Change) -> Variable | UnvariedNumber:
     """Vary a number at its key."""
     base = float(value_at(subject.project.content, number.path))
-    return vary_between(
+    return _vary_between(
         Variable(
             mechanism=subject.name,
             parameter=number.parameter,
@@ -195,13 +195,13 @@ def vary_at_key(subject: VariedMechanism, number: VariedNumber, change: sections
             base=base,
             low=base,
             high=base,
-            study_at=partial(study_with_number, subject, number.path),
+            study_at=partial(_study_with_number, subject, number.path),
         ),
         change,
     )
 
 
-def study_with_number(subject: VariedMechanism, path: KeyPath, value: Any) -> Study:
+def _study_with_number(subject: VariedMechanism, path: KeyPath, value: Any) -> Study:
     """Return the study of the mechanism with another value at a key of the project."""
     project = subject.project
     raw = with_value(project.raw, path, value, project.content)
@@ -209,7 +209,7 @@ def study_with_number(subject: VariedMechanism, path: KeyPath, value: Any) -> St
     return subject.build_study(subject.name, content, {})
 
 
-def vary_between(at_base: Variable, change: sections.Change) -> Variable | UnvariedNumber:
+def _vary_between(at_base: Variable, change: sections.Change) -> Variable | UnvariedNumber:
     """Set the range of a variable: its base minus the change to its base plus the change."""
     base = at_base.base
     by = change.by * (abs(base) if change.of == sections.SHARE else 1.0)
@@ -220,7 +220,7 @@ def vary_between(at_base: Variable, change: sections.Change) -> Variable | Unvar
     return replace(at_base, low=base - by, high=base + by)
 
 
-def vary_restitution(subject: VariedMechanism, change: sections.Change) -> Variable | UnvariedNumber:
+def _vary_restitution(subject: VariedMechanism, change: sections.Change) -> Variable | UnvariedNumber:
     """Vary the restitution of both branches in proportion, up to 1 at most."""
     first, second = subject.mechanism.restitution
     if first == 0.0:
@@ -229,9 +229,9 @@ def vary_restitution(subject: VariedMechanism, change: sections.Change) -> Varia
 
     def study_at(value: float) -> Study:
         both = {"positive": value, "negative": min(1.0, second * value / first)}
-        return study_with_number(subject, path, both)
+        return _study_with_number(subject, path, both)
 
-    made = vary_between(
+    made = _vary_between(
         Variable(subject.name, "restitution", key_text(path), "-", first, first, first, study_at),
         change,
     )
@@ -240,16 +240,16 @@ def vary_restitution(subject: VariedMechanism, change: sections.Change) -> Varia
     return replace(made, high=max(1.0, first), remark=AT_MOST_1)
 
 
-def vary_thickness(
+def _vary_thickness(
     subject: VariedMechanism, section: sections.ChainSection, change: sections.Change
 ) -> Variable | UnvariedNumber:
     """Vary the size of the blocks along the direction about the middle of the base, whose thickness names it."""
-    base = block_base(subject, section)
+    base = _block_base(subject, section)
     if isinstance(base, str):
         return UnvariedNumber(subject.name, "thickness", base)
-    study_at = partial(study_with_thickness, subject, section, width=base.width, middle=base.middle)
-    return vary_between(
-        Variable(subject.name, "thickness", key_of_thickness(section), "m", *(base.width,) * 3, study_at), change
+    study_at = partial(_study_with_thickness, subject, section, width=base.width, middle=base.middle)
+    return _vary_between(
+        Variable(subject.name, "thickness", _key_of_thickness(section), "m", *(base.width,) * 3, study_at), change
     )
 
 
@@ -260,7 +260,7 @@ class BlockBase(NamedTuple):
     middle: float
 
 
-def block_base(subject: VariedMechanism, section: sections.ChainSection) -> BlockBase | str:
+def _block_base(subject: VariedMechanism, section: sections.ChainSection) -> BlockBase | str:
     """Return the base about whose middle the blocks are scaled; or say why their thickness cannot be varied."""
     reason = fixed_thickness_reason(subject, section)
     if reason:
@@ -272,7 +272,7 @@ def block_base(subject: VariedMechanism, section: sections.ChainSection) -> Bloc
     return BlockBase(high - low, (low + high) / 2.0) if high > low else "it stands on an edge"
 
 
-def key_of_thickness(section: sections.ChainSection) -> str:
+def _key_of_thickness(section: sections.ChainSection) -> str:
     """Name the thickness of all blocks of a mechanism, which is no single number of the file."""
     return f"thickness of {', '.join(name for block in section.blocks for name in block)}"
 
@@ -294,15 +294,15 @@ def fixed_thickness_reason(subject: VariedMechanism, section: sections.ChainSect
     return ""
 
 
-def study_with_thickness(
+def _study_with_thickness(
     subject: VariedMechanism, section: sections.ChainSection, value: float, *, width: float, middle: float
 ) -> Study:
     """Return the study of the mechanism with blocks as thick as `value` [m] at a base of width `width` [m]."""
-    blocks = thick_blocks(section, subject.solids, factor=value / width, middle=middle)
+    blocks = _thick_blocks(section, subject.solids, factor=value / width, middle=middle)
     return subject.build_study(subject.name, subject.project.content, blocks)
 
 
-def thick_blocks(section: sections.ChainSection, solids: Solids, *, factor: float, middle: float) -> dict[str, Solid]:
+def _thick_blocks(section: sections.ChainSection, solids: Solids, *, factor: float, middle: float) -> dict[str, Solid]:
     """Return the blocks of a mechanism scaled along its direction about `middle` [m]."""
     bodies = {name: solid for block in section.blocks for name in block if (solid := solids[name]) is not None}
     towards = definition_of(section).towards
@@ -321,7 +321,7 @@ def survey_of(
     def variables(name: str) -> tuple[Variable, ...]:
         mechanism = mechanisms[name]
         subject = VariedMechanism(
-            mechanism, study.amplified[name], fix_direction(project, mechanism), solids, build_study
+            mechanism, study.amplified[name], _fix_direction(project, mechanism), solids, build_study
         )
         return tuple(_surveyed_variables(subject, tolerance=project.content.verdict.survey_tolerance))
 
@@ -332,9 +332,9 @@ def _surveyed_variables(subject: VariedMechanism, *, tolerance: float) -> Iterat
     section = subject.section
     if not isinstance(section, sections.ChainSection) or tolerance == 0.0:
         return
-    found = [vary_thickness(subject, section, sections.Change(tolerance, "m"))]
+    found = [_vary_thickness(subject, section, sections.Change(tolerance, "m"))]
     found += [
-        vary_at_key(subject, number, sections.Change(LOAD_TOLERANCE)) for number in load_numbers(subject, section)
+        _vary_at_key(subject, number, sections.Change(LOAD_TOLERANCE)) for number in _load_numbers(subject, section)
     ]
     yield from (each for each in found if isinstance(each, Variable))
     yield from _hinge_variables(subject, section, tolerance)
@@ -397,7 +397,7 @@ def sampling_of(project: Project, study: Study, solids: Solids, cases_of: CasesO
         return None
     changed = _mechanisms_in_sweeps(project)
     swept = [mechanism.name for mechanism in study.mechanisms if mechanism.name in changed]
-    directed = reduce(fix_direction, (each for each in study.mechanisms if each.name not in swept), project)
+    directed = reduce(_fix_direction, (each for each in study.mechanisms if each.name not in swept), project)
     beside = {mechanism.name: mechanism.adjacent_bodies for mechanism in study.mechanisms}
     numbers = [
         SampledNumber(
@@ -421,7 +421,7 @@ def sampling_of(project: Project, study: Study, solids: Solids, cases_of: CasesO
             if isinstance(each, str):
                 notes.append(note("uncertainty-thickness-left-out", f"mechanisms.{name}", why=Term(each)))
             else:
-                key, mean = key_of_thickness(each.section), each.base.width
+                key, mean = _key_of_thickness(each.section), each.base.width
                 given = UncertainInput(key, "m", mean, section.thickness, "lognormal", THICKNESS_GROUP)
                 numbers.append(SampledNumber(given, 0.0, float("inf"), (name,)))
     if not numbers:
@@ -443,7 +443,7 @@ def _sampled_thicknesses(
         if own & {name for block in section.blocks for name in block}:
             continue
         subject = VariedMechanism(mechanism, study.amplified[mechanism.name], project, solids, build_study)
-        base = block_base(subject, section)
+        base = _block_base(subject, section)
         yield mechanism.name, base if isinstance(base, str) else SampledThickness(section, base)
 
 
@@ -473,7 +473,7 @@ def _study_at_samples(
             return cases.build(name, {})
         section, base = thicknesses[name].section, thicknesses[name].base
         factor = widths[name] / base.width
-        return cases.build(name, thick_blocks(section, cases.solids, factor=factor, middle=base.middle))
+        return cases.build(name, _thick_blocks(section, cases.solids, factor=factor, middle=base.middle))
 
     return build
 

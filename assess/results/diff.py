@@ -78,66 +78,66 @@ def differences(before: Results, after: Results, *, tolerance: float = TOLERANCE
     compared = (each for compare in COMPARED for each in compare(before, after))
     found = [each for each in compared if not same(each.before, each.after, tolerance=tolerance)]
     if not any(KINDS.index(each.kind) < KINDS.index("other") for each in found):
-        found += compare_other_blocks(before, after, tolerance=tolerance)
+        found += _compare_other_blocks(before, after, tolerance=tolerance)
     return tuple(sorted(found, key=lambda each: KINDS.index(each.kind)))
 
 
 __all__ = ["COMPARED", "KINDS", "Difference", "DifferenceKind", "differences", "same"]
 
 
-def compare_verdicts(before: Results, after: Results) -> Iterator[Difference]:
+def _compare_verdicts(before: Results, after: Results) -> Iterator[Difference]:
     """Compare the verdict of the building and of each mechanism, then the outcome of each check."""
-    sides = [verdict_statements(results.verdict) for results in (before, after)]
+    sides = [_verdict_statements(results.verdict) for results in (before, after)]
     for (where, what), earlier, later in pairs(*sides):
         yield Difference("verdict", where, what, earlier, later)
-    for one, other in common_mechanisms(before, after):
+    for one, other in _common_mechanisms(before, after):
         for name, first_check, second_check in pairs(
-            checks_by_name(one, one, other), checks_by_name(other, one, other)
+            _checks_by_name(one, one, other), _checks_by_name(other, one, other)
         ):
-            yield Difference("verdict", one.name, name, *of_both(attrgetter("verdict"), first_check, second_check))
+            yield Difference("verdict", one.name, name, *_of_both(attrgetter("verdict"), first_check, second_check))
 
 
-def compare_capacities(before: Results, after: Results) -> Iterator[Difference]:
+def _compare_capacities(before: Results, after: Results) -> Iterator[Difference]:
     """Compare the PGA at uplift and at capacity of each procedure [g]; they do not depend on the level."""
-    for one, other in common_mechanisms(before, after):
-        sides = [{check_name(check, one, other): check for check in each.checks} for each in (one, other)]
+    for one, other in _common_mechanisms(before, after):
+        sides = [{_check_name(check, one, other): check for check in each.checks} for each in (one, other)]
         for what, first, second in pairs(*sides):
             for word in ("capacity", "uplift"):
-                ends = of_both(attrgetter(f"{word}_pga_g"), first, second)
+                ends = _of_both(attrgetter(f"{word}_pga_g"), first, second)
                 yield Difference("capacity", one.name, f"{word}, {what}", *ends, unit="g")
 
 
-def compare_ratios(before: Results, after: Results) -> Iterator[Difference]:
+def _compare_ratios(before: Results, after: Results) -> Iterator[Difference]:
     """Compare demand over capacity of each check."""
-    for one, other in common_mechanisms(before, after):
-        for what, first, second in pairs(checks_by_name(one, one, other), checks_by_name(other, one, other)):
-            yield Difference("ratio", one.name, what, *of_both(demand_capacity, first, second))
+    for one, other in _common_mechanisms(before, after):
+        for what, first, second in pairs(_checks_by_name(one, one, other), _checks_by_name(other, one, other)):
+            yield Difference("ratio", one.name, what, *_of_both(demand_capacity, first, second))
 
 
-def compare_mechanisms(before: Results, after: Results) -> Iterator[Difference]:
+def _compare_mechanisms(before: Results, after: Results) -> Iterator[Difference]:
     """List the mechanisms that only one run has, and compare kind, sides, label and source of restitution."""
-    for name, one, other in pairs(mechanisms_by_name(before), mechanisms_by_name(after)):
+    for name, one, other in pairs(_mechanisms_by_name(before), _mechanisms_by_name(after)):
         for what in ("kind", "sides", "label", "restitution_source"):
             if what == "kind" or (one is not None and other is not None):
-                yield Difference("mechanism", name, what, *of_both(attrgetter(what), one, other))
+                yield Difference("mechanism", name, what, *_of_both(attrgetter(what), one, other))
 
 
-def compare_parameters(before: Results, after: Results) -> Iterator[Difference]:
+def _compare_parameters(before: Results, after: Results) -> Iterator[Difference]:
     """Compare the rocking parameters of both branches, under their names in results.json."""
-    for one, other in common_mechanisms(before, after):
+    for one, other in _common_mechanisms(before, after):
         for branch, key in (("positive", "oscillator"), ("negative", "oscillator_negative")):
             sides = [parameters_of(getattr(each, key)) for each in (one, other)]
             for what, first, second in pairs(*sides):
                 yield Difference("parameter", one.name, f"{what}, {branch}", first, second)
 
 
-def compare_histories(before: Results, after: Results) -> Iterator[Difference]:
+def _compare_histories(before: Results, after: Results) -> Iterator[Difference]:
     """Compare the statistics of the histories of each mechanism at each level."""
-    for one, other in common_mechanisms(before, after):
+    for one, other in _common_mechanisms(before, after):
         sides = [{f"{suite.level_pga_g:.6g} g": suite for suite in each.suites} for each in (one, other)]
         for level, first, second in pairs(*sides):
             for key, what in SUITE_STATISTICS.items():
-                yield Difference("history", one.name, f"{what} at {level}", *of_both(attrgetter(key), first, second))
+                yield Difference("history", one.name, f"{what} at {level}", *_of_both(attrgetter(key), first, second))
 
 
 SUITE_STATISTICS = {
@@ -150,21 +150,21 @@ SUITE_STATISTICS = {
 }
 
 
-def compare_envelopes(before: Results, after: Results) -> Iterator[Difference]:
+def _compare_envelopes(before: Results, after: Results) -> Iterator[Difference]:
     """Compare the least pulse that overturns each mechanism [g], and how many pulses of the grid do."""
-    for one, other in common_mechanisms(before, after):
+    for one, other in _common_mechanisms(before, after):
         ends = one.envelope, other.envelope
         yield Difference(
-            "envelope", one.name, "least pulse that overturns", *of_both(least_overturning_pulse, *ends), unit="g"
+            "envelope", one.name, "least pulse that overturns", *_of_both(_least_overturning_pulse, *ends), unit="g"
         )
-        yield Difference("envelope", one.name, "pulses that overturn", *of_both(count_overturning_pulses, *ends))
+        yield Difference("envelope", one.name, "pulses that overturn", *_of_both(_count_overturning_pulses, *ends))
 
 
-def compare_sweeps(before: Results, after: Results) -> Iterator[Difference]:
+def _compare_sweeps(before: Results, after: Results) -> Iterator[Difference]:
     """Compare the answers of each case of a parametric study, and which case controls."""
     sides = [{(sweep.mechanism, sweep.key): sweep for sweep in results.sweeps} for results in (before, after)]
     for (where, key), one, other in pairs(*sides):
-        controls = of_both(lambda sweep: sweep.value[sweep.controlling], one, other)
+        controls = _of_both(lambda sweep: sweep.value[sweep.controlling], one, other)
         unit = next(sweep.unit.strip("-") for sweep in (other, one) if sweep is not None)
         yield Difference("sweep", where, f"{key} that controls", *controls, unit=unit)
         cases = ({} if sweep is None else cases_of(sweep) for sweep in (one, other))
@@ -172,7 +172,7 @@ def compare_sweeps(before: Results, after: Results) -> Iterator[Difference]:
             yield Difference("sweep", where, what, first, second, unit=unit)
 
 
-def compare_sensitivities(before: Results, after: Results) -> Iterator[Difference]:
+def _compare_sensitivities(before: Results, after: Results) -> Iterator[Difference]:
     """Compare the range of each number that is varied, and the answers at both ends."""
     for number in (range_of, answers_of):
         sides = [dict(entry for row in results.sensitivity for entry in number(row)) for results in (before, after)]
@@ -180,19 +180,19 @@ def compare_sensitivities(before: Results, after: Results) -> Iterator[Differenc
             yield Difference("sensitivity", where, what, first, second, unit=unit)
 
 
-def compare_uncertainties(before: Results, after: Results) -> Iterator[Difference]:
+def _compare_uncertainties(before: Results, after: Results) -> Iterator[Difference]:
     """Compare the uncertain numbers, the probability of failing of each answer and its quantiles."""
-    sides = [{} if each.uncertainty is None else uncertain_statements(each.uncertainty) for each in (before, after)]
+    sides = [{} if each.uncertainty is None else _uncertain_statements(each.uncertainty) for each in (before, after)]
     for (where, what, unit), first, second in pairs(*sides):
         yield Difference("uncertainty", where, what, first, second, unit=unit)
 
 
-def compare_suites(before: Results, after: Results) -> Iterator[Difference]:
+def _compare_suites(before: Results, after: Results) -> Iterator[Difference]:
     """Compare which records the suites have, then file, SHA-256 and scale factor of each record."""
     yield Difference("suite", "", "lock", _lock_file(before), _lock_file(after))
     sides = [{record.id: record for record in results.records} for results in (before, after)]
     if set(sides[0]) != set(sides[1]):
-        yield Difference("suite", "", "records", *of_both(lambda side: ", ".join(side) or None, *sides))
+        yield Difference("suite", "", "records", *_of_both(lambda side: ", ".join(side) or None, *sides))
     hashes = [_sha256_by_path(results) for results in (before, after)]
     for id, one, other in pairs(*sides):
         where = f"record {id}"
@@ -200,10 +200,10 @@ def compare_suites(before: Results, after: Results) -> Iterator[Difference]:
             yield Difference("suite", where, "file", one.path or None, other.path or None)
             yield Difference("suite", where, "sha256", hashes[0].get(one.path), hashes[1].get(other.path))
             yield Difference("suite", where, "made as", _making_of_record(one), _making_of_record(other))
-        yield Difference("suite", where, "scale factor", *of_both(lambda each: each.scale_factor, one, other))
+        yield Difference("suite", where, "scale factor", *_of_both(lambda each: each.scale_factor, one, other))
 
 
-def compare_spectra(before: Results, after: Results) -> Iterator[Difference]:
+def _compare_spectra(before: Results, after: Results) -> Iterator[Difference]:
     """Compare the spectrum."""
     sides: list[dict[str, float | str]] = []
     for results in (before, after):
@@ -214,7 +214,7 @@ def compare_spectra(before: Results, after: Results) -> Iterator[Difference]:
         yield Difference("site", "spectrum", what, first, second)
 
 
-def compare_project_values(before: Results, after: Results) -> Iterator[Difference]:
+def _compare_project_values(before: Results, after: Results) -> Iterator[Difference]:
     """Compare every value of the project as used, in SI; tables and lists of tables entry by entry.
 
     A default is no change where the other run has no such key: an older version did not write the keys added since.
@@ -222,24 +222,24 @@ def compare_project_values(before: Results, after: Results) -> Iterator[Differen
     for key, one, other in pairs(before.project, after.project):
         if (one is None or other is None) and not any(each.given for each in (one, other) if each is not None):
             continue
-        for entry, first, second in entries(key, *of_both(attrgetter("value"), one, other)):
+        for entry, first, second in entries(key, *_of_both(attrgetter("value"), one, other)):
             yield Difference("project", "", entry, first, second)
 
 
-def compare_files(before: Results, after: Results) -> Iterator[Difference]:
+def _compare_files(before: Results, after: Results) -> Iterator[Difference]:
     """Compare the files read, by their SHA-256."""
     for path, one, other in pairs(_sha256_by_path(before), _sha256_by_path(after)):
         yield Difference("input", path, "sha256", one, other)
 
 
-def compare_warnings(before: Results, after: Results) -> Iterator[Difference]:
+def _compare_warnings(before: Results, after: Results) -> Iterator[Difference]:
     """List the warnings that only one run has; one of the same words under another key is the same."""
     sides = [{(each.where, each.text): each.key for each in results.warnings} for results in (before, after)]
     for (where, text), one, other in pairs(*sides):
         yield Difference("warning", where, one or other or "", text if one else None, text if other else None)
 
 
-def compare_programs(before: Results, after: Results) -> Iterator[Difference]:
+def _compare_programs(before: Results, after: Results) -> Iterator[Difference]:
     """Compare the versions of the program."""
     yield Difference("program", before.program.name, "version", before.program.version, after.program.version)
 
@@ -247,16 +247,16 @@ def compare_programs(before: Results, after: Results) -> Iterator[Difference]:
 COMPARED_IN_DETAIL = {"schema_version", "program", "inputs", "warnings", "project", "mechanisms", "stamp"}
 
 
-def compare_other_blocks(before: Results, after: Results, *, tolerance: float) -> Iterator[Difference]:
+def _compare_other_blocks(before: Results, after: Results, *, tolerance: float) -> Iterator[Difference]:
     """Yield one difference that names the blocks of results.json not compared in detail that differ, if any do."""
-    blocks = different_blocks(before, after, tolerance=tolerance)
-    for one, other in common_mechanisms(before, after):
-        blocks += [f"{name} of {one.name}" for name in different_blocks(one, other, tolerance=tolerance)]
+    blocks = _different_blocks(before, after, tolerance=tolerance)
+    for one, other in _common_mechanisms(before, after):
+        blocks += [f"{name} of {one.name}" for name in _different_blocks(one, other, tolerance=tolerance)]
     if blocks:
         yield Difference("other", "", "blocks that differ", None, ", ".join(blocks))
 
 
-def different_blocks(one: Any, other: Any, *, tolerance: float) -> list[str]:
+def _different_blocks(one: Any, other: Any, *, tolerance: float) -> list[str]:
     """Return the names of the fields that differ, except those compared in detail."""
     columns = ((each.name, getattr(one, each.name), getattr(other, each.name)) for each in fields(one))
     return [
@@ -264,34 +264,34 @@ def different_blocks(one: Any, other: Any, *, tolerance: float) -> list[str]:
         for name, *ends in columns
         if name not in COMPARED_IN_DETAIL
         and ends[0] != ends[1]
-        and not same(*map(as_plain_data, ends), tolerance=tolerance)
+        and not same(*map(_as_plain_data, ends), tolerance=tolerance)
     ]
 
 
-def as_plain_data(value: Any) -> Any:
+def _as_plain_data(value: Any) -> Any:
     """Return the value with dicts in place of dataclasses."""
     if is_dataclass(value) and not isinstance(value, type):
         return asdict(value)
-    return [as_plain_data(each) for each in value] if isinstance(value, list | tuple) else value
+    return [_as_plain_data(each) for each in value] if isinstance(value, list | tuple) else value
 
 
 COMPARED: tuple[Callable[[Results, Results], Iterator[Difference]], ...] = (
-    compare_verdicts,
-    compare_mechanisms,
-    compare_capacities,
-    compare_ratios,
-    compare_envelopes,
-    compare_histories,
-    compare_parameters,
-    compare_sweeps,
-    compare_sensitivities,
-    compare_uncertainties,
-    compare_suites,
-    compare_spectra,
-    compare_project_values,
-    compare_files,
-    compare_warnings,
-    compare_programs,
+    _compare_verdicts,
+    _compare_mechanisms,
+    _compare_capacities,
+    _compare_ratios,
+    _compare_envelopes,
+    _compare_histories,
+    _compare_parameters,
+    _compare_sweeps,
+    _compare_sensitivities,
+    _compare_uncertainties,
+    _compare_suites,
+    _compare_spectra,
+    _compare_project_values,
+    _compare_files,
+    _compare_warnings,
+    _compare_programs,
 )
 
 
@@ -312,12 +312,12 @@ def demand_capacity(check: Check) -> float | str | None:
     return None if check.verdict == Outcome.NOT_APPLICABLE else check.unbounded or check.ratio
 
 
-def checks_by_name(mechanism: MechanismResult, *runs: MechanismResult) -> dict[str, Check]:
+def _checks_by_name(mechanism: MechanismResult, *runs: MechanismResult) -> dict[str, Check]:
     """Return the checks of a mechanism by procedure and level, under names that are unique within both `runs`."""
-    return {f"{check_name(check, *runs)} at {check.level_pga_g:.6g} g": check for check in mechanism.checks}
+    return {f"{_check_name(check, *runs)} at {check.level_pga_g:.6g} g": check for check in mechanism.checks}
 
 
-def check_name(check: Check, *runs: MechanismResult) -> str:
+def _check_name(check: Check, *runs: MechanismResult) -> str:
     """Return the procedure of a check, with its limit state if the procedure has several in either run."""
     states = {other.limit_state for run in runs for other in run.checks if other.procedure == check.procedure}
     return f"{check.procedure} {check.limit_state}" if len(states) > 1 else check.procedure
@@ -327,7 +327,7 @@ Statements = dict[tuple[str, str], float | str | None]
 """Statements by mechanism ("" for the building) and by subject."""
 
 
-def verdict_statements(found: Verdict | None) -> Statements:
+def _verdict_statements(found: Verdict | None) -> Statements:
     """Return the statements of a verdict on the building and on each mechanism; empty without a verdict."""
     if found is None:
         return {}
@@ -343,11 +343,11 @@ def verdict_statements(found: Verdict | None) -> Statements:
         ("", "missing"): ", ".join(each.key for each in found.missing) or None,
     }
     for one in found.mechanisms:
-        statements |= mechanism_statements(one)
+        statements |= _mechanism_statements(one)
     return statements
 
 
-def mechanism_statements(one: MechanismVerdict) -> Statements:
+def _mechanism_statements(one: MechanismVerdict) -> Statements:
     """Return outcome and margin of one mechanism, and procedure, index and outcome of each limit state."""
     statements: Statements = {
         (one.mechanism, "verdict"): outcome_text(one.outcome, near=one.at_the_limit),
@@ -368,12 +368,12 @@ def parameters_of(oscillator: OscillatorResult | None) -> dict[str, float | None
     return {each.name: getattr(oscillator, each.name) for each in fields(oscillator) if each.name != "linearised"}
 
 
-def least_overturning_pulse(envelope: EnvelopeResult) -> float | None:
+def _least_overturning_pulse(envelope: EnvelopeResult) -> float | None:
     """Return the least amplitude of all frequencies that overturns [g]; None if no pulse does."""
     return min((amplitude for amplitude in envelope.lower_bound_g if amplitude is not None), default=None)
 
 
-def count_overturning_pulses(envelope: EnvelopeResult) -> int:
+def _count_overturning_pulses(envelope: EnvelopeResult) -> int:
     """Count the pulses of the grid that overturn."""
     return sum(sum(row) for row in envelope.overturned)
 
@@ -419,7 +419,7 @@ def answers_of(row: SensitivityResult) -> Iterator[tuple[tuple[str, str, str], f
         yield (row.mechanism, f"verdict of {what} {side}", ""), verdict
 
 
-def uncertain_statements(found: UncertaintyResult) -> dict[tuple[str, str, str], float | str | None]:
+def _uncertain_statements(found: UncertaintyResult) -> dict[tuple[str, str, str], float | str | None]:
     """Return what is sampled and what the samples give, by mechanism, subject and unit."""
     statements: dict[tuple[str, str, str], float | str | None] = {
         ("", "samples", ""): found.samples,
@@ -462,19 +462,19 @@ def entries(key: str, one: Any, other: Any) -> Iterator[tuple[str, Any, Any]]:
     if isinstance(one, Mapping) and isinstance(other, Mapping):
         for name, first, second in pairs(one, other):
             yield from entries(f"{key}.{name}", first, second)
-    elif is_list_of_tables(one) and is_list_of_tables(other):
+    elif _is_list_of_tables(one) and _is_list_of_tables(other):
         for place, (first, second) in enumerate(zip_longest(one, other), start=1):  # as sweeps count
             yield from entries(f"{key}[{place}]", first, second)
     else:
-        yield key, without_absent_keys(one), without_absent_keys(other)
+        yield key, _without_absent_keys(one), _without_absent_keys(other)
 
 
-def is_list_of_tables(value: Any) -> bool:
+def _is_list_of_tables(value: Any) -> bool:
     """Return whether a value is a list of tables only."""
     return isinstance(value, list | tuple) and all(isinstance(each, Mapping) for each in value)
 
 
-def without_absent_keys(value: Any) -> Any:
+def _without_absent_keys(value: Any) -> Any:
     """Return the value; a table without the keys whose value is None."""
     return {key: each for key, each in value.items() if each is not None} if isinstance(value, Mapping) else value
 
@@ -489,18 +489,18 @@ def pairs(before: Mapping[K, V], after: Mapping[K, V]) -> Iterator[tuple[K, V | 
         yield key, before.get(key), after.get(key)
 
 
-def of_both(value_of: Callable[[V], Any], one: V | None, other: V | None) -> tuple[Any, Any]:
+def _of_both(value_of: Callable[[V], Any], one: V | None, other: V | None) -> tuple[Any, Any]:
     """Return `value_of` each side, None for a side that is missing."""
     return (None if one is None else value_of(one), None if other is None else value_of(other))
 
 
-def common_mechanisms(before: Results, after: Results) -> Iterator[tuple[MechanismResult, MechanismResult]]:
+def _common_mechanisms(before: Results, after: Results) -> Iterator[tuple[MechanismResult, MechanismResult]]:
     """Yield the mechanisms that both runs have, as pairs."""
-    for _, one, other in pairs(mechanisms_by_name(before), mechanisms_by_name(after)):
+    for _, one, other in pairs(_mechanisms_by_name(before), _mechanisms_by_name(after)):
         if one is not None and other is not None:
             yield one, other
 
 
-def mechanisms_by_name(results: Results) -> dict[str, MechanismResult]:
+def _mechanisms_by_name(results: Results) -> dict[str, MechanismResult]:
     """Return the mechanisms of a run by name."""
     return {mechanism.name: mechanism for mechanism in results.mechanisms}

@@ -87,7 +87,7 @@ def open_results(path: Path, *, tell: Callable[[Message], None]) -> FoundResults
     """
     for folder in (path, *sorted(path.glob("*-results"))) if path.is_dir() else (path.parent,):
         recover_for_reading(folder, tell=tell)
-    file = find_results(path)
+    file = _find_results(path)
     results, differs = read(file), is_changed(file)
     if differs:
         found = warning("results-changed", str(file))
@@ -105,7 +105,7 @@ def open_fragility(path: Path, *, tell: Callable[[Message], None]) -> FragilityR
     tell : called with each message on interrupted or changed files
     """
     recover_for_reading(path.parent, tell=tell)
-    results = read_fragility(path)
+    results = _read_fragility(path)
     if not is_changed(path):
         return results
     found = warning("results-changed", str(path))
@@ -118,14 +118,14 @@ def read(path: Path) -> Results:
     return loads(_text(path), source=str(path))
 
 
-def read_fragility(path: Path) -> FragilityResults:
+def _read_fragility(path: Path) -> FragilityResults:
     """Read the results of `assess fragility`, as `read` does those of `assess run`."""
     return loads_fragility(_text(path), source=str(path))
 
 
 def read_verification(path: Path) -> VerificationResults:
     """Read the results of `assess verify`, as `read` does those of `assess run`."""
-    return loads_verification(_text(path, VERIFY_AGAIN), source=str(path))
+    return _loads_verification(_text(path, VERIFY_AGAIN), source=str(path))
 
 
 def _text(path: Path, remedy: str = REMEDY) -> str:
@@ -143,7 +143,7 @@ def _text(path: Path, remedy: str = REMEDY) -> str:
         raise ResultsError(f"{path}: {error.strerror or 'cannot be read'}; {remedy}") from None
 
 
-def find_results(path: Path) -> Path:
+def _find_results(path: Path) -> Path:
     """Find the results file that `path` names: itself, or the one in the folder, or in its only NAME-results folder.
 
     Raises ResultsError if there is none, or more than one, or if it is that of `assess fragility`.
@@ -236,7 +236,7 @@ def loads_fragility(text: str, *, source: str = "results") -> FragilityResults:
     return _loads(text, source, FRAGILITY_TREE)
 
 
-def loads_verification(text: str, *, source: str = "results") -> VerificationResults:
+def _loads_verification(text: str, *, source: str = "results") -> VerificationResults:
     """Return results from the text of verification.json, as `loads` does from that of results.json.
 
     Parameters

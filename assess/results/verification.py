@@ -95,7 +95,7 @@ class Spread:
     worst: float | None
 
 
-def spread_of(differences: Iterable[float]) -> Spread:
+def _spread_of(differences: Iterable[float]) -> Spread:
     """Return the spread of differences."""
     found = tuple(differences)
     return Spread(median(found), max(found)) if found else Spread(None, None)
@@ -230,13 +230,13 @@ class VerificationResults(ShortRepr):
     @cached_property
     def shares(self) -> Spread:
         """Differences of the evidence over what the tolerance of each allows [-]; values without one are left out."""
-        return spread_of(share for case in self.evidence for share in case.shares)
+        return _spread_of(share for case in self.evidence for share in case.shares)
 
     @cached_property
     def relative(self) -> Spread:
         """Differences of the evidence over the largest value of the quantity [-]."""
         found = (each for case in self.evidence for each in case.quantities)
-        return spread_of(difference for each in found for difference in each.relative)
+        return _spread_of(difference for each in found for difference in each.relative)
 
     @property
     def farthest(self) -> tuple[str, str]:

@@ -90,7 +90,7 @@ def fit_lognormals(intensity: FloatArray, reached: FloatArray, records: FloatArr
     reached : how many reach the state at each intensity [draws, k]
     records : how many there are at each intensity [draws, k]
     """
-    a, b = fit_binomial(np.log(intensity), reached, records, link="probit").T
+    a, b = _fit_binomial(np.log(intensity), reached, records, link="probit").T
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
         median, dispersion = np.exp(-a / b), 1.0 / b
     bounded = (b > 0.0) & np.isfinite(median) & (median > 0.0) & np.isfinite(dispersion)
@@ -114,10 +114,10 @@ def unbounded_reason(intensity: ArrayLike, reached: ArrayLike, records: ArrayLik
         return UnboundedReason.ALL_REACH
     if np.unique(x[record_counts[0] > 0]).size < 2:
         return UnboundedReason.ONE_INTENSITY
-    if not counts_overlap(x, reached_counts, record_counts)[0]:
+    if not _counts_overlap(x, reached_counts, record_counts)[0]:
         (first_reached, _), (_, last_not) = (
-            least_and_largest(x, reached_counts > 0),
-            least_and_largest(x, record_counts > reached_counts),
+            _least_and_largest(x, reached_counts > 0),
+            _least_and_largest(x, record_counts > reached_counts),
         )
         return UnboundedReason.SEPARATED if first_reached[0] >= last_not[0] else UnboundedReason.FALLING
     return UnboundedReason.FALLING if fit_lognormal(intensity, reached, records) is None else None
@@ -126,7 +126,7 @@ def unbounded_reason(intensity: ArrayLike, reached: ArrayLike, records: ArrayLik
 LinkFunction = Literal["probit", "logit"]
 
 
-def fit_binomial(x: FloatArray, reached: FloatArray, records: FloatArray, *, link: LinkFunction) -> FloatArray:
+def _fit_binomial(x: FloatArray, reached: FloatArray, records: FloatArray, *, link: LinkFunction) -> FloatArray:
     """Return intercepts and slopes [draws, 2] by maximum likelihood; nan where the counts do not overlap.
 
     Parameters
@@ -137,21 +137,21 @@ def fit_binomial(x: FloatArray, reached: FloatArray, records: FloatArray, *, lin
     link : "probit" or "logit"
     """
     theta = np.full((len(reached), 2), np.nan)
-    overlap = counts_overlap(x, reached, records)
+    overlap = _counts_overlap(x, reached, records)
     if overlap.any():
         mean, spread = float(np.mean(x)), float(np.std(x))
         u, reached_counts, record_counts = (x - mean) / spread, reached[overlap], records[overlap]
         pooled = _BinomialLikelihood(
             u, reached_counts.sum(axis=0, keepdims=True), record_counts.sum(axis=0, keepdims=True), link
         )
-        pooled_fit = maximise_likelihood(pooled, np.zeros((1, 2)))  # of all draws together: fewer steps for each
+        pooled_fit = _maximise_likelihood(pooled, np.zeros((1, 2)))  # of all draws together: fewer steps for each
         start = np.tile(np.nan_to_num(pooled_fit), (len(reached_counts), 1))
-        a, b = maximise_likelihood(_BinomialLikelihood(u, reached_counts, record_counts, link), start).T
+        a, b = _maximise_likelihood(_BinomialLikelihood(u, reached_counts, record_counts, link), start).T
         theta[overlap] = np.stack([a - b * mean / spread, b / spread], axis=1)
     return theta
 
 
-def counts_overlap(x: FloatArray, reached: FloatArray, records: FloatArray) -> BoolArray:
+def _counts_overlap(x: FloatArray, reached: FloatArray, records: FloatArray) -> BoolArray:
     """Tell of each draw whether its likelihood has a finite maximum [draws].
 
     Parameters
@@ -160,12 +160,12 @@ def counts_overlap(x: FloatArray, reached: FloatArray, records: FloatArray) -> B
     reached : how many reach the state in each group [draws, k]
     records : how many there are in each group [draws, k]
     """
-    first_reached, last_reached = least_and_largest(x, reached > 0)
-    first_not, last_not = least_and_largest(x, records > reached)
+    first_reached, last_reached = _least_and_largest(x, reached > 0)
+    first_not, last_not = _least_and_largest(x, records > reached)
     return np.asarray((first_reached < last_not) & (first_not < last_reached))
 
 
-def least_and_largest(x: FloatArray, counted: BoolArray) -> tuple[FloatArray, FloatArray]:
+def _least_and_largest(x: FloatArray, counted: BoolArray) -> tuple[FloatArray, FloatArray]:
     """Return the least and largest variable of the groups counted [draws]; inf and -inf where none is.
 
     Parameters
@@ -178,7 +178,7 @@ def least_and_largest(x: FloatArray, counted: BoolArray) -> tuple[FloatArray, Fl
 
 
 class _BinomialLikelihood:
-    """The likelihood of counts: called with parameters and draws, as `maximise_likelihood` does."""
+    """The likelihood of counts: called with parameters and draws, as `_maximise_likelihood` does."""
 
     def __init__(self, x: FloatArray, reached: FloatArray, records: FloatArray, link: LinkFunction) -> None:
         self.x, self.reached, self.others, self.link = x, reached, records - reached, link
@@ -227,9 +227,9 @@ def fit_first_exceedances(stands: FloatArray, reaches: FloatArray, counts: Float
         middle, spread = float(known.mean()), float(known.std())
         low, high, n = (lower - middle) / spread, (upper - middle) / spread, counts[bounded]
         standard_normal = np.array([[0.0, 1.0]])
-        pooled_fit = maximise_likelihood(_IntervalLikelihood(low, high, n.sum(axis=0, keepdims=True)), standard_normal)
+        pooled_fit = _maximise_likelihood(_IntervalLikelihood(low, high, n.sum(axis=0, keepdims=True)), standard_normal)
         start = np.tile(pooled_fit if np.isfinite(pooled_fit).all() else standard_normal, (len(n), 1))
-        a, b = maximise_likelihood(_IntervalLikelihood(low, high, n), start).T
+        a, b = _maximise_likelihood(_IntervalLikelihood(low, high, n), start).T
         with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
             m, beta = np.exp(middle - a / b * spread), spread / b
         good = (b > 0.0) & np.isfinite(m) & (m > 0.0) & np.isfinite(beta)
@@ -238,7 +238,7 @@ def fit_first_exceedances(stands: FloatArray, reaches: FloatArray, counts: Float
 
 
 class _IntervalLikelihood:
-    """The likelihood of normal variables known to lie between bounds, in a + b x: called as `maximise_likelihood` does.
+    """The likelihood of normal variables known to lie between bounds, in a + b x: called by `_maximise_likelihood`.
 
     It is concave in a and b (Burridge 1981, J. R. Stat. Soc. B 43, 41-45).
     """
@@ -309,7 +309,7 @@ class Likelihood(ShortRepr):
 Terms = Callable[[FloatArray, IntArray], Likelihood]
 
 
-def maximise_likelihood(terms: Terms, start: FloatArray) -> FloatArray:
+def _maximise_likelihood(terms: Terms, start: FloatArray) -> FloatArray:
     """Return the parameters [draws, 2] at which each likelihood is largest; nan where the search does not converge.
 
     Parameters
@@ -585,9 +585,9 @@ def _lines(x: FloatArray, y: FloatArray, n: FloatArray) -> FloatArray:
 
 def _logistic(x: FloatArray, reached: FloatArray, records: FloatArray) -> FloatArray:
     """Return logistic curves [draws, 2]; a step half way where data are separated, a constant where all are alike."""
-    theta = fit_binomial(x, reached, records, link="logit")
-    (first, last), (first_not, last_not) = least_and_largest(x, reached > 0), least_and_largest(x, records > reached)
-    apart = ~counts_overlap(x, reached, records)
+    theta = _fit_binomial(x, reached, records, link="logit")
+    (first, last), (first_not, last_not) = _least_and_largest(x, reached > 0), _least_and_largest(x, records > reached)
+    apart = ~_counts_overlap(x, reached, records)
     rises = first >= last_not
     with np.errstate(invalid="ignore"):
         middle = np.where(rises, 0.5 * (first + last_not), 0.5 * (last + first_not))

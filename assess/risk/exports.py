@@ -97,7 +97,7 @@ class Export(ShortRepr):
     left_out: tuple[LeftOut, ...]
 
 
-def common_states(curves: Sequence[ExportedCurve], *, fitted: bool) -> tuple[list[ExportedCurve], list[LeftOut]]:
+def _common_states(curves: Sequence[ExportedCurve], *, fitted: bool) -> tuple[list[ExportedCurve], list[LeftOut]]:
     """Return curves with the states that all of them have, and what is left out.
 
     A curve without its severest state is left out whole. A milder state that one curve lacks is left out of all,
@@ -194,7 +194,7 @@ def nrml_text(curves: Sequence[ExportedCurve], *, format: NrmlFormat, descriptio
     description : of the model; text of the user
     """
     exported, left_out = _exported_curves(curves, format)
-    states = [] if not exported else [openquake_word(each.name) for each in exported[0].states]
+    states = [] if not exported else [_openquake_word(each.name) for each in exported[0].states]
     root = ET.Element("nrml", xmlns=NAMESPACE)
     model = ET.SubElement(root, "fragilityModel", id="rocking", assetCategory="buildings", lossCategory="structural")
     ET.SubElement(model, "description").text = printable(description) or "Rocking of masonry mechanisms"
@@ -206,14 +206,14 @@ def nrml_text(curves: Sequence[ExportedCurve], *, format: NrmlFormat, descriptio
     return Export(f'<?xml version="1.0" encoding="UTF-8"?>\n{ET.tostring(root, encoding="unicode")}\n', left_out)
 
 
-def openquake_measure(curve: ExportedCurve) -> str | None:
+def _openquake_measure(curve: ExportedCurve) -> str | None:
     """Return the name of a curve's measure in OpenQuake; None where it has none."""
     if curve.measure == "sa" and curve.period is not None:
         return f"SA({curve.period:g})"
     return {"pga": "PGA", "pgv": "PGV"}.get(curve.measure)
 
 
-def openquake_word(name: str) -> str:
+def _openquake_word(name: str) -> str:
     """Return a name as OpenQuake takes it for limit states: letters, digits and underscores, a letter first."""
     word = re.sub(r"[^A-Za-z0-9_]", "_", name)
     return word if re.match(r"[A-Za-z_]", word) else f"_{word}"
@@ -228,7 +228,7 @@ def _taxonomies(curves: Sequence[ExportedCurve]) -> list[str]:
     """Return names that differ, without the characters that OpenQuake refuses in them."""
     names, taxonomies = [each.name for each in curves], list[str]()
     for each in curves:
-        text = each.name if names.count(each.name) == 1 else f"{each.name} {openquake_measure(each)}"
+        text = each.name if names.count(each.name) == 1 else f"{each.name} {_openquake_measure(each)}"
         word = re.sub("[#'\"]", "_", printable(text))
         alike = sum(other == word or other.startswith(f"{word} ..") for other in taxonomies)
         taxonomies.append(f"{word} ..{alike + 1}" if alike else word)
@@ -239,8 +239,8 @@ def _exported_curves(
     curves: Sequence[ExportedCurve], format: NrmlFormat
 ) -> tuple[list[ExportedCurve], tuple[LeftOut, ...]]:
     """Return the curves that the model has a place for, and what it leaves out."""
-    named, unnamed = _named_curves(curves, openquake_measure)
-    exported, incomplete = common_states(named, fitted=format == "continuous")
+    named, unnamed = _named_curves(curves, _openquake_measure)
+    exported, incomplete = _common_states(named, fitted=format == "continuous")
     crossing_states = ((each, _crossing_state(each, format)) for each in exported)
     crossing = [
         LeftOut(each.name, each.measure, each.period, "curves-cross", state.name)
@@ -265,14 +265,16 @@ def _crossing_state(curve: ExportedCurve, format: NrmlFormat) -> ExportedState |
 def _continuous(function: ET.Element, curve: ExportedCurve) -> None:
     function.set("shape", "logncdf")
     factor, at = _openquake_factor(curve), _lognormal_range(curve)
-    imls = ET.SubElement(function, "imls", imt=str(openquake_measure(curve)), noDamageLimit=_all_digits(factor * at[0]))
+    imls = ET.SubElement(
+        function, "imls", imt=str(_openquake_measure(curve)), noDamageLimit=_all_digits(factor * at[0])
+    )
     imls.set("minIML", _all_digits(factor * at[0]))
     imls.set("maxIML", _all_digits(factor * at[-1]))
     for state in curve.states:
         if state.lognormal is not None:
             mean, stddev = factor * state.lognormal.mean, factor * state.lognormal.standard_deviation
             ET.SubElement(
-                function, "params", ls=openquake_word(state.name), mean=_all_digits(mean), stddev=_all_digits(stddev)
+                function, "params", ls=_openquake_word(state.name), mean=_all_digits(mean), stddev=_all_digits(stddev)
             )
 
 
@@ -282,10 +284,12 @@ def _discrete(function: ET.Element, curve: ExportedCurve) -> None:
     zero = np.all([share == 0.0 for share in shares], axis=0)
     leading = int(np.argmin(zero)) if not zero.all() else zero.size
     limit = at[leading - 1] if leading else SLIGHT * at[0]
-    imls = ET.SubElement(function, "imls", imt=str(openquake_measure(curve)), noDamageLimit=_all_digits(factor * limit))
+    imls = ET.SubElement(
+        function, "imls", imt=str(_openquake_measure(curve)), noDamageLimit=_all_digits(factor * limit)
+    )
     imls.text = " ".join(_all_digits(factor * each) for each in at)
     for state, share in zip(curve.states, shares, strict=True):
-        ET.SubElement(function, "poes", ls=openquake_word(state.name)).text = " ".join(
+        ET.SubElement(function, "poes", ls=_openquake_word(state.name)).text = " ".join(
             _all_digits(each) for each in share
         )
 
@@ -329,27 +333,27 @@ def pelicun_text(curves: Sequence[ExportedCurve]) -> Export:
     ----------
     curves : of the mechanisms
     """
-    named, unnamed = _named_curves(curves, pelicun_demand)
-    exported, incomplete = common_states(named, fitted=True)
+    named, unnamed = _named_curves(curves, _pelicun_demand)
+    exported, incomplete = _common_states(named, fitted=True)
     rows: list[list[Cell]] = []
     most_states = max((len(each.states) for each in exported), default=0)
     names = [each.name for each in exported]
     for each in exported:
-        demand = str(pelicun_demand(each))
-        name = pelicun_identifier(f"{each.name}.{demand}" if names.count(each.name) > 1 else each.name)
+        demand = str(_pelicun_demand(each))
+        name = _pelicun_identifier(f"{each.name}.{demand}" if names.count(each.name) > 1 else each.name)
         alike = sum(str(row[0]).split("..")[0] == name for row in rows)
         rows.append(_pelicun_row(each, demand, f"{name}..{alike + 1}" if alike else name))
     return Export(table_text([_pelicun_header(most_states), *rows]), (*unnamed, *incomplete))
 
 
-def pelicun_demand(curve: ExportedCurve) -> str | None:
+def _pelicun_demand(curve: ExportedCurve) -> str | None:
     """Return the demand type of a curve's measure in pelicun; None where it has none."""
     if curve.measure == "sa" and curve.period is not None:
         return f"Spectral Acceleration|{curve.period:g}"
     return {"pga": "Peak Ground Acceleration", "pgv": "Peak Ground Velocity"}.get(curve.measure)
 
 
-def pelicun_identifier(name: str) -> str:
+def _pelicun_identifier(name: str) -> str:
     """Return a name as an ID of pelicun, which splits them at hyphens: letters, digits, underscores, dots."""
     return re.sub(r"\.+", ".", re.sub(r"[^A-Za-z0-9.]+", "_", name)).strip("_.") or "_"
 

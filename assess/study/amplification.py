@@ -166,8 +166,8 @@ def amplify(choice: AmplificationChoice | None, in_place: MechanismInPlace) -> M
         return NOT_AMPLIFIED
     height = support_height(choice, in_place)
     if choice.method in FIRST_MODES:
-        return amplify_by_first_mode(choice, in_place, height=height)
-    return amplify_by_floor_factor(choice, in_place, height=height)
+        return _amplify_by_first_mode(choice, in_place, height=height)
+    return _amplify_by_floor_factor(choice, in_place, height=height)
 
 
 def support_height(choice: AmplificationChoice, in_place: MechanismInPlace) -> float:
@@ -181,10 +181,10 @@ def support_height(choice: AmplificationChoice, in_place: MechanismInPlace) -> f
             f"{in_place.where}.height: the mechanism begins {-base:.3g} m below the ground; give height, or "
             "building.ground_elevation"
         )
-    return mean_support_height(base, mechanism)
+    return _mean_support_height(base, mechanism)
 
 
-def amplify_by_floor_factor(
+def _amplify_by_floor_factor(
     choice: AmplificationChoice, in_place: MechanismInPlace, *, height: float
 ) -> MechanismAmplification:
     """Return the amplification by the factor of a code for the height [m]."""
@@ -221,7 +221,7 @@ def amplify_by_floor_factor(
     )
 
 
-def amplify_by_first_mode(
+def _amplify_by_first_mode(
     choice: AmplificationChoice, in_place: MechanismInPlace, *, height: float
 ) -> MechanismAmplification:
     """Return the amplification by the first mode, with values given or by Rayleigh's method."""
@@ -229,7 +229,7 @@ def amplify_by_first_mode(
     frequency, effective = given_frequency(choice, structure), given_effective_height(choice, structure)
     assumed: tuple[Message, ...] = ()
     if frequency is None or effective is None:
-        rayleigh = rayleigh_mode_of(in_place)
+        rayleigh = _rayleigh_mode_of(in_place)
         frequency = frequency or (rayleigh.frequency, RAYLEIGH)
         effective = effective or (rayleigh.effective_height, RAYLEIGH)
         values: dict[str, Value] = {"slices": whole_number(SLICES), "assumptions": Term(ASSUMPTIONS)}
@@ -273,7 +273,7 @@ def given_effective_height(choice: AmplificationChoice, structure: Structure) ->
     return None
 
 
-def rayleigh_mode_of(in_place: MechanismInPlace) -> RayleighMode:
+def _rayleigh_mode_of(in_place: MechanismInPlace) -> RayleighMode:
     """Return the first mode by Rayleigh's method of the bodies of a single block on the ground, in its direction."""
     definition, scene = in_place.definition, in_place.built.scene
     if not isinstance(definition, SingleBlock) or scene is None:
@@ -374,7 +374,7 @@ def find_height(
         With the source of the level of the ground.
     """
     base = ground.base_height(mechanism, base_elevation)
-    support = mean_support_height(base, mechanism)
+    support = _mean_support_height(base, mechanism)
     source = _source_of_level(ground, base_elevation, by_table=by_table)
     lowest = mechanism.elevation if ground.lowest is None else ground.lowest
     if not source:
@@ -387,7 +387,7 @@ def find_height(
     return HeightAboveGround(base, support, is_above_ground(support, ground.building_height), source, unknown)
 
 
-def mean_support_height(base: float, mechanism: Mechanism) -> float:
+def _mean_support_height(base: float, mechanism: Mechanism) -> float:
     """Return the height of the support above the ground [m]: of the base, or the mean of base and far support."""
     return max(base, 0.0) + height_of_support(mechanism) / 2.0
 

@@ -171,7 +171,7 @@ class Block:
         return RockingParameters.from_result(front), RockingParameters.from_result(back)
 
 
-def make_block(name: str, definition: Definition, bodies: Sequence[Body]) -> Block:
+def _make_block(name: str, definition: Definition, bodies: Sequence[Body]) -> Block:
     """Build a mechanism from its definition and the bodies of the building.
 
     Raises
@@ -236,7 +236,7 @@ def single_block(
         hinges_negative=None if hinge_negative is None else (hinge_negative,),
         **_shared_fields(direction, sides, loads, interface, restitution),
     )
-    return make_block(name, definition, (*bodies, *_bodies("around", around)))
+    return _make_block(name, definition, (*bodies, *_bodies("around", around)))
 
 
 def two_block(
@@ -279,7 +279,7 @@ def two_block(
         interfaces={} if interfaces is None else interfaces,
         **_shared_fields(direction, sides, loads, interface, restitution),
     )
-    return make_block(name, definition, (*bodies, *_bodies("around", around)))
+    return _make_block(name, definition, (*bodies, *_bodies("around", around)))
 
 
 def four_hinge(
@@ -321,7 +321,7 @@ def four_hinge(
         joints=joints,
         **_shared_fields(direction, sides, loads, interface, restitution),
     )
-    return make_block(name, definition, (*bodies, *_bodies("around", around)))
+    return _make_block(name, definition, (*bodies, *_bodies("around", around)))
 
 
 def equivalent_block(
@@ -357,7 +357,7 @@ def equivalent_block(
         elevation=elevation,
         restitution=_restitution(restitution),
     )
-    return make_block(name, definition, ())
+    return _make_block(name, definition, ())
 
 
 def _one_or_several(body: BodyOrBodies) -> tuple[Body, ...]:

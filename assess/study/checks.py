@@ -92,7 +92,7 @@ def assess_mechanisms(
     def assess(mechanism: Mechanism) -> MechanismResult:
         case = cases[mechanism.name]
         histories = mechanism_histories(study, spectrum, motions, mechanism, case, threads=threads)
-        return assess_mechanism(study, spectrum, motions, mechanism, case, histories)
+        return _assess_mechanism(study, spectrum, motions, mechanism, case, histories)
 
     longest = sorted(study.mechanisms, key=lambda mechanism: not vibrates(cases[mechanism.name].oscillator))
     done: dict[str, MechanismResult] = {}
@@ -104,7 +104,7 @@ def assess_mechanisms(
     return tuple(done[mechanism.name] for mechanism in study.mechanisms)
 
 
-def assess_mechanism(
+def _assess_mechanism(
     study: Study,
     spectrum: Spectrum,
     motions: tuple[ScaledRecord, ...],
@@ -278,7 +278,7 @@ def _context_without_floor_spectrum(
         building=study.building,
         suites=histories.suites,
         histories_at="ground" if amplified.height is None else "mechanism base",
-        transfer=transfer_to_support(amplified, support=height.support),
+        transfer=_transfer_to_support(amplified, support=height.support),
         crushing=mechanism.crushing,
         starting=variants.starting,
         breaking=variants.breaking,
@@ -289,7 +289,7 @@ def _context_without_floor_spectrum(
         impossible=height.unknown,
         not_lasting=unsupported_messages(mechanism),
         suite_faults=study.suite_faults,
-        impossible_by_histories=reasons_against_histories(mechanism),
+        impossible_by_histories=_reasons_against_histories(mechanism),
         amplification=max((each.factor for each in base), default=1.0),
         linearised=study.equations[mechanism.name] == "linearised",
         extra_suites=histories.further_suites,
@@ -302,7 +302,7 @@ def _context_without_floor_spectrum(
     )
 
 
-def transfer_to_support(amplified: MechanismAmplification, *, support: float) -> Transfer:
+def _transfer_to_support(amplified: MechanismAmplification, *, support: float) -> Transfer:
     """Return how the motion of the histories is amplified up to the `support` of a mechanism [m above the ground].
 
     Motion that is amplified only part of the way counts as that of the ground.
@@ -312,7 +312,7 @@ def transfer_to_support(amplified: MechanismAmplification, *, support: float) ->
     return "by a filter" if isinstance(amplified.amplification, ModalFilter) else "by a factor"
 
 
-def reasons_against_histories(mechanism: Mechanism) -> tuple[Message, ...]:
+def _reasons_against_histories(mechanism: Mechanism) -> tuple[Message, ...]:
     """Return why histories cannot assess the mechanism: the first impact would bring it to rest."""
     if mechanism.stopped is None:
         return ()
@@ -452,13 +452,13 @@ def floor_spectrum(
         records = [
             scale(base_motion.record, motion.scaling.factor) for base_motion, motion in zip(base, motions, strict=True)
         ]
-        return suite_spectrum(ground, records, mode=filtered.mode)
+        return _suite_spectrum(ground, records, mode=filtered.mode)
     if building is not None and building.storeys is not None and height <= building.height:
-        return circolare_spectrum(ground, height=height, building=building, storeys=building.storeys)
+        return _circolare_spectrum(ground, height=height, building=building, storeys=building.storeys)
     return None
 
 
-def suite_spectrum(ground: Spectrum, records: Sequence[Record], *, mode: FirstMode) -> Spectrum:
+def _suite_spectrum(ground: Spectrum, records: Sequence[Record], *, mode: FirstMode) -> Spectrum:
     """Return the envelope of the response spectra at the base, with its peaks broadened.
 
     The response is computed once for each damping that a procedure uses.
@@ -482,7 +482,7 @@ def suite_spectrum(ground: Spectrum, records: Sequence[Record], *, mode: FirstMo
     )
 
 
-def circolare_spectrum(ground: Spectrum, *, height: float, building: Building, storeys: int) -> Spectrum:
+def _circolare_spectrum(ground: Spectrum, *, height: float, building: Building, storeys: int) -> Spectrum:
     """Return the spectrum of C7.2.5 at a height [m]: first mode linear over the height, envelope within 15 % of T_1."""
     share = first_mode_factor(storeys) * height / building.height
     modes = [Mode(building.period * factor, building.damping, share) for factor in PERIOD_VARIATION]

@@ -37,7 +37,7 @@ def rest_steps(joint: Joint, normal_force: float) -> tuple[Step, ...]:
     """
     section, law = joint.section, joint.law
     pressed: Given = {"N": (normal_force, "N"), "A": (section.area, "m2")}
-    lines = [*section_steps(section)]
+    lines = [*_section_steps(section)]
     if law.stiffness < inf:
         lines.append(step("k", "normal stiffness of the joint, per area", PROJECT, "given", law.stiffness, "Pa/m"))
     if law.strength < inf:
@@ -69,7 +69,7 @@ def threshold_steps(joint: Joint, normal_force: float) -> tuple[Step, ...]:
 def _opening_steps(joint: Joint, N: float, opening: float) -> tuple[Step, ...]:
     """Write the rotation of opening, before crushing or, under more than half of what a rectangle bears, after it."""
     section, k, f = joint.section, joint.law.stiffness, joint.law.strength
-    b, A, x_c, width = section.depth, section.area, section.centroid, rectangle_width(section)
+    b, A, x_c, width = section.depth, section.area, section.centroid, _rectangle_width(section)
     given: Given = {"N": (N, "N"), "k": (k, "Pa/m"), "b": (b, "m")}
     before = k * opening * b <= f * (1.0 + SAME_STRESS)
     if width is not None:
@@ -99,14 +99,14 @@ def _opening_checks(joint: Joint, N: float, opening: float) -> tuple[Step, ...]:
         Zone(("p", 0.0), ("a_2o", b - c), (("f", f), ("f", f))),
         Zone(("a_2o", b - c), ("c_o", c), (("f", f), ("σ_o", 0.0))),
     )
-    checks, _ = resultant_steps(StressState(joint.section, "o", zones, ("N", N)))
+    checks, _ = _resultant_steps(StressState(joint.section, "o", zones, ("N", N)))
     return (*lines, *checks)
 
 
 def _crushing_steps(joint: Joint, N: float, crushing: float) -> tuple[Step, ...]:
     """Write the contact as its edge begins to crush, and from it a_SF."""
     section, k, f = joint.section, joint.law.stiffness, joint.law.strength
-    b, width = section.depth, rectangle_width(section)
+    b, width = section.depth, _rectangle_width(section)
     found = contact(section, joint.law, normal_force=N, rotation=crushing)
     a = f / (k * crushing)
     pressed: Given = {"N": (N, "N"), "f": (f, "Pa")}
@@ -132,7 +132,7 @@ def _crushing_steps(joint: Joint, N: float, crushing: float) -> tuple[Step, ...]
                  given={"f": (f, "Pa"), **turned, "b": (b, "m")}),
         )  # fmt: skip
         zone = Zone(("p", 0.0), ("b", b), (("f", f), ("σ_c", end)))
-    checks, arm = resultant_steps(StressState(section, "c", (zone,), ("N", float(found.normal_force[0]))))
+    checks, arm = _resultant_steps(StressState(section, "c", (zone,), ("N", float(found.normal_force[0]))))
     shift = semi_flexible_shift(section, joint.law, normal_force=N)
     return (*lines, *checks, replace(arm, symbol="a_SF", description=SHIFT_DESCRIPTION, clause=SHIFT, value=shift))
 
@@ -204,7 +204,7 @@ class RotatedJoint:
     @property
     def width(self) -> float | None:
         """Of a rectangle [m]; None for another outline."""
-        return rectangle_width(self.joint.section)
+        return _rectangle_width(self.joint.section)
 
     @property
     def gradient(self) -> Given:
@@ -229,7 +229,7 @@ def state_steps(rotated: RotatedJoint) -> tuple[Step, ...]:
         lines, zones = _crushed_full_contact(rotated) if rotated.is_full else _crushed_partial_contact(rotated)
     else:
         lines, zones = _full_contact(rotated) if rotated.is_full else _partial_contact(rotated)
-    checks, arm = resultant_steps(StressState(rotated.joint.section, rotated.mark, zones, rotated.force))
+    checks, arm = _resultant_steps(StressState(rotated.joint.section, rotated.mark, zones, rotated.force))
     named = replace(arm, symbol=f"a_f{rotated.mark}", description=PLACE, value=rotated.value("resultant"))
     return (*lines, *checks, named)
 
@@ -352,7 +352,7 @@ CENTROID = "centroid from the compressed edge"
 AREA = "area of the contact"
 
 
-def rectangle_width(section: ContactSection) -> float | None:
+def _rectangle_width(section: ContactSection) -> float | None:
     """Return the width of a section that is a rectangle along the motion [m]; None for any other."""
     if len(section.pieces) != 2:
         return None
@@ -360,7 +360,7 @@ def rectangle_width(section: ContactSection) -> float | None:
     return width if abs(slope) * section.depth <= 1e-12 * width else None
 
 
-def section_steps(section: ContactSection) -> tuple[Step, ...]:
+def _section_steps(section: ContactSection) -> tuple[Step, ...]:
     """Write sizes, area and centroid of a contact.
 
     Parameters
@@ -374,7 +374,7 @@ def section_steps(section: ContactSection) -> tuple[Step, ...]:
     depth = step("b", "depth of the contact, along the motion", GEOMETRY, "given", section.depth, "m")
     if section.discs.size:
         return (depth, *_disc_steps(section))
-    width = rectangle_width(section)
+    width = _rectangle_width(section)
     if width is None:
         return (depth, *_piece_steps(section))
     sizes: Given = {"b": (section.depth, "m"), "l": (width, "m")}
@@ -467,7 +467,7 @@ class StressState:
     normal_force: NamedValue
 
 
-def resultant_steps(state: StressState) -> tuple[tuple[Step, ...], Step]:
+def _resultant_steps(state: StressState) -> tuple[tuple[Step, ...], Step]:
     """Write the two integrals of the stress, strip by strip: the resultant, which is the normal force, and its place.
 
     Parameters
@@ -507,7 +507,7 @@ def _balance_step(name: str, total: float, normal_force: NamedValue) -> Step:
 
 def _strips(section: ContactSection, zones: tuple[Zone, ...]) -> list[Strip]:
     """Return the zones, divided where the width is no longer linear; not where that makes too many."""
-    width = rectangle_width(section)
+    width = _rectangle_width(section)
     if width is not None:
         return [Strip(zone, (("l", width), ("l", width))) for zone in zones]
     cut = [strip for zone in zones for strip in _linear_strips(section, zone)] if section.pieces.size else []

@@ -58,11 +58,11 @@ def equilibrium_controls(mechanism: Mechanism, oscillator: Oscillator) -> tuple[
             for pair in (VERTICAL, HORIZONTAL)
         )
     of_branches = [
-        branch_controls(mechanism, chain, [pair for pair in forces if pair.branch == branch], multiplier)
+        _branch_controls(mechanism, chain, [pair for pair in forces if pair.branch == branch], multiplier)
         for chain, branch, multiplier in zip(
             (mechanism.positive, mechanism.negative),
             ("positive", "negative"),
-            branch_multipliers(mechanism, oscillator),
+            _branch_multipliers(mechanism, oscillator),
             strict=False,
         )
         if chain is not None
@@ -70,7 +70,7 @@ def equilibrium_controls(mechanism: Mechanism, oscillator: Oscillator) -> tuple[
     return tuple(max(pair, key=lambda control: control.difference or 0.0) for pair in zip(*of_branches, strict=True))
 
 
-def branch_multipliers(mechanism: Mechanism, oscillator: Oscillator) -> tuple[float, float | None]:
+def _branch_multipliers(mechanism: Mechanism, oscillator: Oscillator) -> tuple[float, float | None]:
     """Return the multiplier of each branch: of the oscillator, or on joints by moments about the moved hinges [-]."""
     if not mechanism.flexible:
         other = oscillator.negative
@@ -79,14 +79,14 @@ def branch_multipliers(mechanism: Mechanism, oscillator: Oscillator) -> tuple[fl
     return positive, others[0] if others else None
 
 
-def branch_controls(
+def _branch_controls(
     mechanism: Mechanism, chain: Chain, forces: Sequence[HingeForces], multiplier: float | None
 ) -> tuple[Control, Control]:
     """Return the controls of one branch, in its own sign: vertical and horizontal."""
-    acting = forces_at_rest(chain_at_start(chain, name=mechanism.name))
+    acting = _forces_at_rest(chain_at_start(chain, name=mechanism.name))
     weight = sum(each.inertia_per_g for each in acting)
     inertia = (multiplier or 0.0) * weight
-    horizontal, vertical = sum_of_reactions(forces, blocks=len(chain.blocks))
+    horizontal, vertical = _sum_of_reactions(forces, blocks=len(chain.blocks))
     how = note(
         "control-reactions",
         mechanism.name,
@@ -111,7 +111,7 @@ def branch_controls(
     return one, other
 
 
-def sum_of_reactions(forces: Sequence[HingeForces], *, blocks: int) -> tuple[float, float]:
+def _sum_of_reactions(forces: Sequence[HingeForces], *, blocks: int) -> tuple[float, float]:
     """Return the sum of the reactions of supports (x, z) on the mechanism [N].
 
     Parameters
@@ -135,7 +135,7 @@ UPLIFT_MULTIPLIER = "uplift multiplier"
 
 def moment_multiplier(chain: Chain) -> float:
     """Return the multiplier that starts a chain on rigid hinges, by moments [-]; below 0 if it falls by itself."""
-    acting, count = forces_at_rest(chain), len(chain.blocks)
+    acting, count = _forces_at_rest(chain), len(chain.blocks)
     far_x, far_z = chain.hinges[-1]
     rows, right = np.zeros((count, count)), np.zeros(count)
     for number, (x, z) in enumerate(chain.hinges[:count]):
@@ -205,7 +205,7 @@ class ForceAtRest:
     inertia_per_g: float
 
 
-def forces_at_rest(chain: Chain) -> list[ForceAtRest]:
+def _forces_at_rest(chain: Chain) -> list[ForceAtRest]:
     """Return every mass and load of a chain.
 
     A mass that is not bearing has horizontal inertia and no weight here; a tie that shortens as rocking starts is

@@ -37,29 +37,29 @@ def draw(mechanism: Mechanism, oscillator: Oscillator, scene: Scene | None = Non
     return Drawing(
         blocks=tuple(ring for ring, _ in pieces),
         hinges=hinges_of(mechanism),
-        loads=tuple(drawn_load(load, load.at) for load in chain.loads),
+        loads=tuple(_drawn_load(load, load.at) for load in chain.loads),
         centroid=(x, z),
         block_of=tuple(block for _, block in pieces),
         centroids=tuple(block.centroid for block in chain.blocks),
-        displaced=draw_rotation(chain, oscillator.positive, pieces, mark=""),
-        displaced_negative=draw_negative_side(mechanism, oscillator),
-        fixed=() if scene is None else fixed_outlines(scene),
+        displaced=_draw_rotation(chain, oscillator.positive, pieces, mark=""),
+        displaced_negative=_draw_negative_side(mechanism, oscillator),
+        fixed=() if scene is None else _fixed_outlines(scene),
     )
 
 
 def pieces_of(chain: Chain, outlines: Sequence[Outline]) -> list[BlockOutline]:
     """Return every ring of the outlines with its block, FIXED where it does not move."""
-    return [(ring, block) for block, outline in zip(block_numbers(chain), outlines, strict=True) for ring in outline]
+    return [(ring, block) for block, outline in zip(_block_numbers(chain), outlines, strict=True) for ring in outline]
 
 
-def block_numbers(chain: Chain) -> tuple[int, ...]:
+def _block_numbers(chain: Chain) -> tuple[int, ...]:
     """Return the block of each outline of a mechanism, FIXED where it does not move."""
     if not chain.parts:
         return tuple(range(len(chain.blocks)))
     return tuple(FIXED if number is None else number for _, number in chain.parts)
 
 
-def fixed_outlines(scene: Scene) -> tuple[Ring, ...]:
+def _fixed_outlines(scene: Scene) -> tuple[Ring, ...]:
     """Return the outlines in the plane of motion of the bodies that do not move, simplified where they are scans."""
     rings: list[Ring] = []
     for solid in scene.fixed:
@@ -69,7 +69,7 @@ def fixed_outlines(scene: Scene) -> tuple[Ring, ...]:
     return tuple(rings)
 
 
-def draw_negative_side(mechanism: Mechanism, oscillator: Oscillator) -> DisplacedDrawing | None:
+def _draw_negative_side(mechanism: Mechanism, oscillator: Oscillator) -> DisplacedDrawing | None:
     """Draw the mechanism turned to its negative side; None if it rocks to one side only."""
     chain, branch = mechanism.negative, oscillator.negative
     if chain is None or branch is None:
@@ -77,7 +77,7 @@ def draw_negative_side(mechanism: Mechanism, oscillator: Oscillator) -> Displace
     outlines = [
         tuple(tuple(mirror_point(point) for point in ring) for ring in outline) for outline in mechanism.outlines
     ]
-    turned = draw_rotation(chain, branch, pieces_of(chain, outlines), mark="'")
+    turned = _draw_rotation(chain, branch, pieces_of(chain, outlines), mark="'")
     return DisplacedDrawing(
         rotation_rad=turned.rotation_rad,
         blocks=tuple(tuple(mirror_point(point) for point in ring) for ring in turned.blocks),
@@ -98,22 +98,22 @@ def draw_negative_side(mechanism: Mechanism, oscillator: Oscillator) -> Displace
 
 def hinges_of(mechanism: Mechanism) -> tuple[NamedPoint, ...]:
     """Return hinges A, B, … of the positive branch and A', B', … of the negative one, at rest, not mirrored."""
-    negative = () if mechanism.negative is None else hinges_of_chain(mechanism.negative, "'")
+    negative = () if mechanism.negative is None else _hinges_of_chain(mechanism.negative, "'")
     back = (NamedPoint(hinge.name, mirror_point(hinge.at)) for hinge in negative)
-    return (*hinges_of_chain(mechanism.positive, ""), *back)
+    return (*_hinges_of_chain(mechanism.positive, ""), *back)
 
 
-def hinges_of_chain(chain: Chain, mark: str) -> tuple[NamedPoint, ...]:
+def _hinges_of_chain(chain: Chain, mark: str) -> tuple[NamedPoint, ...]:
     """Return hinges A, B, … of a chain, in its own sign."""
     return tuple(NamedPoint(f"{name}{mark}", at) for name, at in zip(hinge_names(chain), chain.hinges, strict=True))
 
 
-def draw_rotation(chain: Chain, branch: Branch, pieces: Sequence[BlockOutline], *, mark: str) -> DisplacedDrawing:
+def _draw_rotation(chain: Chain, branch: Branch, pieces: Sequence[BlockOutline], *, mark: str) -> DisplacedDrawing:
     """Draw the chain after the rotation at which it is shown, in its own sign."""
-    rotation = display_rotation(chain, branch.overturning, pieces)
+    rotation = _display_rotation(chain, branch.overturning, pieces)
 
     def turned(points: Sequence[Point], block: int) -> Ring:
-        moved = move_points(chain, np.array(points), block=block, rotation=rotation)
+        moved = _move_points(chain, np.array(points), block=block, rotation=rotation)
         return tuple((float(x), float(z)) for x, z in moved)
 
     return DisplacedDrawing(
@@ -122,20 +122,20 @@ def draw_rotation(chain: Chain, branch: Branch, pieces: Sequence[BlockOutline], 
         block_of=tuple(block for _, block in pieces),
         hinges=tuple(
             NamedPoint(hinge.name, turned([hinge.at], max(before, 0))[0])
-            for before, hinge in enumerate(hinges_of_chain(chain, mark), start=-1)
+            for before, hinge in enumerate(_hinges_of_chain(chain, mark), start=-1)
         ),
-        loads=tuple(drawn_load(load, turned([load.at], load.block)[0]) for load in chain.loads),
+        loads=tuple(_drawn_load(load, turned([load.at], load.block)[0]) for load in chain.loads),
         centroids=tuple(turned([block.centroid], number)[0] for number, block in enumerate(chain.blocks)),
     )
 
 
-def display_rotation(chain: Chain, overturning: float, pieces: Sequence[BlockOutline]) -> float:
+def _display_rotation(chain: Chain, overturning: float, pieces: Sequence[BlockOutline]) -> float:
     """Return the rotation to show [rad], two figures: at most overturning, and a move by LARGEST_MOVE."""
     sets = [(np.array(ring), block) for ring, block in pieces]
     sets += [(np.array([block.centroid]), number) for number, block in enumerate(chain.blocks)]
     size = float(np.ptp(np.concatenate([*(points for points, _ in sets), chain.hinges]), axis=0).max())
     farthest_move = max(
-        float(np.linalg.norm(move_points(chain, points, block=block, rotation=overturning) - points, axis=1).max())
+        float(np.linalg.norm(_move_points(chain, points, block=block, rotation=overturning) - points, axis=1).max())
         for points, block in sets
     )
     largest = overturning * min(1.0, LARGEST_MOVE * size / farthest_move)
@@ -143,7 +143,7 @@ def display_rotation(chain: Chain, overturning: float, pieces: Sequence[BlockOut
     return round(floor(largest / step + 1e-9) * step, 12)
 
 
-def move_points(chain: Chain, points: FloatArray, *, block: int, rotation: float) -> FloatArray:
+def _move_points(chain: Chain, points: FloatArray, *, block: int, rotation: float) -> FloatArray:
     """Return points [k, 2] of a block after a rotation [rad], by the motion of two of its points."""
     if block == FIXED:
         return points
@@ -154,18 +154,18 @@ def move_points(chain: Chain, points: FloatArray, *, block: int, rotation: float
     return np.asarray(origin + points[:, :1] * along + points[:, 1:] * [-along[1], along[0]], dtype=np.float64)
 
 
-def drawn_load(load: Load, at: Point) -> DrawnLoad:
+def _drawn_load(load: Load, at: Point) -> DrawnLoad:
     """Return a load that acts at a point [m], with the direction of its weight, of the force, or of the tie's pull."""
     if isinstance(load, PointMass):
         return DrawnLoad(load.name, at, "mass", DOWN if load.bearing else None)
     if isinstance(load, Force):
-        return DrawnLoad(load.name, at, "force", unit_vector(load.force))
+        return DrawnLoad(load.name, at, "force", _unit_vector(load.force))
     if load.anchor is not None:
-        return DrawnLoad(load.name, at, "tie", unit_vector((load.anchor[0] - at[0], load.anchor[1] - at[1])))
+        return DrawnLoad(load.name, at, "tie", _unit_vector((load.anchor[0] - at[0], load.anchor[1] - at[1])))
     return DrawnLoad(load.name, at, "tie", load.direction)
 
 
-def unit_vector(vector: Point) -> Point | None:
+def _unit_vector(vector: Point) -> Point | None:
     """Return the unit vector along a vector; None for a zero vector."""
     length = float(np.hypot(*vector))
     return (vector[0] / length, vector[1] / length) if length else None
@@ -178,12 +178,12 @@ RING_CORNERS = 300  # of a section's ring
 
 def view_in_space(mechanism: Mechanism, scene: Scene) -> View:
     """Return the bodies with their axes of rotation, at rest."""
-    members = [*zip(scene.members, block_numbers(mechanism.positive), strict=True), (scene.fixed, FIXED)]
-    surfaces = [(*join_surfaces(solids), owner) for solids, owner in members if solids]
+    members = [*zip(scene.members, _block_numbers(mechanism.positive), strict=True), (scene.fixed, FIXED)]
+    surfaces = [(*_join_surfaces(solids), owner) for solids, owner in members if solids]
     corners = np.concatenate([vertices for vertices, _, _ in surfaces])
     size = np.ptp(corners, axis=0)
     decimals = COORDINATE_FIGURES - 1 - floor(log10(float(size.max())))
-    simplified = simplify_surfaces(surfaces)
+    simplified = _simplify_surfaces(surfaces)
     starts = np.cumsum([0, *(len(vertices) for vertices, _, _ in simplified)])
     return View(
         vertices=rounded_points(np.concatenate([vertices for vertices, _, _ in simplified]), decimals),
@@ -193,26 +193,26 @@ def view_in_space(mechanism: Mechanism, scene: Scene) -> View:
             for a, b, c in (triangles + start).tolist()
         ),
         block_of=tuple(owner for _, triangles, owner in simplified for _ in range(len(triangles))),
-        axes=hinge_axes(mechanism, scene, decimals),
-        sections=tuple(rounded_points(thin_ring(ring), decimals) for ring in scene.sections),
-        direction=as_point(scene.direction),
+        axes=_hinge_axes(mechanism, scene, decimals),
+        sections=tuple(rounded_points(_thin_ring(ring), decimals) for ring in scene.sections),
+        direction=_as_point(scene.direction),
         size=rounded_points(size[None], decimals)[0],
         given=sum(len(triangles) for _, triangles, _ in surfaces),
     )
 
 
-def join_surfaces(solids: Sequence[Solid]) -> tuple[FloatArray, IntArray]:
+def _join_surfaces(solids: Sequence[Solid]) -> tuple[FloatArray, IntArray]:
     """Return the surfaces of several solids as one."""
     starts = np.cumsum([0, *(len(solid.vertices) for solid in solids[:-1])])
     triangles = [solid.triangles + start for solid, start in zip(solids, starts, strict=True)]
     return np.concatenate([solid.vertices for solid in solids]), np.concatenate(triangles)
 
 
-def simplify_surfaces(surfaces: Sequence[tuple[FloatArray, IntArray, int]]) -> list[tuple[FloatArray, IntArray, int]]:
+def _simplify_surfaces(surfaces: Sequence[tuple[FloatArray, IntArray, int]]) -> list[tuple[FloatArray, IntArray, int]]:
     """Simplify surfaces to no more than VIEW_TRIANGLES triangles in all, shared by area."""
     if sum(len(triangles) for _, triangles, _ in surfaces) <= VIEW_TRIANGLES:
         return list(surfaces)
-    areas = np.array([surface_area(vertices[triangles]) for vertices, triangles, _ in surfaces])
+    areas = np.array([_surface_area(vertices[triangles]) for vertices, triangles, _ in surfaces])
     shares = np.maximum(12, (VIEW_TRIANGLES * areas / areas.sum()).astype(np.int64))
     return [
         (*simplify(vertices, triangles, limit=int(share)), owner)
@@ -220,13 +220,13 @@ def simplify_surfaces(surfaces: Sequence[tuple[FloatArray, IntArray, int]]) -> l
     ]
 
 
-def surface_area(corners: FloatArray) -> float:
+def _surface_area(corners: FloatArray) -> float:
     """Return the total area of triangles [m, 3, 3] [m2]."""
     normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     return float(np.linalg.norm(normals, axis=1).sum()) / 2.0
 
 
-def hinge_axes(mechanism: Mechanism, scene: Scene, decimals: int) -> tuple[HingeAxis, ...]:
+def _hinge_axes(mechanism: Mechanism, scene: Scene, decimals: int) -> tuple[HingeAxis, ...]:
     """Return the axis of each hinge, across the direction, over the width of the moving bodies."""
     along, up = scene.direction, np.array([0.0, 0.0, 1.0])
     across = np.array([-along[1], along[0], 0.0])
@@ -239,7 +239,7 @@ def hinge_axes(mechanism: Mechanism, scene: Scene, decimals: int) -> tuple[Hinge
     return tuple(found)
 
 
-def thin_ring(ring: FloatArray) -> FloatArray:
+def _thin_ring(ring: FloatArray) -> FloatArray:
     """Thin a closed ring [k, 3] evenly to no more than RING_CORNERS corners."""
     step = -(-(len(ring) - 1) // RING_CORNERS)
     return np.concatenate([ring[:-1:step], ring[:1]])
@@ -247,10 +247,10 @@ def thin_ring(ring: FloatArray) -> FloatArray:
 
 def rounded_points(points: FloatArray, decimals: int) -> tuple[Place, ...]:
     """Return points [k, 3] as plain numbers, rounded."""
-    return tuple(as_point(point) for point in np.round(points, decimals) + 0.0)
+    return tuple(_as_point(point) for point in np.round(points, decimals) + 0.0)
 
 
-def as_point(point: FloatArray) -> Place:
+def _as_point(point: FloatArray) -> Place:
     """Return a point [3] as plain numbers."""
     x, y, z = point.tolist()
     return (x, y, z)

@@ -117,7 +117,7 @@ def run_fragility(study: Study, *, jobs: int = 0, progress: Progress = no_progre
     """
     question = question_with_measures(study)
     progress("ground motions", 0, 1)
-    records = unscaled_records(study, jobs=jobs)
+    records = _unscaled_records(study, jobs=jobs)
     with_runs = []
     for count, mechanism in enumerate(study.mechanisms):
         progress("rocking histories", count, len(study.mechanisms))
@@ -125,14 +125,14 @@ def run_fragility(study: Study, *, jobs: int = 0, progress: Progress = no_progre
             with_runs.append(run_records(study, mechanism, records, question, jobs=jobs))
     origins = origins_of(records)
     with ThreadPoolExecutor(jobs or available_cores()) as pool:
-        found = list(pool.map(lambda runs: mechanism_fragility(study, runs, records, origins, question), with_runs))
+        found = list(pool.map(lambda runs: _mechanism_fragility(study, runs, records, origins, question), with_runs))
     progress("fragility curves", len(found), len(found))
     program = describe_program()
     return FragilityResults(
         schema_version=FRAGILITY_VERSION,
         program=program,
         inputs=study.inputs,
-        warnings=study_warnings(study, records, question),
+        warnings=_study_warnings(study, records, question),
         title=str(study.resolved["title"].value) if "title" in study.resolved else "",
         method=question.method,
         seed=question.seed,
@@ -153,7 +153,7 @@ def question_with_measures(study: Study) -> FragilityQuestion:
     return replace(study.fragility, measures=default_measures(period))
 
 
-def unscaled_records(study: Study, *, jobs: int) -> tuple[Record, ...]:
+def _unscaled_records(study: Study, *, jobs: int) -> tuple[Record, ...]:
     """Return the records of a study as they are, artificial ones last."""
     if study.artificial is None:
         records: tuple[Record, ...] = study.records
@@ -210,7 +210,7 @@ def run_records(
     return MechanismRuns(mechanism, case, rocker, all_intensities, runs)
 
 
-def mechanism_fragility(
+def _mechanism_fragility(
     study: Study,
     mechanism_runs: MechanismRuns,
     records: Sequence[Record],
@@ -222,8 +222,8 @@ def mechanism_fragility(
     compared = mechanism_runs.all_intensities[:1] if question.method == "stripes" else mechanism_runs.all_intensities
     curves = [
         each
-        for state in applicable_states(mechanism_runs.case, question)
-        for each in curves_of_state(runs, compared, state, origins.event, question)
+        for state in _applicable_states(mechanism_runs.case, question)
+        for each in _curves_of_state(runs, compared, state, origins.event, question)
     ]
     epistemic = hypot(*question.epistemic.values()) if question.epistemic else None
     return MechanismFragility(
@@ -232,21 +232,21 @@ def mechanism_fragility(
         slenderness_rad=mechanism_runs.rocker.slenderness,
         p_eq_per_s=mechanism_runs.rocker.p,
         above_ground=study.heights[mechanism.name].above,
-        runs=tuple(record_runs(mechanism_runs, place, record, origins) for place, record in enumerate(records)),
+        runs=tuple(_record_runs(mechanism_runs, place, record, origins) for place, record in enumerate(records)),
         curves=tuple(curves),
         comparison=tuple(
             compare_measure(runs, intensities, curve, origins)
             for intensities, curve in zip(cycle(compared), curves, strict=False)
         ),
-        risks=tuple(risks(curves, question, epistemic=epistemic, motion_known=base_motion_known(study, mechanism))),
+        risks=tuple(risks(curves, question, epistemic=epistemic, motion_known=_base_motion_known(study, mechanism))),
         epistemic=epistemic,
         epistemic_sources=dict(question.epistemic) or None,
         measures=tuple(intensities.measure for intensities in mechanism_runs.all_intensities),
-        notes=tuple(mechanism_notes(study, mechanism, runs, question)),
+        notes=tuple(_mechanism_notes(study, mechanism, runs, question)),
     )
 
 
-def curves_of_state(
+def _curves_of_state(
     runs: FragilityRuns,
     all_intensities: Sequence[Intensities],
     state: StateResult,
@@ -279,12 +279,12 @@ def curves_of_state(
     return found
 
 
-def applicable_states(case: RockingCase, question: FragilityQuestion) -> tuple[StateResult, ...]:
+def _applicable_states(case: RockingCase, question: FragilityQuestion) -> tuple[StateResult, ...]:
     """Return the requested states that a mechanism has: on joints that deform at once there is no uplift."""
     return tuple(state for state in question.states if state.name != "rocking" or not vibrates(case.oscillator))
 
 
-def record_runs(mechanism_runs: MechanismRuns, place: int, record: Record, origins: Origins) -> RecordRunsResult:
+def _record_runs(mechanism_runs: MechanismRuns, place: int, record: Record, origins: Origins) -> RecordRunsResult:
     """Return the runs of one record.
 
     Parameters
@@ -316,7 +316,7 @@ FEWEST_RECORDS = 10
 """Records below which a dispersion is hardly known."""
 
 
-def study_warnings(study: Study, records: Sequence[Record], question: FragilityQuestion) -> tuple[Message, ...]:
+def _study_warnings(study: Study, records: Sequence[Record], question: FragilityQuestion) -> tuple[Message, ...]:
     """Return the messages of a study and of its records.
 
     Parameters
@@ -372,7 +372,7 @@ def _measure_messages(records: Sequence[Record], study: Study, question: Fragili
             )
 
 
-def mechanism_notes(
+def _mechanism_notes(
     study: Study, mechanism: Mechanism, runs: FragilityRuns, question: FragilityQuestion
 ) -> Iterator[Message]:
     """Yield what should be known of the curves of a mechanism.
@@ -389,7 +389,7 @@ def mechanism_notes(
         States that are requested.
     """
     where = f"mechanisms.{mechanism.name}"
-    if not base_motion_known(study, mechanism):
+    if not _base_motion_known(study, mechanism):
         unamplified = study.amplified[mechanism.name].method == "none"
         yield warning("fragility-ground-motion" if unamplified else "fragility-scalar-motion", where)
     if vibrates(mechanism.variants.deciding) and any(state.name == "rocking" for state in question.states):
@@ -400,7 +400,7 @@ def mechanism_notes(
         yield warning("fragility-hollow", where, runs=whole_number(large.size), largest=largest)
 
 
-def base_motion_known(study: Study, mechanism: Mechanism) -> bool:
+def _base_motion_known(study: Study, mechanism: Mechanism) -> bool:
     """Return whether the records reach the base of a mechanism as it moves: on the ground, or through the building."""
     return not study.heights[mechanism.name].above or study.amplified[mechanism.name].method == "modal-filter"
 
@@ -434,7 +434,7 @@ def export_curves(results: FragilityResults, formats: Sequence[str]) -> tuple[di
     results : of `assess fragility`
     formats : of `EXPORT_FORMATS`
     """
-    curves = [each for mechanism in results.mechanisms for each in exported_curves(mechanism)]
+    curves = [each for mechanism in results.mechanisms for each in _exported_curves(mechanism)]
     files = {name: write(curves) for format in formats for name, write in EXPORT_FORMATS[format].items()}
     notes = [_left_out_note(name, one) for name, file in files.items() for one in file.left_out]
     return {name: file.text for name, file in files.items()}, tuple(dict.fromkeys(notes))
@@ -448,7 +448,7 @@ def _left_out_note(file: str, one: LeftOut) -> Message:
     return note("fragility-left-out", file, mechanism=one.name, measure=one.measure, why=why)
 
 
-def exported_curves(mechanism: MechanismFragility) -> list[ExportedCurve]:
+def _exported_curves(mechanism: MechanismFragility) -> list[ExportedCurve]:
     """Return the curves of a mechanism by each measure of the motion of the ground, the mildest state first."""
     exported = []
     for measure in (each for each in mechanism.measures if each.at == "ground"):

@@ -87,11 +87,11 @@ def fragility_curve(
     events : earthquake of each record [records]
     question : method, seed and draws
     """
-    make = cloud_curve if question.method == "cloud" else level_curve
+    make = _cloud_curve if question.method == "cloud" else _level_curve
     return make(runs, intensities, state, events, question)
 
 
-def level_curve(
+def _level_curve(
     runs: FragilityRuns,
     intensities: Intensities,
     state: StateResult,
@@ -115,14 +115,14 @@ def level_curve(
         state,
         events,
         question,
-        points=empirical_points(found),
+        points=_empirical_points(found),
         lognormal=counts_at_levels,
         first=lambda counts: fit_first_exceedances(stands, falls, counts),
         why=unbounded_reason(found.intensity, yes, n),
     )
 
 
-def cloud_curve(
+def _cloud_curve(
     runs: FragilityRuns,
     intensities: Intensities,
     state: StateResult,
@@ -148,7 +148,7 @@ def cloud_curve(
         state,
         events,
         question,
-        points=empirical_points(outcomes_in_groups(at, reached[:, 0], runs.scale[:, 0])),
+        points=_empirical_points(_outcomes_in_groups(at, reached[:, 0], runs.scale[:, 0])),
         lognormal=equivalent,
         first=None,
         why="cloud-separated" if why is UnboundedReason.SEPARATED else why or "no-cloud",
@@ -188,7 +188,7 @@ def _fitted(fits: Fits, events: Sequence[str], question: FragilityQuestion) -> L
     return lognormal_result(fits, events, seed=question.seed, draws=question.draws)
 
 
-def empirical_points(found: StateOutcomes) -> tuple[EmpiricalPoint, ...]:
+def _empirical_points(found: StateOutcomes) -> tuple[EmpiricalPoint, ...]:
     """Return the share of records that reach a state at each intensity at which any is known."""
     some = found.known.any(axis=0)
     yes, n, hollow = (each.sum(axis=0)[some] for each in (found.reached, found.known, found.hollow & found.known))
@@ -200,7 +200,7 @@ def empirical_points(found: StateOutcomes) -> tuple[EmpiricalPoint, ...]:
     )
 
 
-def outcomes_in_groups(at: FloatArray, reached: BoolArray, scale: FloatArray) -> StateOutcomes:
+def _outcomes_in_groups(at: FloatArray, reached: BoolArray, scale: FloatArray) -> StateOutcomes:
     """Return the outcomes of records in groups of similar intensity, each at the geometric mean of its group.
 
     Parameters
@@ -364,11 +364,11 @@ def origins_of(records: Sequence[Record]) -> Origins:
     return Origins(
         np.array([np.nan if one is None else one for one in magnitude]),
         np.array([np.nan if one is None else np.log(one) for one in distance]),
-        tuple(map(event_of, records)),
+        tuple(map(_event_of, records)),
     )
 
 
-def event_of(record: Record) -> str:
+def _event_of(record: Record) -> str:
     """Return the earthquake of a record; a record that names none counts as one of its own."""
     return record.event or record.earthquake.time or record.id
 
@@ -440,12 +440,12 @@ def risks(
         return
     hazard = HazardCurve(np.array(question.hazard.intensity), np.array(question.hazard.annual_rate))
     for curve in curves:
-        if same_measure(curve.measure, question.hazard.measure) and curve.empirical:
+        if _same_measure(curve.measure, question.hazard.measure) and curve.empirical:
             for found in _risks_of_curve(curve, hazard, question, epistemic):
                 yield replace(found, motion_known=motion_known)
 
 
-def same_measure(one: MeasureResult, other: MeasureResult) -> bool:
+def _same_measure(one: MeasureResult, other: MeasureResult) -> bool:
     """Return whether two measures are one, at the same place and of the same periods."""
     if (one.key, one.at, len(one.periods_s)) != (other.key, other.at, len(other.periods_s)):
         return False
@@ -602,7 +602,7 @@ def hazard_messages(measures: Sequence[MeasureResult], hazard: HazardResult | No
     """Yield warnings if the hazard is in a measure that is not requested, or of a place far from the site."""
     if hazard is None:
         return
-    if not any(same_measure(each, hazard.measure) for each in measures):
+    if not any(_same_measure(each, hazard.measure) for each in measures):
         yield warning("fragility-no-hazard-measure", "analysis.risk", measure=measure_key_text(hazard.measure))
     if hazard.distance_km is not None and hazard.distance_km > FAR_FROM_SITE:
         distance = Quantity(1000.0 * hazard.distance_km, "distance", 2)

@@ -79,11 +79,11 @@ def run_intensities(case: RockingCase, unit: FloatArray, question: FragilityQues
     question : the method, its levels and its bounds
     threads : number of threads; 0 for all cores; the result does not depend on it
     """
-    severity = severity_solver(case, threads=threads)
-    lowest = lowest_level(case, unit)
+    severity = _severity_solver(case, threads=threads)
+    lowest = _lowest_level(case, unit)
     most = question.largest_factor
     end = most * float(unit.max())  # beyond it no record may be scaled
-    highest = min(question.largest or highest_level(severity, unit, lowest, most=most), end)
+    highest = min(question.largest or _highest_level(severity, unit, lowest, most=most), end)
     scale = scale_factors(np.geomspace(min(lowest, 0.5 * highest), highest, question.levels), unit, most=most)
     scale[np.isnan(scale).all(axis=1), 0] = most
     return FragilityRuns(scale, severity(scale))
@@ -92,7 +92,7 @@ def run_intensities(case: RockingCase, unit: FloatArray, question: FragilityQues
 def run_once(case: RockingCase, factor: float, *, threads: int) -> FragilityRuns:
     """Run every record once, times a factor."""
     scale = np.full((len(case.base), 1), factor)
-    return FragilityRuns(scale, severity_solver(case, threads=threads)(scale))
+    return FragilityRuns(scale, _severity_solver(case, threads=threads)(scale))
 
 
 def scale_factors(levels: FloatArray, unit: FloatArray, *, most: float) -> FloatArray:
@@ -101,7 +101,7 @@ def scale_factors(levels: FloatArray, unit: FloatArray, *, most: float) -> Float
     return np.where(factor <= most * (1.0 + 1e-12), factor, np.nan)
 
 
-def lowest_level(case: RockingCase, unit: FloatArray) -> float:
+def _lowest_level(case: RockingCase, unit: FloatArray) -> float:
     """Return an intensity of the primary measure at which no record makes the mechanism rock [unit of the measure].
 
     A body on a rigid base lifts off at the uplift acceleration; on joints without a threshold that is the largest
@@ -112,7 +112,7 @@ def lowest_level(case: RockingCase, unit: FloatArray) -> float:
     return BELOW_UPLIFT * float(np.min(uplift / peak * unit))
 
 
-def highest_level(severity: SeveritySolver, unit: FloatArray, lowest: float, *, most: float) -> float:
+def _highest_level(severity: SeveritySolver, unit: FloatArray, lowest: float, *, most: float) -> float:
     """Return the second of two successive intensities at which all records that may be scaled so far overturn.
 
     Where that never happens, it is the last to which any record may be scaled.
@@ -131,7 +131,7 @@ def highest_level(severity: SeveritySolver, unit: FloatArray, lowest: float, *, 
     return level
 
 
-def severity_solver(case: RockingCase, *, threads: int) -> SeveritySolver:
+def _severity_solver(case: RockingCase, *, threads: int) -> SeveritySolver:
     """Return a solver of the ratios of records at given scale factors, of the worse polarity and the worst rebound.
 
     Ratios are over the rotation that overturns

@@ -111,7 +111,7 @@ def ground_motion_result(
     shortest, longest = (
         extreme_periods(equivalent) if equivalent else (low / SHARE_OF_SHORTEST, high / MULTIPLE_OF_LONGEST)
     )
-    period = display_periods(spectrum)
+    period = _display_periods(spectrum)
     spectra = np.array(
         [motion.scaling.factor * response_spectrum(motion.record, period, damping=DAMPING) for motion in motions]
     )
@@ -125,8 +125,8 @@ def ground_motion_result(
         mean_g=tuple((spectra.mean(axis=0) / g).tolist()),
         geometric_mean_g=tuple((np.exp(np.log(spectra).mean(axis=0)) / g).tolist()),
         misfit=misfit_of_mean(motions, spectrum, fitting.band),
-        selection=None if fitting.selection is None else selection_result(fitting.selection),
-        requirements=requirements_of(motions, spectrum, shortest, longest, own),
+        selection=None if fitting.selection is None else _selection_result(fitting.selection),
+        requirements=_requirements_of(motions, spectrum, shortest, longest, own),
         lock="" if factors is None else factors.lock,
         made_for=SELECTION_RULES[factors.code].code if factors is not None and factors.code else "",
     )
@@ -157,7 +157,7 @@ def misfit_of_mean(motions: Sequence[ScaledRecord], spectrum: Spectrum, band: Ba
     return float(mean_square(np.log(np.mean(ratios, axis=0)), weight=used_band.weight))
 
 
-def requirements_of(
+def _requirements_of(
     motions: Sequence[ScaledRecord],
     spectrum: Spectrum,
     shortest: float,
@@ -167,10 +167,10 @@ def requirements_of(
     """Return the requirements of every code; shortest, longest: equivalent periods [s]; own: those of some codes."""
     suite = suite_of([motion.record for motion in motions], [motion.scaling.factor for motion in motions], spectrum)
     requirements = all_requirements(suite, shortest=shortest, longest=longest, own=own)
-    return tuple(requirement_result(requirement) for requirement in requirements)
+    return tuple(_requirement_result(requirement) for requirement in requirements)
 
 
-def requirement_result(requirement: Requirement) -> RequirementResult:
+def _requirement_result(requirement: Requirement) -> RequirementResult:
     """Return a requirement as a result."""
     low, high = requirement.periods or (None, None)
     return RequirementResult(
@@ -201,7 +201,7 @@ def _remarks(requirement: Requirement) -> Iterator[Term | Message]:
         yield Term(requirement.note)
 
 
-def selection_result(selection: Selection) -> SelectionResult:
+def _selection_result(selection: Selection) -> SelectionResult:
     """Return how a suite was chosen as a result."""
     criteria = selection.criteria
     return SelectionResult(
@@ -223,7 +223,7 @@ ROUND_PERIODS = (0.02, 0.05, 0.1, 0.15, 0.2, 0.3, 0.4, 0.5, 0.6, 0.75, 1.0, 1.5,
 SAME_PERIOD = 1e-9  # relative difference of periods that are one
 
 
-def display_periods(spectrum: Spectrum) -> FloatArray:
+def _display_periods(spectrum: Spectrum) -> FloatArray:
     """Return the periods [s] at which spectra are shown: 0, even in the logarithm, round and corner periods."""
     longest = min(LONGEST_PERIOD, spectrum.longest_period)
     corners = [float(value) for key, value in spectrum.parameters.items() if key.startswith("t_") and value != "none"]
@@ -235,7 +235,7 @@ def display_periods(spectrum: Spectrum) -> FloatArray:
 
 def spectrum_result(spectrum: Spectrum) -> SpectrumResult:
     """Return the site's spectrum at the periods shown."""
-    period = display_periods(spectrum)
+    period = _display_periods(spectrum)
     scale = {} if spectrum.factor == 1.0 else {"scale": spectrum.factor}
     return SpectrumResult(
         code=spectrum.code,
@@ -267,7 +267,7 @@ def record_result(motion: ScaledRecord, spectrum: Spectrum, *, nga: int | None =
         The record scaled to the site.
     """
     used = scale(motion.record, motion.scaling.factor)
-    period = display_periods(spectrum)
+    period = _display_periods(spectrum)
     return RecordResult(
         id=used.id,
         path=used.path,
@@ -301,11 +301,12 @@ def with_primary_pulses(
     if grid is None:
         return tuple(records)
     return tuple(
-        replace(record, primary_pulses=pulses_of(motion, grid)) for record, motion in zip(records, motions, strict=True)
+        replace(record, primary_pulses=_pulses_of(motion, grid))
+        for record, motion in zip(records, motions, strict=True)
     )
 
 
-def pulses_of(motion: ScaledRecord, grid: PulseGrid) -> tuple[PrimaryPulseResult, ...]:
+def _pulses_of(motion: ScaledRecord, grid: PulseGrid) -> tuple[PrimaryPulseResult, ...]:
     """Return the pulses that match one motion best, each as the motion is scaled."""
     pulses = primary_pulses(motion.record, shape=grid.shape, count=MOST_PULSES)
     return tuple(

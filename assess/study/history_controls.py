@@ -174,13 +174,13 @@ def energy_control(mechanism: Mechanism, governing: GoverningHistory | None, *, 
 def branch_energies(mechanism: Mechanism, oscillator: Oscillator, equation: Equation) -> tuple[EnergiesAt, ...]:
     """Return the energies of each branch: of the masses of a rigid chain with all its actions, else of the table."""
     if equation == "linearised":
-        return tuple(energies_of_linearised(branch.linearised) for branch in oscillator.branches)
-    if is_rigid_chain_throughout(mechanism):
-        return tuple(map(energies_of_masses, mechanism.chains))
-    return tuple(map(energies_of_table, oscillator.branches))
+        return tuple(_energies_of_linearised(branch.linearised) for branch in oscillator.branches)
+    if _is_rigid_chain_throughout(mechanism):
+        return tuple(map(_energies_of_masses, mechanism.chains))
+    return tuple(map(_energies_of_table, oscillator.branches))
 
 
-def is_rigid_chain_throughout(mechanism: Mechanism) -> bool:
+def _is_rigid_chain_throughout(mechanism: Mechanism) -> bool:
     """Return whether the histories are those of the rigid chain with every action that is there at rest."""
     return not mechanism.flexible and mechanism.variants.deciding is mechanism.oscillator
 
@@ -235,11 +235,11 @@ def energy_balance(
     leaving = np.concatenate([excitation_rate, np.where(impact, excitation[partner] * after, 0.0)])[order]
     ground = scale * np.interp(time[order], motion.time, motion.acceleration)
     so_far = np.concatenate([np.zeros(path.time.size), lost])[order].cumsum()
-    work = work_of_ground(time[order], ground, S, arriving, leaving)
+    work = _work_of_ground(time[order], ground, S, arriving, leaving)
     return EnergyBalance(kinetic + potential, so_far[sampled], work[sampled])
 
 
-def work_of_ground(
+def _work_of_ground(
     time: FloatArray, ground: FloatArray, excitation_integral: FloatArray, arriving: FloatArray, leaving: FloatArray
 ) -> FloatArray:
     """Return the work of a ground acceleration that is linear between instants, up to each of them [n] [J].
@@ -316,7 +316,7 @@ def _free_rocking_control(mechanism: Mechanism, *, equation: Equation) -> Contro
 
 
 def _energy_note(mechanism: Mechanism, governing: GoverningHistory, *, impacts: int) -> Message:
-    exact_masses = governing.equation == "exact" and is_rigid_chain_throughout(mechanism)
+    exact_masses = governing.equation == "exact" and _is_rigid_chain_throughout(mechanism)
     return note(
         "control-energy-of-masses" if exact_masses else "control-energy-of-table",
         mechanism.name,
@@ -344,7 +344,7 @@ class Energies:
 EnergiesAt = Callable[[FloatArray], Energies]
 
 
-def energies_of_masses(chain: Chain) -> EnergiesAt:
+def _energies_of_masses(chain: Chain) -> EnergiesAt:
     """Return the energies of a rigid chain over its rotation, whose forces and ties act throughout."""
 
     def energies_at(rotation: FloatArray) -> Energies:
@@ -370,7 +370,7 @@ def energies_of_masses(chain: Chain) -> EnergiesAt:
     return energies_at
 
 
-def energies_of_table(branch: Branch) -> EnergiesAt:
+def _energies_of_table(branch: Branch) -> EnergiesAt:
     """Return the energies of a branch over its rotation, integrated from its table."""
     return lambda rotation: Energies(
         np.asarray(branch.inertia_spline(rotation)),
@@ -380,7 +380,7 @@ def energies_of_table(branch: Branch) -> EnergiesAt:
     )
 
 
-def energies_of_linearised(line: Linearised) -> EnergiesAt:
+def _energies_of_linearised(line: Linearised) -> EnergiesAt:
     """Return the energies of the linearised equation: a constant inertia, and a moment that falls evenly."""
     inertia, K, B, end = line.inertia, line.stiffness, line.excitation, line.overturning
     return lambda rotation: Energies(
@@ -436,7 +436,7 @@ def convergence_control(mechanism: Mechanism, governing: GoverningHistory | None
             "convergence", mechanism.name, LARGEST_ROTATION, dimension="ratio", why="control-without-table"
         )
     coarse = peaks(
-        [coarser_oscillator(governing.oscillator)],
+        [_coarser_oscillator(governing.oscillator)],
         [governing.motion],
         product(1, 1, governing.scale),
         equation="exact",
@@ -469,15 +469,15 @@ def convergence_control(mechanism: Mechanism, governing: GoverningHistory | None
     )
 
 
-def coarser_oscillator(oscillator: Oscillator) -> Oscillator:
+def _coarser_oscillator(oscillator: Oscillator) -> Oscillator:
     """Return the oscillator with every second rotation of its tables."""
     positive, negative = oscillator.positive, oscillator.negative
-    first = coarser_branch(positive)
-    other = first if negative is positive else None if negative is None else coarser_branch(negative)
+    first = _coarser_branch(positive)
+    other = first if negative is positive else None if negative is None else _coarser_branch(negative)
     return replace(oscillator, positive=first, negative=other)
 
 
-def coarser_branch(branch: Branch) -> Branch:
+def _coarser_branch(branch: Branch) -> Branch:
     """Return the branch with every second rotation of its table, and both ends of each smooth piece of it."""
     kept = every_second(branch.rotation)
     return replace(branch, **{key: getattr(branch, key)[kept] for key in TABLE_COLUMNS})
@@ -493,7 +493,7 @@ def every_second(rotation: FloatArray) -> FloatArray:
 def _overturning_control(mechanism: Mechanism) -> Control:
     """Compare the overturning rotation with that at which a table half as fine falls to zero."""
     branch = mechanism.variants.deciding.positive
-    roots = coarser_branch(branch).restoring_spline.roots(extrapolate=False)
+    roots = _coarser_branch(branch).restoring_spline.roots(extrapolate=False)
     finite = roots[np.isfinite(roots)]  # an interval of no width has none
     near = finite[np.argmin(np.abs(finite - branch.unstable))] if finite.size else 0.0
     return make_control(

@@ -219,7 +219,7 @@ def _rotation_steps(rotated: RotatedJoint, rotation: float, relative: float) -> 
 def _reactions(flexible: FlexibleChain, rest: JointEquilibrium) -> ComplexArray:
     """Return the force of each hinge at rest on the chain beyond it [hinges] [N]."""
     jointed = flexible.jointed
-    points = points_at_rest(jointed, rest)
+    points = _points_at_rest(jointed, rest)
     forces = block_forces(jointed, rest.configuration, points[:, None], jointed.chain.loads)
     return np.asarray(hinge_reactions(points[:, None], *forces)[:, 0])
 
@@ -236,8 +236,8 @@ def _force_steps(
     lines, parts = _weights(flexible, [] if number == 2 else [2] if number == 3 else range(number, min(count, 2)))
     middle = None
     if count == 3:
-        middle = middle_hinge(flexible, rest)
-        over = vertical_step(middle, above=number > 1)
+        middle = _middle_hinge(flexible, rest)
+        over = _vertical_step(middle, above=number > 1)
         lines += [*middle.moments, over]
         parts["V_C"] = (over.value or 0.0, "N")
     total = sum(value for value, _ in parts.values())
@@ -257,7 +257,7 @@ def _inclined_steps(reaction: complex, normal: complex, N: float, middle: Middle
     side = 1.0 if reaction.imag >= 0.0 else -1.0
     H, V, n_x, n_z = side * reaction.real, side * reaction.imag, side * normal.real, side * normal.imag
     given: Given = {"H": (H, "N"), "n_x": (n_x, "-"), "V": (V, "N"), "n_z": (n_z, "-")}
-    along = None if middle is None else horizontal_step(middle, H)
+    along = None if middle is None else _horizontal_step(middle, H)
     return (
         along or step("H", "horizontal force on the joint at rest", BALANCE, AT_REST, H, "N"),
         step("N", "square to the faces, of the normal n", BALANCE, "H n_x + V n_z", N, "N", given=given),
@@ -306,7 +306,7 @@ ForceAt = tuple[complex, complex]
 """Place, x + iz [m], and force to the right and up [N]."""
 
 
-def points_at_rest(jointed: JointedChain, rest: JointEquilibrium) -> ComplexArray:
+def _points_at_rest(jointed: JointedChain, rest: JointEquilibrium) -> ComplexArray:
     """Return the resultants of the joints at rest, x + iz [hinges] [m]."""
     inside = contact_arrays(rest.contacts, "resultant", rest.closure.shape)
     return np.asarray((rest.configuration.corner + inside * jointed.faces(rest.configuration))[:, 0])
@@ -327,7 +327,7 @@ class MiddleHinge:
 DENOMINATOR = "((x_B − x_C) (z_C − z_D) − (z_B − z_C) (x_C − x_D))"
 
 
-def middle_hinge(flexible: FlexibleChain, rest: JointEquilibrium) -> MiddleHinge:
+def _middle_hinge(flexible: FlexibleChain, rest: JointEquilibrium) -> MiddleHinge:
     """Solve the force of C, from the moments of the second block about B and of the third about D.
 
     Parameters
@@ -335,7 +335,7 @@ def middle_hinge(flexible: FlexibleChain, rest: JointEquilibrium) -> MiddleHinge
     flexible : the chain of three blocks
     rest : its joints at rest
     """
-    B, C, D = (complex(each) for each in points_at_rest(flexible.jointed, rest)[1:])
+    B, C, D = (complex(each) for each in _points_at_rest(flexible.jointed, rest)[1:])
     second, M_2 = _moment_step(flexible, 1, "M_2", ("x_B", "z_B"), B)
     third, M_3 = _moment_step(flexible, 2, "M_3", ("x_D", "z_D"), D)
     arm, other = B - C, C - D
@@ -348,7 +348,7 @@ def middle_hinge(flexible: FlexibleChain, rest: JointEquilibrium) -> MiddleHinge
     return MiddleHinge((second, third), given, force)
 
 
-def vertical_step(hinge: MiddleHinge, *, above: bool) -> Step:
+def _vertical_step(hinge: MiddleHinge, *, above: bool) -> Step:
     """Write the vertical force of C, down: what presses on the third block (above), or else on the second."""
     moments = "(M_3 (z_B − z_C) − M_2 (z_C − z_D))" if above else "(M_2 (z_C − z_D) − M_3 (z_B − z_C))"
     down = -hinge.force.imag if above else hinge.force.imag
@@ -356,7 +356,7 @@ def vertical_step(hinge: MiddleHinge, *, above: bool) -> Step:
     return step("V_C", words, BALANCE, f"{moments} / {DENOMINATOR}", down, "N", given=hinge.given)
 
 
-def horizontal_step(hinge: MiddleHinge, H: float) -> Step | None:
+def _horizontal_step(hinge: MiddleHinge, H: float) -> Step | None:
     """Write the horizontal force of a joint where it is that of C; None where loads change it between them."""
     along = hinge.force.real
     if not isclose(abs(H), abs(along), rel_tol=SAME_FORCE):

@@ -158,8 +158,8 @@ def mechanism_result(
         histories=tuple(history for level in histories for history in level),
         suites=tuple(suite_statistics(level) for level in histories),
         envelope=None,
-        loads=load_results(mechanism),
-        hinge_forces=tuple(hinge_force_result(each) for each in hinge_forces(mechanism)),
+        loads=_load_results(mechanism),
+        hinge_forces=tuple(_hinge_force_result(each) for each in hinge_forces(mechanism)),
         deciding_curve=None if same else curve_of(deciding),
         deciding_overturning_rad=None if same else overturning_rotations(deciding),
         direction=mechanism.direction,
@@ -174,7 +174,7 @@ def mechanism_result(
     )
 
 
-def hinge_force_result(forces: HingeForces) -> HingeForceResult:
+def _hinge_force_result(forces: HingeForces) -> HingeForceResult:
     """Return the forces of one hinge when rocking starts, as results."""
     return HingeForceResult(
         hinge=forces.hinge,
@@ -283,11 +283,11 @@ def oscillator_result(branch: Branch, *, mass: float, rigid: Branch, equilibrium
         equilibrium_rad=equilibrium + 0.0,
         elastic_frequency_hz=elastic_frequency(branch),
         restitution=branch.restitution,
-        linearised=linearised_result(linear),
+        linearised=_linearised_result(linear),
     )
 
 
-def linearised_result(linear: Linearised) -> LinearisedResult:
+def _linearised_result(linear: Linearised) -> LinearisedResult:
     """Return the kinematic constants of the linearised branch."""
     rounding = 1e-9 * linear.stiffness * linear.critical  # of the table at phi_cr, where without forces M = 0
     return LinearisedResult(
@@ -301,7 +301,7 @@ def linearised_result(linear: Linearised) -> LinearisedResult:
     )
 
 
-def branch_curve(branch: Branch, *, mass: float) -> BranchCurve:
+def _branch_curve(branch: Branch, *, mass: float) -> BranchCurve:
     """Return the capacity curve of one branch."""
     return BranchCurve(
         rotation_rad=tuple(branch.rotation.tolist()),
@@ -317,7 +317,7 @@ def curve_of(oscillator: Oscillator) -> CapacityCurve:
     """Return the capacity curves of both branches."""
     positive, negative, mass = oscillator.positive, oscillator.negative, oscillator.mass
     return CapacityCurve(
-        branch_curve(positive, mass=mass), None if negative is None else branch_curve(negative, mass=mass)
+        _branch_curve(positive, mass=mass), None if negative is None else _branch_curve(negative, mass=mass)
     )
 
 
@@ -338,19 +338,19 @@ def rigid_branches(mechanism: Mechanism, oscillator: Oscillator) -> tuple[Branch
 WIDEST_SEAT = 2.0  # m: floors and roofs rest on less
 
 
-def load_results(mechanism: Mechanism) -> tuple[LoadResult, ...]:
+def _load_results(mechanism: Mechanism) -> tuple[LoadResult, ...]:
     """Return every load as used, with its source."""
     number, found = 0, []
     for load in mechanism.positive.loads:
-        result = load_result(load)
+        result = _load_result(load)
         if not isinstance(load, PointMass):
-            result = with_duration(mechanism, number, result)
+            result = _with_duration(mechanism, number, result)
             number += 1
         found.append(result)
     return tuple(found)
 
 
-def load_result(load: Load) -> LoadResult:
+def _load_result(load: Load) -> LoadResult:
     """Return a load as used, with its source."""
     found = load.source_parts or (Term("given"),)
     source = source_phrase(found)
@@ -364,7 +364,7 @@ def load_result(load: Load) -> LoadResult:
     return LoadResult(load.name, kind, load.block, at, None, None, force, source, missing=missing, found=found)
 
 
-def with_duration(mechanism: Mechanism, number: int, load: LoadResult) -> LoadResult:
+def _with_duration(mechanism: Mechanism, number: int, load: LoadResult) -> LoadResult:
     """Return a force or tie, by its number, with how long it lasts on the branch where it ends first."""
     sides = list(zip(mechanism.actions, mechanism.variants.ends, strict=True))
     resisting = [(actions, kept[number]) for actions, kept in sides if actions.ever_resists(number)]
@@ -409,7 +409,7 @@ def load_messages(mechanism: Mechanism) -> Iterator[Message]:
     if not mechanism.positive.actions:
         return
     thrusts = {each.name for one in mechanism.actions for each in one.thrusts}
-    for load in load_results(mechanism):
+    for load in _load_results(mechanism):
         if load.lasting == "not shown" and load.name not in thrusts:
             values = {"load": load.name, "missing": ", ".join(load.missing)}
             yield message("not-lasting", values, severity=Severity.WARNING, where=where)
@@ -438,11 +438,11 @@ def amplification_result(
         factors=tuple(AmplificationFactor(each.record.id, each.factor) for each in base),
         height_m=amplified.height,
         said=(*amplified.description, *amplified.assumptions),
-        motion=base_motion_result(motions[most], base[most].record) if filtered else None,
+        motion=_base_motion_result(motions[most], base[most].record) if filtered else None,
     )
 
 
-def base_motion_result(motion: ScaledRecord, base: Record) -> CarriedMotion:
+def _base_motion_result(motion: ScaledRecord, base: Record) -> CarriedMotion:
     """Return a motion scaled to the target, at the ground and at the base, sampled as the latter."""
     ground, scale = motion.record, motion.scaling.factor
     period = np.geomspace(SHORTEST_PERIOD, LONGEST_SHOWN, 120)

@@ -123,22 +123,22 @@ def run_study(study: Study, *, jobs: int = 0, progress: Progress = no_progress) 
         unswept_results.get(mechanism.name) or controlling[mechanism.name].controlling_result
         for mechanism in study.mechanisms
     )
-    question = deciding_question(study, controlling)
-    verdict = decide_with_tolerance(study, question, spectrum, results)
+    question = _deciding_question(study, controlling)
+    verdict = _decide_with_tolerance(study, question, spectrum, results)
     results = tuple(mark_result(verdict, question, result) for result in results)
     cases = envelope_cases(study, controlling)
-    envelopes = map_envelopes(cases, study.pulses, jobs=jobs, progress=progress)
+    envelopes = _map_envelopes(cases, study.pulses, jobs=jobs, progress=progress)
     nga_numbers = dict(study.fitting.nga)
     records = tuple(record_result(motion, spectrum, nga=nga_numbers.get(motion.record.id)) for motion in motions)
-    controls = controls_of(study, controlling, motions, results, jobs=jobs)
+    controls = _controls_of(study, controlling, motions, results, jobs=jobs)
     program = describe_program()
     return Results(
         schema_version=SCHEMA_VERSION,
         program=program,
         inputs=study.inputs,
         warnings=(
-            *study_messages(study, controlling),
-            *suite_messages(study, motions),
+            *_study_messages(study, controlling),
+            *_suite_messages(study, motions),
             *coarse_record_messages(cases, motions),
             *control_warnings(controls),
         ),
@@ -146,7 +146,7 @@ def run_study(study: Study, *, jobs: int = 0, progress: Progress = no_progress) 
         spectrum=spectrum_result(spectrum),
         records=with_primary_pulses(records, motions, study.pulses),
         mechanisms=tuple(replace(result, envelope=envelopes.get(result.name)) for result in results),
-        critical=critical_result(envelopes),
+        critical=_critical_result(envelopes),
         comparison=comparison_rows(results),
         sweeps=sweep_results(sweeps, controlling),
         verdict=verdict,
@@ -160,7 +160,7 @@ def run_study(study: Study, *, jobs: int = 0, progress: Progress = no_progress) 
     )
 
 
-def deciding_question(study: Study, controlling: Mapping[str, MechanismSweep]) -> Question:
+def _deciding_question(study: Study, controlling: Mapping[str, MechanismSweep]) -> Question:
     """Return what decides in the controlling cases if they agree (a sweep may change the site), else in the study."""
     questions = [
         controlling[mechanism.name].controlling_case.study.question if mechanism.name in controlling else study.question
@@ -169,7 +169,7 @@ def deciding_question(study: Study, controlling: Mapping[str, MechanismSweep]) -
     return questions[0] if questions and all(question == questions[0] for question in questions) else study.question
 
 
-def decide_with_tolerance(
+def _decide_with_tolerance(
     study: Study, question: Question, spectrum: Spectrum, results: Sequence[MechanismResult]
 ) -> Verdict:
     """Decide on the mechanisms, with the survey's tolerance on the index of those near their threshold.
@@ -275,7 +275,7 @@ class AssessedMechanism(ShortRepr):
     result: MechanismResult
 
 
-def controls_of(
+def _controls_of(
     study: Study,
     controlling: Mapping[str, MechanismSweep],
     motions: tuple[ScaledRecord, ...],
@@ -309,10 +309,10 @@ def controls_of(
         for mechanism in study.mechanisms
     ]
     with ThreadPoolExecutor(jobs or available_cores()) as pool:
-        return tuple(control for of_mechanism in pool.map(mechanism_controls, cases) for control in of_mechanism)
+        return tuple(control for of_mechanism in pool.map(_mechanism_controls, cases) for control in of_mechanism)
 
 
-def mechanism_controls(case: AssessedMechanism) -> tuple[Control, ...]:
+def _mechanism_controls(case: AssessedMechanism) -> tuple[Control, ...]:
     """Make every control of one mechanism."""
     mechanism, study = case.mechanism, case.study
     equation = study.equations[mechanism.name]
@@ -353,7 +353,7 @@ def _where_assessed(study: Study, swept: MechanismSweep | None, name: str) -> tu
     return deciding, next(mechanism for mechanism in deciding.mechanisms if mechanism.name == name)
 
 
-def study_messages(study: Study, controlling: Mapping[str, MechanismSweep]) -> tuple[Message, ...]:
+def _study_messages(study: Study, controlling: Mapping[str, MechanismSweep]) -> tuple[Message, ...]:
     """Return the messages of the study; those on a swept mechanism itself are of its controlling case."""
     swept = [mechanism for mechanism in study.mechanisms if mechanism.name in controlling]
     replaced = [warned for mechanism in swept for warned in locate(mechanism.warnings, f"mechanisms.{mechanism.name}")]
@@ -361,7 +361,7 @@ def study_messages(study: Study, controlling: Mapping[str, MechanismSweep]) -> t
     return (*kept, *(message for sweep in controlling.values() for message in case_messages(sweep)))
 
 
-def suite_messages(study: Study, motions: tuple[ScaledRecord, ...]) -> tuple[Message, ...]:
+def _suite_messages(study: Study, motions: tuple[ScaledRecord, ...]) -> tuple[Message, ...]:
     """Return the messages on artificial records; a note only if no method that follows the ground's motion decides."""
     if not any(motion.record.artificial for motion in motions):
         return ()
@@ -428,7 +428,7 @@ def run_envelopes(study: Study, *, jobs: int = 0, progress: Progress = no_progre
         Parameters and envelope of each mechanism, and the critical mechanism at each frequency.
     """
     grid = study.pulses or DEFAULT_GRID
-    envelopes = map_envelopes(envelope_cases(study, {}), grid, jobs=jobs, progress=progress)
+    envelopes = _map_envelopes(envelope_cases(study, {}), grid, jobs=jobs, progress=progress)
     progress("primary pulses", 0, 1)
     recorded = tuple(record for record in study.records if not record.artificial)
     recorded_only = replace(study, artificial=None, records=recorded)
@@ -444,7 +444,7 @@ def run_envelopes(study: Study, *, jobs: int = 0, progress: Progress = no_progre
         spectrum=None if study.spectrum is None else spectrum_result(study.spectrum),
         records=with_primary_pulses(records, motions, grid),
         mechanisms=tuple(replace(each, envelope=envelopes.get(each.name)) for each in parameters(study)),
-        critical=critical_result(envelopes),
+        critical=_critical_result(envelopes),
         comparison=(),
         sweeps=(),
         stamp=stamp("envelope", program, study.inputs),
@@ -487,7 +487,7 @@ class EnvelopeCase(ShortRepr):
     case: str = ""
 
 
-def map_envelopes(
+def _map_envelopes(
     cases: Sequence[EnvelopeCase], grid: PulseGrid | None, *, jobs: int, progress: Progress
 ) -> dict[str, EnvelopeResult]:
     """Return the envelope of every mechanism by name; empty without a grid of pulses."""
@@ -523,17 +523,17 @@ def envelope_result(computed: Envelope, oscillator: Oscillator) -> EnvelopeResul
         frequency_hz=tuple(computed.frequency.tolist()),
         amplitude_g=tuple((computed.amplitude / g).tolist()),
         overturned=tuple(tuple(row) for row in computed.overturned.tolist()),
-        lower_bound_g=none_for_nan(bound),
+        lower_bound_g=_none_for_nan(bound),
         polarity=tuple(computed.polarity.tolist()),
         islands=tuple((above & ~computed.overturned).sum(axis=1).tolist()),
         uplift_g=tuple((computed.uplift / g).tolist()),
         factor=tuple(computed.factor.tolist()),
         omega=tuple((2 * np.pi * computed.frequency / form.p).tolist()),
-        lower_bound_ratio=none_for_nan(bound * computed.factor / form.multiplier),
+        lower_bound_ratio=_none_for_nan(bound * computed.factor / form.multiplier),
     )
 
 
-def critical_result(envelopes: dict[str, EnvelopeResult]) -> CriticalResult | None:
+def _critical_result(envelopes: dict[str, EnvelopeResult]) -> CriticalResult | None:
     """Return which mechanism is critical at each frequency; None without mechanisms."""
     if not envelopes:
         return None
@@ -544,9 +544,9 @@ def critical_result(envelopes: dict[str, EnvelopeResult]) -> CriticalResult | No
     return CriticalResult(
         frequency_hz=tuple(frequency.tolist()),
         mechanism=_names(order.mechanism, names),
-        lower_bound_g=none_for_nan(order.lower_bound),
+        lower_bound_g=_none_for_nan(order.lower_bound),
         runner_up=_names(order.runner_up, names),
-        margin=none_for_nan(order.margin),
+        margin=_none_for_nan(order.margin),
         near=tuple(tuple(name for name, is_near in zip(names, row, strict=True) if is_near) for row in order.near.T),
         bands=_bands(order, names),
     )
@@ -564,7 +564,7 @@ def _names(index: NDArray[np.int64], names: Sequence[str]) -> tuple[str | None, 
     return tuple(names[i] if i >= 0 else None for i in index)
 
 
-def none_for_nan(values: FloatArray) -> tuple[float | None, ...]:
+def _none_for_nan(values: FloatArray) -> tuple[float | None, ...]:
     """Return numbers [n], None in place of nan."""
     return tuple(None if np.isnan(value) else float(value) for value in values)
 

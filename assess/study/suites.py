@@ -86,18 +86,18 @@ def motions_of(study: Study, spectrum: Spectrum, *, jobs: int = 1) -> tuple[Scal
     """
     to_make = study.artificial
     if to_make is None:
-        return apply_record_factor(scale_records(study, study.records, spectrum), spectrum, study)
+        return _apply_record_factor(_scale_records(study, study.records, spectrum), spectrum, study)
     band = artificial_band(study, spectrum, duration=to_make.duration)
     made_records = artificial_records(
         spectrum, count=to_make.count, seed=to_make.seed, duration=to_make.duration, band=band, threads=jobs
     )
-    motions = scale_records(study, (*study.records, *made_records), spectrum)
+    motions = _scale_records(study, (*study.records, *made_records), spectrum)
     if not study.records and study.scale_to == "spectrum":
         motions = raise_artificial(motions, spectrum, band, fitting=study.fitting)
-    return apply_record_factor(motions, spectrum, study)
+    return _apply_record_factor(motions, spectrum, study)
 
 
-def scale_records(study: Study, records: Sequence[Record], spectrum: Spectrum) -> tuple[ScaledRecord, ...]:
+def _scale_records(study: Study, records: Sequence[Record], spectrum: Spectrum) -> tuple[ScaledRecord, ...]:
     """Return the records as the study scales them."""
     factors = study.fitting.given_factors
     if factors is not None:
@@ -157,7 +157,7 @@ def raise_artificial(
     return _multiply_all(noted, factor, spectrum, fitting.band)
 
 
-def apply_record_factor(
+def _apply_record_factor(
     motions: tuple[ScaledRecord, ...], spectrum: Spectrum, study: Study
 ) -> tuple[ScaledRecord, ...]:
     """Multiply every motion by the further factor of the study."""
@@ -217,25 +217,25 @@ def _scaling(record: Record, spectrum: Spectrum, band: Band, factor: float) -> S
     return Scaling(factor, misfit(record, spectrum, factor=factor, **vars(band)))
 
 
-def to_spectrum(record: Record, spectrum: Spectrum, band: Band) -> Scaling:
+def _to_spectrum(record: Record, spectrum: Spectrum, band: Band) -> Scaling:
     """Scale the record to the least misfit with the spectrum over the band."""
     return scale_to_spectrum(record, spectrum, **vars(band))
 
 
-def to_pga(record: Record, spectrum: Spectrum, band: Band) -> Scaling:
+def _to_pga(record: Record, spectrum: Spectrum, band: Band) -> Scaling:
     """Scale the record to the PGA of the spectrum."""
     return _scaling(record, spectrum, band, scale_to_pga(record, spectrum.pga))
 
 
-def keep_scale(record: Record, spectrum: Spectrum, band: Band) -> Scaling:
+def _keep_scale(record: Record, spectrum: Spectrum, band: Band) -> Scaling:
     """Leave the record as it is."""
     return _scaling(record, spectrum, band, 1.0)
 
 
 SCALINGS: dict[ScaleTo, Callable[[Record, Spectrum, Band], Scaling]] = {
-    "spectrum": to_spectrum,
-    "pga": to_pga,
-    "none": keep_scale,
+    "spectrum": _to_spectrum,
+    "pga": _to_pga,
+    "none": _keep_scale,
 }
 ALL_PERIODS = Band(np.array(SCALING_PERIODS), np.ones(len(SCALING_PERIODS)), np.array(SCALING_PERIODS))
 MOST_NAMED = 3  # files, cells or records that a warning names
@@ -448,7 +448,7 @@ def _faults_by_code(code: str, study: Study, spectrum: Spectrum, motions: Sequen
         yield _message_with_remedy("suite-empty", {}, Remedy("records.files", Term("give records"), FILES_LINE))
         return
     rules, target = RULES[code], spectrum_of_rules(code, study, spectrum)
-    suite = suite_on(motions, spectrum, target)
+    suite = _suite_on(motions, spectrum, target)
     shortest, longest = rules.periods(study)
     review = SuiteReview(study, suite, rules.requirements(suite, shortest=shortest, longest=longest))
     yield from _not_named(code, review)
@@ -462,7 +462,7 @@ def _faults_by_code(code: str, study: Study, spectrum: Spectrum, motions: Sequen
     )
 
 
-def suite_on(motions: Sequence[ScaledRecord], spectrum: Spectrum, target: Spectrum) -> Suite:
+def _suite_on(motions: Sequence[ScaledRecord], spectrum: Spectrum, target: Spectrum) -> Suite:
     """Return the suite as run for the limit state of `target`: at the PGA of `target`, not at the site's."""
     share = target.pga / spectrum.pga
     return suite_of([m.record for m in motions], [m.scaling.factor * share for m in motions], target)
@@ -549,7 +549,7 @@ class SuiteReview:
         return tuple(requirement for requirement in self.requirements if requirement.verdict == "not met")
 
 
-def more_records(requirement: Requirement, review: SuiteReview) -> Remedy:
+def _more_records(requirement: Requirement, review: SuiteReview) -> Remedy:
     """Propose as many more records as are missing."""
     missing = round(requirement.limit - (requirement.value or 0.0))
     number = {"number": whole_number(missing)}
@@ -557,29 +557,29 @@ def more_records(requirement: Requirement, review: SuiteReview) -> Remedy:
     return _remake(text, review) or Remedy("records.files", text, FILES_LINE)
 
 
-def longer_records(requirement: Requirement, review: SuiteReview) -> Remedy:
+def _longer_records(requirement: Requirement, review: SuiteReview) -> Remedy:
     """Propose artificial records of a longer duration."""
     text = message("remedy-longer", {"duration": Quantity(_required_duration(requirement, review), "time", 6)})
     return _remake(text, review) or Remedy("records.files", text)
 
 
-def finer_records(requirement: Requirement, review: SuiteReview) -> Remedy:
+def _finer_records(requirement: Requirement, review: SuiteReview) -> Remedy:
     """Propose records of a smaller time step."""
     return Remedy("records.files", message("remedy-finer", {"step": Quantity(requirement.limit, "time", 6)}))
 
 
-def other_records(requirement: Requirement, review: SuiteReview) -> Remedy:
+def _other_records(requirement: Requirement, review: SuiteReview) -> Remedy:
     """Propose records that contain longer periods."""
     return Remedy("records.files", Term("give records whose processing kept longer periods"))
 
 
-def another_factor(requirement: Requirement, review: SuiteReview) -> Remedy:
+def _another_factor(requirement: Requirement, review: SuiteReview) -> Remedy:
     """Propose one further factor on every record, times the one of the project; other records if no factor helps.
 
     Artificial records that are too short for the required periods are made longer instead.
     """
     if _required_duration(requirement, review):
-        return longer_records(requirement, review)
+        return _longer_records(requirement, review)
     factor = common_factor(review.requirements)
     if factor is None:
         return Remedy("records.files", NO_FACTOR)
@@ -592,14 +592,14 @@ def another_factor(requirement: Requirement, review: SuiteReview) -> Remedy:
 
 
 REMEDIES: Mapping[RequirementKind, Callable[[Requirement, SuiteReview], Remedy]] = {
-    RequirementKind.COUNT: more_records,
-    RequirementKind.STEP: finer_records,
-    RequirementKind.DURATION: longer_records,
-    RequirementKind.STATIONARY: longer_records,
-    RequirementKind.USABLE: other_records,
-    RequirementKind.MEAN_LOW: another_factor,
-    RequirementKind.MEAN_HIGH: another_factor,
-    RequirementKind.RUN_BELOW: another_factor,
+    RequirementKind.COUNT: _more_records,
+    RequirementKind.STEP: _finer_records,
+    RequirementKind.DURATION: _longer_records,
+    RequirementKind.STATIONARY: _longer_records,
+    RequirementKind.USABLE: _other_records,
+    RequirementKind.MEAN_LOW: _another_factor,
+    RequirementKind.MEAN_HIGH: _another_factor,
+    RequirementKind.RUN_BELOW: _another_factor,
 }
 
 
@@ -608,12 +608,12 @@ def _remake(text: Term | Message, review: SuiteReview) -> Remedy | None:
     to_make = review.study.artificial
     if to_make is None:
         return None
-    improved = improve_artificial(to_make, review)
+    improved = _improve_artificial(to_make, review)
     line = f'synthetic = {{ count = {improved.count}, seed = {improved.seed}, duration = "{improved.duration:g} s" }}'
     return Remedy("records.synthetic", text, line)
 
 
-def improve_artificial(to_make: ArtificialRecords, review: SuiteReview) -> ArtificialRecords:
+def _improve_artificial(to_make: ArtificialRecords, review: SuiteReview) -> ArtificialRecords:
     """Return the artificial records with the number and the duration that the rules require."""
     missing = [
         round(requirement.limit - (requirement.value or 0.0))
@@ -671,46 +671,46 @@ class SuiteRules:
     by_limit_state: bool = False
 
 
-def periods_at_allowable_rotation(study: Study) -> Range:
+def _periods_at_allowable_rotation(study: Study) -> Range:
     """Return the periods of equal work at half the overturning rotation [s], for ASCE 43-05."""
     return extreme_periods(equivalent_periods(study.mechanisms))
 
 
-def periods_at_limit_state(study: Study) -> Range:
+def _periods_at_limit_state(study: Study) -> Range:
     """Return T_SLV or T_SLC, and the building's T_1 if a mechanism is above the ground [s], for NTC 2018."""
-    state = deciding_state(study)
-    low, high = extreme_periods(limit_state_periods(study.mechanisms, state=state))
+    state = _deciding_state(study)
+    low, high = extreme_periods(_limit_state_periods(study.mechanisms, state=state))
     above = any(study.heights[mechanism.name].base > 0.0 for mechanism in study.mechanisms)  # if only on a plinth
     if study.building is None or not above:
         return low, high
     return min(low, study.building.period), max(high, study.building.period)
 
 
-def deciding_state(study: Study) -> str:
+def _deciding_state(study: Study) -> str:
     """Return the ultimate limit state that decides by the Italian code; SLV if another code decides."""
     return next((state for state in deciding_limit_states(study.question) if state in ULTIMATE), "SLV")
 
 
 RULES: Mapping[str, SuiteRules] = {
     "asce43-05": SuiteRules(
-        asce43_05.CODE, asce43_05.requirements, asce43_05.fit_periods, periods_at_allowable_rotation
+        asce43_05.CODE, asce43_05.requirements, asce43_05.fit_periods, _periods_at_allowable_rotation
     ),
     "ntc2018": SuiteRules(
-        ntc2018.CODE, ntc2018.requirements, ntc2018.fit_periods, periods_at_limit_state, by_limit_state=True
+        ntc2018.CODE, ntc2018.requirements, ntc2018.fit_periods, _periods_at_limit_state, by_limit_state=True
     ),
 }
 """By the code that a procedure names as its `suite_rules`."""
 
 
-def codes_of_histories(study: Study) -> tuple[str, ...]:
+def _codes_of_histories(study: Study) -> tuple[str, ...]:
     """Return the codes whose procedures by histories are requested."""
     return tuple(dict.fromkeys(PROCEDURES[name].suite_rules for name in study.procedures if uses_histories(name)))
 
 
-def codes_that_decide(study: Study) -> tuple[str, ...]:
+def _codes_that_decide(study: Study) -> tuple[str, ...]:
     """Return the codes whose procedures by histories may decide; if none may, those requested."""
     deciding = [PROCEDURES[name].suite_rules for name in methods_of(study.question) if uses_histories(name)]
-    return tuple(dict.fromkeys(deciding)) or codes_of_histories(study)
+    return tuple(dict.fromkeys(deciding)) or _codes_of_histories(study)
 
 
 def spectrum_of_rules(code: str, study: Study, spectrum: Spectrum) -> Spectrum:
@@ -727,7 +727,7 @@ def spectrum_of_rules(code: str, study: Study, spectrum: Spectrum) -> Spectrum:
     """
     if not RULES[code].by_limit_state or study.hazard is None:
         return spectrum
-    return study.hazard.spectra.get(deciding_state(study), spectrum)
+    return study.hazard.spectra.get(_deciding_state(study), spectrum)
 
 
 def artificial_band(study: Study, spectrum: Spectrum, *, duration: float) -> Range:
@@ -744,7 +744,7 @@ def artificial_band(study: Study, spectrum: Spectrum, *, duration: float) -> Ran
     duration : float
         Of the records [s].
     """
-    ranges = [RULES[code].fitted(longest=RULES[code].periods(study)[1]) for code in codes_that_decide(study)]
+    ranges = [RULES[code].fitted(longest=RULES[code].periods(study)[1]) for code in _codes_that_decide(study)]
     longest = max([MATCHED_PERIODS[1], *(high for _, high in ranges)])
     return MATCHED_PERIODS[0], min(longest, duration / LONGEST_PERIOD_SHARE, float(FINE[-1]), spectrum.longest_period)
 
@@ -754,7 +754,7 @@ SHARE_OF_SHORTEST, MULTIPLE_OF_LONGEST = 0.2, 1.2  # of equivalent periods: the 
 FITTED_OVER = "0.2 times the least to 1.2 times the largest equivalent period of the mechanisms"
 
 
-def equivalent_period(branch: Branch) -> float:
+def _equivalent_period(branch: Branch) -> float:
     """Return the equivalent period [s] of a branch at the allowable rotation."""
     return float(1.0 / effective_frequency(branch, np.array([HALF * branch.unstable]))[0])
 
@@ -763,12 +763,12 @@ def equivalent_periods(mechanisms: Iterable[Mechanism]) -> dict[str, tuple[float
     """Return the shortest and the longest equivalent period [s] of the branches of each mechanism, by name."""
     found = {}
     for mechanism in mechanisms:
-        periods = [equivalent_period(branch) for branch in mechanism.variants.deciding.branches]
+        periods = [_equivalent_period(branch) for branch in mechanism.variants.deciding.branches]
         found[mechanism.name] = (min(periods), max(periods))
     return found
 
 
-def limit_state_periods(mechanisms: Iterable[Mechanism], *, state: str) -> dict[str, tuple[float, float]]:
+def _limit_state_periods(mechanisms: Iterable[Mechanism], *, state: str) -> dict[str, tuple[float, float]]:
     """Return the shortest and the longest T_SLV or T_SLC [s] of each mechanism (NTC 2018, C8.7.1.10, 11), by name."""
     found = {}
     for mechanism in mechanisms:

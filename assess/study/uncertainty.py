@@ -76,15 +76,15 @@ def uncertainty(
     sampling = study.sampling
     if sampling is None:
         return None
-    questions = {result.name: questions_of(result) for result in results if sampling.groups_of(result.name)}
+    questions = {result.name: _questions_of(result) for result in results if sampling.groups_of(result.name)}
     sampler = Sampler(study, sampling, spectrum, motions, questions, jobs)
-    points = sobol(sampling)
+    points = _sobol(sampling)
     tallies = {name: Tally(sampling.samples, tuple(checks)) for name, checks in questions.items()}
     for sample, point in enumerate(points):
         progress("samples", sample, len(points))
         for name, in_sample in sampler.answers_at(point).items():
             tallies[name].put(sample, in_sample)
-    changed = find_changed_answers(sampler, points)
+    changed = _find_changed_answers(sampler, points)
     answers = tuple(
         answer
         for name, tally in tallies.items()
@@ -95,18 +95,22 @@ def uncertainty(
         seed=sampling.seed,
         inputs=tuple(number.input for number in sampling.numbers),
         answers=answers,
-        notes=(*sampling.notes, *cut_off_messages(sampling.numbers), *no_effect_messages(sampling, questions, changed)),
+        notes=(
+            *sampling.notes,
+            *_cut_off_messages(sampling.numbers),
+            *_no_effect_messages(sampling, questions, changed),
+        ),
     )
 
 
-def questions_of(result: MechanismResult) -> Mapping[CheckKey, Check]:
+def _questions_of(result: MechanismResult) -> Mapping[CheckKey, Check]:
     """Return the checks of a mechanism whose spread is of use: by the letter of a clause that covers it."""
     return checks_by_key(
         tuple(check for check in result.checks if check.follows_code and check.verdict != Outcome.NOT_APPLICABLE)
     )
 
 
-def sobol(sampling: Sampling) -> FloatArray:
+def _sobol(sampling: Sampling) -> FloatArray:
     """Return the samples as probabilities, each in the middle of its cell, in (0, 1) [samples, groups]."""
     from scipy.stats import qmc  # late: it takes a third of a second
 
@@ -143,16 +147,16 @@ class Sampler:
         try:
             build = self.sampling.study_at(self.values(point))
         except (AssessError, SpectrumError) as error:
-            return {name: unbuilt_sample(questions[name], str(error)) for name in names}
+            return {name: _unbuilt_sample(questions[name], str(error)) for name in names}
         found = {}
         for name in names:
             procedures = tuple(dict.fromkeys(procedure for procedure, _, _ in questions[name]))
             try:
                 case = replace(build(name), procedures=procedures, suite_faults=self.study.suite_faults)
                 checks = checks_by_key(checks_without_scan(case, self.spectrum, self.motions, jobs=self.jobs))
-                found[name] = sample_answers(questions[name], checks, rocking_tables(case))
+                found[name] = _sample_answers(questions[name], checks, _rocking_tables(case))
             except (AssessError, SpectrumError) as error:
-                found[name] = unbuilt_sample(questions[name], str(error))
+                found[name] = _unbuilt_sample(questions[name], str(error))
         return found
 
     def values(self, point: FloatArray) -> tuple[float, ...]:
@@ -162,7 +166,7 @@ class Sampler:
         return tuple(number.input.mean if np.isnan(p) else float(values_at(number, p)) for number, p in pairs)
 
 
-def find_changed_answers(sampler: Sampler, points: FloatArray) -> dict[tuple[str, str], Flags]:
+def _find_changed_answers(sampler: Sampler, points: FloatArray) -> dict[tuple[str, str], Flags]:
     """Return by mechanism and group which answers change when the group alone goes to both `END_PROBABILITIES`.
 
     The others are at their means, then at their values in the first sample.
@@ -181,7 +185,7 @@ def find_changed_answers(sampler: Sampler, points: FloatArray) -> dict[tuple[str
         for (place, _), point in zip(ends, moved, strict=True):
             for name, answers in sampler.answers_at(point, names[place]).items():
                 key, of_histories = (name, groups[place]), by_histories[name]
-                differs = ~same_answers(at_base[name], answers, histories=of_histories)
+                differs = ~_same_answers(at_base[name], answers, histories=of_histories)
                 changed[key] = changed.get(key, np.zeros_like(of_histories)) | differs
     return changed
 
@@ -212,25 +216,25 @@ def answers_of(
             level_pga_g=check.level_pga_g,
             role=check.role,
             at_mean=check.ratio,
-            influences=influences_of(columns, keys, ratio, outcome, moves) if answered else (),
+            influences=_influences_of(columns, keys, ratio, outcome, moves) if answered else (),
             notes=(
                 *tally.open_answers(place),
                 *(note("uncertainty-no-influence", group=group) for group in without_effect),
             ),
-            **statistics_of(ratio, outcome),
+            **_statistics_of(ratio, outcome),
         )
 
 
-def cut_off_messages(numbers: Sequence[SampledNumber]) -> Iterator[Message]:
+def _cut_off_messages(numbers: Sequence[SampledNumber]) -> Iterator[Message]:
     """Report distributions that reach beyond what is possible."""
     for number in numbers:
         share = share_cut_off(number)
         if share > LEAST_SHARE_REPORTED:
-            mean = Quantity(mean_kept(number), "ratio", 3)
+            mean = Quantity(_mean_kept(number), "ratio", 3)
             yield note("uncertainty-cut-off", number.input.key, share=Quantity(share, "ratio", 2), mean=mean)
 
 
-def no_effect_messages(
+def _no_effect_messages(
     sampling: Sampling, questions: Questions, changed: Mapping[tuple[str, str], Flags]
 ) -> Iterator[Message]:
     """Report the groups that change no answer at all."""
@@ -279,7 +283,7 @@ class RockingTables:
         return alike and len(self.numbers) == len(other.numbers) and self.amplification == other.amplification
 
 
-def rocking_tables(study: Study) -> RockingTables:
+def _rocking_tables(study: Study) -> RockingTables:
     """Return how the one mechanism of a study rocks."""
     (mechanism,) = study.mechanisms
     numbers: list[FloatArray] = []
@@ -289,7 +293,7 @@ def rocking_tables(study: Study) -> RockingTables:
     return RockingTables(tuple(numbers), study.amplified[mechanism.name].amplification)
 
 
-def sample_answers(
+def _sample_answers(
     questions: Sequence[CheckKey], checks: Mapping[CheckKey, Check], rocking: RockingTables
 ) -> SampleAnswers:
     """Return the answers of the checks of a sample to the questions."""
@@ -302,7 +306,7 @@ def sample_answers(
     )
 
 
-def unbuilt_sample(questions: Sequence[CheckKey], why: str) -> SampleAnswers:
+def _unbuilt_sample(questions: Sequence[CheckKey], why: str) -> SampleAnswers:
     """Return a sample that could not be built, with the reason."""
     count = len(questions)
     return SampleAnswers(np.full(count, np.nan), np.full(count, OPEN, dtype=np.int8), error=why)
@@ -318,7 +322,7 @@ def _ratio(check: Check | None) -> float:
     return np.nan if check is None or _outcome(check) == OPEN else ratio_of(check)
 
 
-def same_answers(one: SampleAnswers, other: SampleAnswers, *, histories: Flags) -> Flags:
+def _same_answers(one: SampleAnswers, other: SampleAnswers, *, histories: Flags) -> Flags:
     """Return which answers are the same in two samples, but for rounding [k].
 
     histories : which answers follow from histories, that may amplify rounding; they are the same where the mechanism
@@ -371,7 +375,7 @@ class Statistics(TypedDict):
     ratios: tuple[float | None, ...]
 
 
-def statistics_of(ratio: FloatArray, outcome: SampleOutcomes) -> Statistics:
+def _statistics_of(ratio: FloatArray, outcome: SampleOutcomes) -> Statistics:
     """Return what is counted over the samples of one answer.
 
     Parameters
@@ -404,7 +408,7 @@ def quantiles(ratio: FloatArray) -> tuple[float | None, ...]:
     return tuple(float(each) if is_finite else None for each, is_finite in zip(found, finite, strict=True))
 
 
-def influences_of(
+def _influences_of(
     columns: Mapping[str, FloatArray],
     keys: Mapping[str, tuple[str, ...]],
     ratio: FloatArray,
@@ -426,12 +430,12 @@ def influences_of(
     answered = outcome != OPEN
     influences = []
     for group, column in columns.items():
-        rho = spearman(column[answered], ratio[answered]) if moves[group] else None
+        rho = _spearman(column[answered], ratio[answered]) if moves[group] else None
         influences.append(Influence(group, keys[group], rho, None if rho is None else rho**2))
     return tuple(influences)
 
 
-def spearman(one: FloatArray, other: FloatArray) -> float | None:
+def _spearman(one: FloatArray, other: FloatArray) -> float | None:
     """Return the correlation of the ranks of two samples, equal values at their mean rank; None if one is constant."""
     from scipy.stats import rankdata  # late: it takes a third of a second
 
@@ -468,7 +472,7 @@ def share_cut_off(number: SampledNumber) -> float:
     return sum(_beyond_limits(number))
 
 
-def mean_kept(number: SampledNumber) -> float:
+def _mean_kept(number: SampledNumber) -> float:
     """Return the mean of the values that a number takes within its physical limits, over the mean that is given."""
     middles = (np.arange(MEAN_POINTS) + 0.5) / MEAN_POINTS
     return float(values_at(number, middles).mean() / number.input.mean)

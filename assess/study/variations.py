@@ -59,14 +59,14 @@ def run_sweeps(
         for case in sweep.cases:
             progress("cases of sweeps", done, total)
             with locate_errors(case.name):
-                cases.append(assess_case(case, study, motions, jobs=jobs))
+                cases.append(_assess_case(case, study, motions, jobs=jobs))
             done += 1
         by_mechanism = zip(*cases, strict=True)  # mechanism by mechanism
         swept += [MechanismSweep(sweep, of_mechanism, controlling_index(of_mechanism)) for of_mechanism in by_mechanism]
     return tuple(swept)
 
 
-def assess_case(
+def _assess_case(
     case: SweepCase, study: Study, motions: tuple[ScaledRecord, ...], *, jobs: int
 ) -> tuple[MechanismInCase, ...]:
     """Assess the mechanisms of one case, under the motions of the study unless the case changes them."""
@@ -157,36 +157,36 @@ def controlling_index(cases: Sequence[MechanismInCase]) -> int:
 def severity(case: MechanismInCase) -> tuple[float, ...]:
     """Return what the controlling case has the largest of: outcome, -margin, ratio, -PGA at capacity, -multiplier."""
     outcome, margin = case.verdict.outcome, case.verdict.margin
-    checks = deciding_checks(case.result)
-    ratio, capacity = worst_ratio(checks), least_capacity(checks)
-    uplift = weaker_branch(case.result).uplift_multiplier
+    checks = _deciding_checks(case.result)
+    ratio, capacity = _worst_ratio(checks), _least_capacity(checks)
+    uplift = _weaker_branch(case.result).uplift_multiplier
     unknown = 0.0 if outcome == Decision.FAIL else inf  # what fails at an unknown PGA may do so at any
     return (
         float(RANKS.index(outcome)),
-        -(unknown if margin is None else round_severity(margin)),
-        -1.0 if ratio is None else round_severity(ratio),
-        -inf if capacity is None else -round_severity(capacity),
-        -inf if uplift is None else -round_severity(uplift),
+        -(unknown if margin is None else _round_severity(margin)),
+        -1.0 if ratio is None else _round_severity(ratio),
+        -inf if capacity is None else -_round_severity(capacity),
+        -inf if uplift is None else -_round_severity(uplift),
     )
 
 
-def round_severity(value: float) -> float:
+def _round_severity(value: float) -> float:
     """Round to nine figures, so that cases that differ by rounding count as equal."""
     return float(f"{value:.9g}")
 
 
-def deciding_checks(result: MechanismResult) -> list[Check]:
+def _deciding_checks(result: MechanismResult) -> list[Check]:
     """Return the checks that decide; if none does, all by the letter of a code."""
     by_code = [check for check in result.checks if check.follows_code]
     return [check for check in by_code if check.role == "deciding"] or by_code
 
 
-def worst_ratio(checks: Sequence[Check]) -> float | None:
+def _worst_ratio(checks: Sequence[Check]) -> float | None:
     """Return the largest demand over capacity of the checks that pass or fail; None if there are none."""
     return max((ratio_of(check) for check in checks if check.verdict in (Outcome.PASS, Outcome.FAIL)), default=None)
 
 
-def least_capacity(checks: Sequence[Check]) -> float | None:
+def _least_capacity(checks: Sequence[Check]) -> float | None:
     """Return the least PGA at capacity [g]; None if no check has one."""
     return min((check.capacity_pga_g for check in checks if check.capacity_pga_g is not None), default=None)
 
@@ -198,7 +198,7 @@ def ratio_of(check: Check) -> float:
     return inf if check.verdict == Outcome.FAIL else 0.0
 
 
-def weaker_branch(result: MechanismResult) -> OscillatorResult:
+def _weaker_branch(result: MechanismResult) -> OscillatorResult:
     """Return the branch that uplifts first; of equals, the positive one."""
     branches = [result.oscillator, result.oscillator_negative]
     present = [branch for branch in branches if branch is not None]
@@ -209,14 +209,14 @@ def sweep_results(
     sweeps: Sequence[MechanismSweep], controlling: Mapping[str, MechanismSweep]
 ) -> tuple[SweepResult, ...]:
     """Return the sweeps as results."""
-    return tuple(sweep_result(swept, governs=controlling[swept.mechanism] is swept) for swept in sweeps)
+    return tuple(_sweep_result(swept, governs=controlling[swept.mechanism] is swept) for swept in sweeps)
 
 
-def sweep_result(swept: MechanismSweep, *, governs: bool) -> SweepResult:
+def _sweep_result(swept: MechanismSweep, *, governs: bool) -> SweepResult:
     """Return one mechanism over the values of one sweep, by the branch that uplifts first in each case."""
-    branches = [weaker_branch(result) for result in swept.results]
-    checks_by_case = [deciding_checks(result) for result in swept.results]
-    ratios = [worst_ratio(checks_of_case) for checks_of_case in checks_by_case]
+    branches = [_weaker_branch(result) for result in swept.results]
+    checks_by_case = [_deciding_checks(result) for result in swept.results]
+    ratios = [_worst_ratio(checks_of_case) for checks_of_case in checks_by_case]
     return SweepResult(
         mechanism=swept.mechanism,
         key=swept.sweep.key,
@@ -232,7 +232,7 @@ def sweep_result(swept: MechanismSweep, *, governs: bool) -> SweepResult:
         overturned=tuple(
             any(check.unbounded == "overturned" for check in checks_of_case) for checks_of_case in checks_by_case
         ),
-        capacity_pga_g=tuple(least_capacity(checks_of_case) for checks_of_case in checks_by_case),
+        capacity_pga_g=tuple(_least_capacity(checks_of_case) for checks_of_case in checks_by_case),
         outcome=tuple(case.verdict.outcome for case in swept.cases),
         controlling=swept.controlling,
         governs=governs,
@@ -285,19 +285,19 @@ def sensitivities(
     for done, variable in enumerate(study.variables):
         progress("sensitivity", done, len(study.variables))
         if isinstance(variable, UnvariedNumber):
-            rows.append(unvaried_row(variable))
+            rows.append(_unvaried_row(variable))
             continue
         deciding = tuple(check for check in assessed[variable.mechanism].checks if check.follows_code)
         procedures = tuple(dict.fromkeys(check.procedure for check in deciding))
         low, high = (
-            assess_at_value(variable, value, study, procedures, spectrum, motions, jobs=jobs)
+            _assess_at_value(variable, value, study, procedures, spectrum, motions, jobs=jobs)
             for value in (variable.low, variable.high)
         )
         rows += rows_of(variable, deciding, low, high, basis=study.question.basis)
     return tuple(rows)
 
 
-def assess_at_value(
+def _assess_at_value(
     variable: Variable,
     value: float,
     study: Study,
@@ -339,7 +339,7 @@ def rows_of(
     variable: Variable, deciding: Sequence[Check], low: CaseChecks, high: CaseChecks, *, basis: Basis | None
 ) -> Iterator[SensitivityResult]:
     """Yield the index that decides, demand over capacity of each check, and PGA at capacity of each limit state."""
-    remarks = tuple(remarks_on(variable, low, high))
+    remarks = tuple(_remarks_on(variable, low, high))
     row = SensitivityResult(
         mechanism=variable.mechanism,
         parameter=variable.parameter,
@@ -356,21 +356,21 @@ def rows_of(
         row = replace(row, procedure=check.procedure, limit_state=check.limit_state, role=check.role)
         sides = low.checks.get(key), high.checks.get(key)
         if check.role == "deciding" and basis is not None:
-            yield with_index(row, basis, check, *sides)
+            yield _with_index(row, basis, check, *sides)
         if key[:2] not in with_capacities and not uses_histories(check.procedure):
             with_capacities.add(key[:2])
-            yield with_capacity(row, check, *sides)
-        yield with_ratio(row, check, *sides)
+            yield _with_capacity(row, check, *sides)
+        yield _with_ratio(row, check, *sides)
 
 
-def with_index(
+def _with_index(
     row: SensitivityResult, basis: Basis, check: Check, low: Check | None, high: Check | None
 ) -> SensitivityResult:
     """Return the row of the index in which the basis measures a deciding check."""
     base, *ends = (None if each is None else index_of(each, basis) for each in (check, low, high))
     at_low, at_high = (None if end is None else end.value for end in ends)
     return replace(
-        with_ratio(row, check, low, high),
+        _with_ratio(row, check, low, high),
         quantity="index",
         index=basis.index.value,
         at_base=None if base is None else base.value,
@@ -379,7 +379,7 @@ def with_index(
     )
 
 
-def with_capacity(row: SensitivityResult, check: Check, low: Check | None, high: Check | None) -> SensitivityResult:
+def _with_capacity(row: SensitivityResult, check: Check, low: Check | None, high: Check | None) -> SensitivityResult:
     """Return the row of the PGA at capacity [g], which does not depend on the level."""
     return replace(
         row,
@@ -391,7 +391,7 @@ def with_capacity(row: SensitivityResult, check: Check, low: Check | None, high:
     )
 
 
-def with_ratio(row: SensitivityResult, check: Check, low: Check | None, high: Check | None) -> SensitivityResult:
+def _with_ratio(row: SensitivityResult, check: Check, low: Check | None, high: Check | None) -> SensitivityResult:
     """Return the row of demand over capacity at the level of a check; None where the body overturns."""
     return replace(
         row,
@@ -406,7 +406,7 @@ def with_ratio(row: SensitivityResult, check: Check, low: Check | None, high: Ch
     )
 
 
-def remarks_on(variable: Variable, low: CaseChecks, high: CaseChecks) -> Iterator[Term | Message]:
+def _remarks_on(variable: Variable, low: CaseChecks, high: CaseChecks) -> Iterator[Term | Message]:
     """Yield the remark on a variable, and why a case of it could not be assessed; that is an error, in English."""
     if variable.remark:
         yield Term(variable.remark)
@@ -416,7 +416,7 @@ def remarks_on(variable: Variable, low: CaseChecks, high: CaseChecks) -> Iterato
         yield message("not-assessed-high", {"value": f"{variable.high:.6g}", "why": high.error})
 
 
-def unvaried_row(unvaried: UnvariedNumber) -> SensitivityResult:
+def _unvaried_row(unvaried: UnvariedNumber) -> SensitivityResult:
     """Return the row of a number that is not varied."""
     remark = message("not-varied", {"why": Term(unvaried.why)})
     return SensitivityResult(

@@ -26,7 +26,7 @@ Solver = Callable[[Path, Mapping[str, Any]], Mapping[str, Any]]
 QUANTILES = (0.1, 0.25, 0.5, 0.75, 0.9)
 
 
-def solve_project(folder: Path, given: Mapping[str, Any]) -> Mapping[str, Any]:
+def _solve_project(folder: Path, given: Mapping[str, Any]) -> Mapping[str, Any]:
     """Run a project, and return what stands in its results.json.
 
     Parameters
@@ -54,7 +54,7 @@ def project_file(folder: Path, given: Mapping[str, Any]) -> Iterator[Path]:
         yield copy_example(given["example"], Path(temporary) / given["example"])
 
 
-def solve_parameters(folder: Path, given: Mapping[str, Any]) -> Mapping[str, Any]:
+def _solve_parameters(folder: Path, given: Mapping[str, Any]) -> Mapping[str, Any]:
     """Return the mechanisms of a project, and of every case of its sweeps, as they stand in results.json.
 
     Parameters
@@ -88,7 +88,7 @@ def solve_parameters(folder: Path, given: Mapping[str, Any]) -> Mapping[str, Any
     return {"inputs": inputs, "mechanisms": mechanisms, "moments": moments}
 
 
-def solve_spectra(folder: Path, given: Mapping[str, Any]) -> Mapping[str, Any]:
+def _solve_spectra(folder: Path, given: Mapping[str, Any]) -> Mapping[str, Any]:
     """Return parameters and ordinates of spectra.
 
     Parameters
@@ -119,7 +119,7 @@ def solve_spectra(folder: Path, given: Mapping[str, Any]) -> Mapping[str, Any]:
     return tree
 
 
-def solve_free_rocking(folder: Path, given: Mapping[str, Any]) -> Mapping[str, Any]:
+def _solve_free_rocking(folder: Path, given: Mapping[str, Any]) -> Mapping[str, Any]:
     """Return times of impacts times p, and amplitudes, of free rocking.
 
     Parameters
@@ -159,7 +159,7 @@ def solve_free_rocking(folder: Path, given: Mapping[str, Any]) -> Mapping[str, A
     return tree
 
 
-def solve_motion(folder: Path, given: Mapping[str, Any]) -> Mapping[str, Any]:
+def _solve_motion(folder: Path, given: Mapping[str, Any]) -> Mapping[str, Any]:
     """Return the largest response of plain blocks, and the response spectrum of the motion.
 
     Parameters
@@ -210,7 +210,7 @@ def _sum_of_sines(given: Mapping[str, Any]) -> Sequence[float]:
     return [sum(a * sin(2 * pi * f * t + phase) for a, f, phase in given["sines"]) for t in times]
 
 
-def solve_shake_table(folder: Path, given: Mapping[str, Any]) -> Mapping[str, Any]:
+def _solve_shake_table(folder: Path, given: Mapping[str, Any]) -> Mapping[str, Any]:
     """Return quantiles of the largest |θ|/α measured and computed, and how far their distributions are apart.
 
     Parameters
@@ -262,7 +262,7 @@ def _distribution_of(ratios: Any) -> Mapping[str, Any]:
     return {"tests": len(ratios), "overturned": float(np.mean(ratios >= 1.0)), "quantiles": quantiles}
 
 
-def solve_pulses(folder: Path, given: Mapping[str, Any]) -> Mapping[str, Any]:
+def _solve_pulses(folder: Path, given: Mapping[str, Any]) -> Mapping[str, Any]:
     """Return overturning amplitudes A = a_p / (g tan α), or a_p / (g λ) of the linearised block, by Ω = ω_p / p.
 
     Parameters
@@ -350,7 +350,7 @@ def _solve_joint(given: Mapping[str, Any]) -> Mapping[str, Any]:
     return tree
 
 
-def solve_risk(folder: Path, given: Mapping[str, Any]) -> Mapping[str, Any]:
+def _solve_risk(folder: Path, given: Mapping[str, Any]) -> Mapping[str, Any]:
     """Return lognormal fits and annual rates.
 
     Parameters
@@ -399,13 +399,13 @@ def _rates(curve: Mapping[str, Any], hazard: Mapping[str, Any], epistemic: float
 
 
 SOLVERS: dict[str, Solver] = {
-    "free-rocking": solve_free_rocking,
+    "free-rocking": _solve_free_rocking,
     "joints": solve_joints,
-    "motion": solve_motion,
-    "parameters": solve_parameters,
-    "project": solve_project,
-    "pulses": solve_pulses,
-    "risk": solve_risk,
-    "shake-table": solve_shake_table,
-    "spectra": solve_spectra,
+    "motion": _solve_motion,
+    "parameters": _solve_parameters,
+    "project": _solve_project,
+    "pulses": _solve_pulses,
+    "risk": _solve_risk,
+    "shake-table": _solve_shake_table,
+    "spectra": _solve_spectra,
 }

@@ -100,12 +100,12 @@ def _running_below(suite: Suite, periods: tuple[float, float]) -> Requirement:
     if ratio is None:
         return unanswered_requirement(CODE, CLAUSE, RequirementKind.RUN_BELOW, what, "<=", ADJACENT, periods, suite)
     found = check_limit(
-        CODE, CLAUSE, RequirementKind.RUN_BELOW, what, longest_run(ratio < 1.0), "<=", ADJACENT, periods=periods
+        CODE, CLAUSE, RequirementKind.RUN_BELOW, what, _longest_run(ratio < 1.0), "<=", ADJACENT, periods=periods
     )
-    return with_least_factor(found, factor_against_runs(ratio))
+    return with_least_factor(found, _factor_against_runs(ratio))
 
 
-def longest_run(below: np.ndarray) -> int:
+def _longest_run(below: np.ndarray) -> int:
     """Return the largest number of adjacent points that are true, of [k]."""
     longest, run = 0, 0
     for each in below.tolist():
@@ -114,7 +114,7 @@ def longest_run(below: np.ndarray) -> int:
     return longest
 
 
-def factor_against_runs(ratio: FloatArray) -> float:
+def _factor_against_runs(ratio: FloatArray) -> float:
     """Find the least factor on the mean with which one at least of any ten adjacent points reaches the target [-].
 
     ratio [k] : mean over target.

@@ -205,7 +205,7 @@ def mean_at_most(
     found = check_limit(
         code, clause, RequirementKind.MEAN_HIGH, what, most, "<=", share, periods=periods, remark=remark
     )
-    return with_largest_factor(found, share / most)
+    return _with_largest_factor(found, share / most)
 
 
 def usable_to(suite: Suite, code: str, clause: str, *, longest: float) -> tuple[Requirement, ...]:
@@ -233,7 +233,7 @@ def with_least_factor(one: Requirement, factor: float) -> Requirement:
     return replace(one, factors=(factor, inf), remark=_remark_with(one, factor), factor=_needed(one, factor))
 
 
-def with_largest_factor(one: Requirement, factor: float) -> Requirement:
+def _with_largest_factor(one: Requirement, factor: float) -> Requirement:
     """Add the further factor on every record up to which a requirement is met."""
     return replace(one, factors=(0.0, factor), remark=_remark_with(one, factor), factor=_needed(one, factor))
 

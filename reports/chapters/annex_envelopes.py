@@ -40,11 +40,11 @@ def report_sections(results: Results) -> list[Section]:
 
 
 def _envelope_sections(results: Results, first: list[Block]) -> list[Section]:
-    mapped = mechanisms_with_envelope(results)
+    mapped = _mechanisms_with_envelope(results)
     if not mapped:
         return []
     blocks: list[Block] = [*first, Prose((METHOD,))]
-    blocks += nonempty(bands_table(results)) + nonempty(primary_pulses_table(results.records))
+    blocks += nonempty(_bands_table(results)) + nonempty(primary_pulses_table(results.records))
     head = Section(say("Overturning envelopes"), 0, tuple(blocks), starts_page=True, mark=MARK)
     return [head, *(_envelope_section(results, mechanism, one) for mechanism, one in mapped)]
 
@@ -59,12 +59,12 @@ def critical_blocks(results: Results) -> list[Block]:
         "3.11 and 8.5). Amplitudes are those of the ground and include amplification up the building."
     )
     return [
-        Prose((critical_sentence(results, critical),)),
+        Prose((_critical_sentence(results, critical),)),
         Figure("critical", caption, partial(figure.draw_envelope_bounds, results)),
     ]
 
 
-def critical_sentence(results: Results, critical: CriticalResult) -> Text:
+def _critical_sentence(results: Results, critical: CriticalResult) -> Text:
     """Return which mechanism is critical over which frequencies."""
     bands = tuple(
         say(
@@ -91,7 +91,7 @@ def critical_sentence(results: Results, critical: CriticalResult) -> Text:
     return Paragraph((found, doubt))
 
 
-def bands_table(results: Results) -> Table:
+def _bands_table(results: Results) -> Table:
     """Tabulate the bands of frequency in which each mechanism is critical."""
     columns = (Column(say("Critical mechanism")), Column(say("From"), "frequency"), Column(say("To"), "frequency"))
     bands = () if results.critical is None else results.critical.bands
@@ -200,14 +200,14 @@ def _amplification(one: EnvelopeResult) -> tuple[Text, ...]:
     return (text,) if one.shape == "sine" else (text, of_sine)
 
 
-def mechanisms_with_envelope(results: Results) -> list[tuple[MechanismResult, EnvelopeResult]]:
+def _mechanisms_with_envelope(results: Results) -> list[tuple[MechanismResult, EnvelopeResult]]:
     """Return the mechanisms that have an envelope, each with it."""
     return [(mechanism, mechanism.envelope) for mechanism in results.mechanisms if mechanism.envelope is not None]
 
 
 def data_tables(results: Results) -> list[Table]:
     """Tabulate every bound at every frequency, for the spreadsheet and the CSV files."""
-    mapped = mechanisms_with_envelope(results)
+    mapped = _mechanisms_with_envelope(results)
     columns = (
         MECHANISM,
         Column(say("Frequency"), "frequency"),

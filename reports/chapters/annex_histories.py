@@ -57,7 +57,7 @@ def _histories_section(results: Results, mechanism: MechanismResult, place: int)
         *nonempty(suites_table(mechanism, name=f"{stem}-suites")),
         *_governing_figure(mechanism, stem),
         *_responses(mechanism, stem),
-        *sweep_blocks(results, mechanism, stem),
+        *_sweep_blocks(results, mechanism, stem),
     ]
     return Section(
         Verbatim(mechanism_title(mechanism)), 1, tuple(blocks), mark=mechanism_number(results, mechanism.name)
@@ -167,10 +167,10 @@ def _governing_figure(mechanism: MechanismResult, stem: str) -> list[Figure]:
 def _end(one: HistoryResult) -> Text:
     if one.overturned:
         return say("it overturns")
-    return say("largest φ/φₒᵥ {ratio}", ratio=quantity(abs(one.max_rotation_ratio or 0.0), figures=figures_of(one)))
+    return say("largest φ/φₒᵥ {ratio}", ratio=quantity(abs(one.max_rotation_ratio or 0.0), figures=_figures_of(one)))
 
 
-def figures_of(history: HistoryResult) -> int:
+def _figures_of(history: HistoryResult) -> int:
     """Return to how many figures, one at least, the largest rotation of a history stands in its nine runs."""
     if history.max_rotation_ratio is None or not history.twin_ratios:
         return FIGURES
@@ -242,7 +242,7 @@ def _maximum_cell(history: HistoryResult, value: float | None, dimension: str) -
     """Return the maximum of a history to the figures that stand; words where the body overturns or does not rock."""
     if history.overturned:
         return OVERTURNED
-    figures = figures_of(history)
+    figures = _figures_of(history)
     return rocking_cell(value) if not value or figures >= FIGURES else Quantity(value, dimension, figures)
 
 
@@ -272,7 +272,7 @@ REPRESENTS = say("This case represents the mechanism in the rest of this report.
 REPRESENTED = say("In the rest of this report the mechanism is represented by a case of another study.")
 
 
-def sweep_blocks(results: Results, mechanism: MechanismResult, stem: str) -> list[Block]:
+def _sweep_blocks(results: Results, mechanism: MechanismResult, stem: str) -> list[Block]:
     """Return the weakest direction, where it was sought, and every sweep of a mechanism."""
     made: list[Block] = [*_weakest_direction(mechanism, stem)]
     own = [each for each in results.sweeps if each.mechanism == mechanism.name]
@@ -284,14 +284,14 @@ def sweep_blocks(results: Results, mechanism: MechanismResult, stem: str) -> lis
             key=Verbatim(each.key),
         )
         made += [
-            Prose((sweep_sentence(each),)),
-            sweep_table(each, name=name),
+            Prose((_sweep_sentence(each),)),
+            _sweep_table(each, name=name),
             Figure(name, caption, partial(sensitivity.draw_sweep, each)),
         ]
     return made
 
 
-def sweep_sentence(found: SweepResult) -> Text:
+def _sweep_sentence(found: SweepResult) -> Text:
     """State what was swept, which case controls, and whether it represents the mechanism."""
     taken = say_count(
         "{key} takes {number} value;", "{key} takes {number} values;", len(found.value), key=Verbatim(found.key)
@@ -301,7 +301,7 @@ def sweep_sentence(found: SweepResult) -> Text:
     return Paragraph((taken, controls, REPRESENTS if found.governs else REPRESENTED))
 
 
-def sweep_table(found: SweepResult, *, name: str) -> Table:
+def _sweep_table(found: SweepResult, *, name: str) -> Table:
     """Tabulate a sweep, a line for each value in the user's order."""
     on_joints = any(value is not None for value in found.overturning_flexible_rad)
     extra = (Column(say("φₒᵥ on joints"), "rotation"), Column(say("Elastic frequency"), "frequency"))

@@ -18,7 +18,7 @@ def sections(results: Results) -> list[Section]:
     """Return the annex: files, values of the project and messages."""
     blocks: list[Block] = [
         *nonempty(files_table(results)),
-        *nonempty(values_in_use_table(results)),
+        *nonempty(_values_in_use_table(results)),
         *nonempty(messages_table(results)),
     ]
     return [Section(say("Inputs"), 0, tuple(blocks), starts_page=True, mark=MARK)]
@@ -31,7 +31,7 @@ def files_table(results: Results) -> Table:
     return Table("inputs", say("Files read, with their SHA-256."), columns, rows, small=True)
 
 
-def values_in_use_table(results: Results) -> Table:
+def _values_in_use_table(results: Results) -> Table:
     """Tabulate the values that were given, and the defaults that are in use."""
     project = {key: each for key, each in results.project.items() if _in_use(key, each)}
     return _table_of_values(project, "values-set")

@@ -83,11 +83,11 @@ def _view(mechanism: MechanismResult, stem: str) -> list[Figure]:
 
 def _check_sheets(results: Results, mechanism: MechanismResult, stem: str) -> list[Sheet]:
     checks = governing.worst_per_procedure(governing.checks_at_site(results, mechanism))
-    shown = [check for check in checks if check.steps and may_decide(results, check)]
+    shown = [check for check in checks if check.steps and _may_decide(results, check)]
     return [_check_sheet(check, mechanism, f"{stem}-sheet-{place:02d}") for place, check in enumerate(shown, start=1)]
 
 
-def may_decide(results: Results, check: Check) -> bool:
+def _may_decide(results: Results, check: Check) -> bool:
     """Return whether a check decides or its method is accepted; without a basis, whether it follows a code's letter."""
     accepted = () if results.verdict is None else results.verdict.methods
     return check.role == "deciding" or check.procedure in accepted or (not accepted and check.reading == "letter")
@@ -145,7 +145,7 @@ def parameters_table(mechanism: MechanismResult, *, name: str) -> Table:
     )
     branches = (mechanism.oscillator, mechanism.oscillator_negative)
     rows: tuple[tuple[Cell, ...], ...] = tuple(
-        (label, Verbatim(symbol), *(parameter_cell(branch, key, dimension) for branch in branches))
+        (label, Verbatim(symbol), *(_parameter_cell(branch, key, dimension) for branch in branches))
         for key, label, symbol, dimension in PARAMETERS
     )
     caption = say("Rocking parameters of each branch, that is, of each direction of rotation.")
@@ -155,7 +155,7 @@ def parameters_table(mechanism: MechanismResult, *, name: str) -> Table:
     return Table(name, caption, columns, rows, small=True)
 
 
-def parameter_cell(branch: OscillatorResult | None, key: str, dimension: str) -> Cell:
+def _parameter_cell(branch: OscillatorResult | None, key: str, dimension: str) -> Cell:
     """Return a parameter of a branch with its unit; "none" where joints have no threshold of uplift."""
     if branch is None:
         return None

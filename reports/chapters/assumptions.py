@@ -111,15 +111,15 @@ def _assumed_rows(results: Results, kind: str) -> Iterator[tuple[Cell, ...]]:
         owner, rest = starred_key(results, key)
         if kind == DEFAULT and not _affects_results(results, rest):
             continue
-        for entry in shown_values(results, rest, value):
+        for entry in _shown_values(results, rest, value):
             kept = found.setdefault((entry.key, repr(entry.cell), source.words), (entry.cell, []))
             kept[1].extend([owner] if owner else [])
     for (key, _, words), (cell, owners) in found.items():
         where = mechanism_list(results, owners) if owners else None
-        yield value_label(key), _cell_in_words(cell), _source_text(kind, words), where
+        yield _value_label(key), _cell_in_words(cell), _source_text(kind, words), where
 
 
-def shown_values(results: Results, key: str, value: ResolvedValue) -> Iterator[ProjectValue]:
+def _shown_values(results: Results, key: str, value: ResolvedValue) -> Iterator[ProjectValue]:
     """Yield a value as cells with their keys; a list of tables as one, which says where the report shows them."""
     content = value.value
     if not isinstance(content, Sequence) or not any(isinstance(each, Mapping) for each in content):
@@ -130,7 +130,7 @@ def shown_values(results: Results, key: str, value: ResolvedValue) -> Iterator[P
         yield ProjectValue(key, say_count("{number} set of values", "{number} sets of values", len(content)))
 
 
-def value_label(key: str) -> Text:
+def _value_label(key: str) -> Text:
     """Return the words for a key of the project file; the key itself where there are none."""
     parameter = PARAMETER_NAMES.get(key.removeprefix(SPECTRUM)) if key.startswith(SPECTRUM) else None
     return value_title(key) or (parameter[0] if parameter else Verbatim(key))
@@ -239,7 +239,7 @@ def _stated_sources(results: Results) -> Iterator[tuple[Text, Text, str, str]]:
         if kind.strip() == ASSUMED:
             continue
         owner, rest = starred_key(results, key)
-        yield value_label(rest), KINDS.get(kind.strip(), Verbatim(kind.strip())), words.strip(), owner
+        yield _value_label(rest), KINDS.get(kind.strip(), Verbatim(kind.strip())), words.strip(), owner
 
 
 def _values_without_source(results: Results) -> list[Block]:

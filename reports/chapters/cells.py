@@ -53,12 +53,12 @@ CAPACITY_PGA = Column(say("PGA at capacity"), "ground acceleration", FIGURES)
 
 def outcome_cell(check: Check, answers: Sequence[Answer] = ()) -> OutcomeCell:
     """Return the outcome of a check, coloured where it decides. answers : of the mechanism, where they count."""
-    outcome = decided_outcome(check, answers)
+    outcome = _decided_outcome(check, answers)
     colour = _COLOURS.get(outcome, "incomplete") if check.role == "deciding" else "comparison"
     return OutcomeCell(colour, OUTCOMES[outcome])
 
 
-def decided_outcome(check: Check, answers: Sequence[Answer]) -> str:
+def _decided_outcome(check: Check, answers: Sequence[Answer]) -> str:
     """Return the outcome of the answer that a check decides, as the target may be less than full safety; else its own.
 
     Parameters
@@ -113,10 +113,10 @@ def capacity_pga_cell(check: Check) -> Cell:
     low = None if check.numerical is None else check.numerical.capacity_low_pga_g
     if check.capacity_pga_g is None or low is None or low <= check.capacity_pga_g:
         return check.capacity_pga_g
-    return pga_interval(check.capacity_pga_g, low, limit=check.level_pga_g)
+    return _pga_interval(check.capacity_pga_g, low, limit=check.level_pga_g)
 
 
-def pga_interval(low: float, high: float, *, limit: float) -> Text:
+def _pga_interval(low: float, high: float, *, limit: float) -> Text:
     """Return two PGA [g] as "0.12 g to 0.14 g", to as many figures as tell them apart, and from the site's own."""
     figures = interval_figures(low, high, limit=limit)
     ends = (Quantity(each, "ground acceleration", figures) for each in (low, high))
@@ -230,7 +230,7 @@ def capacity_pga_text(mechanism_verdict: MechanismVerdict, margin: float, action
     action : of the site
     """
     if mechanism_verdict.margin_most is not None:
-        return pga_interval(margin * action.pga_g, mechanism_verdict.margin_most * action.pga_g, limit=action.pga_g)
+        return _pga_interval(margin * action.pga_g, mechanism_verdict.margin_most * action.pga_g, limit=action.pga_g)
     return quantity(margin * action.pga_g, "ground acceleration", margin_figures(margin, None))
 
 
@@ -375,14 +375,14 @@ def _missing_text(results: Results, key: str, group: Sequence[Missing]) -> Text:
     return say("{key} of {mechanisms}: {why}", key=Verbatim(key), mechanisms=mechanism_list(results, owners), why=why)
 
 
-def lines_to_paste(results: Results, verdict: Verdict) -> tuple[str, ...]:
+def _lines_to_paste(results: Results, verdict: Verdict) -> tuple[str, ...]:
     """Return the missing keys as lines of a project file."""
     return toml_lines(verdict.missing, [key for key, each in results.project.items() if each.given])
 
 
 def blocks_to_paste(results: Results, verdict: Verdict) -> list[Block]:
     """Return the lines to paste under their title; nothing where no line is known."""
-    lines = lines_to_paste(results, verdict)
+    lines = _lines_to_paste(results, verdict)
     if not lines:
         return []
     title = say("To complete the verdict, add these lines to the project file with your own values:")
@@ -391,7 +391,7 @@ def blocks_to_paste(results: Results, verdict: Verdict) -> list[Block]:
 
 def fits_page_1(results: Results, verdict: Verdict) -> bool:
     """Return whether the lines to paste are few enough for page 1; else they stand with the recommendations."""
-    return len(lines_to_paste(results, verdict)) <= MAX_LINES
+    return len(_lines_to_paste(results, verdict)) <= MAX_LINES
 
 
 def provisional_outcome(verdict: Verdict) -> list[Block]:

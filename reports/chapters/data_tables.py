@@ -31,12 +31,12 @@ def tables(results: Results) -> Iterator[Table]:
     """Yield every table that has rows."""
     made = (
         checks_table(results),
-        pga_at_capacity_table(results),
-        rotations_table(results),
+        _pga_at_capacity_table(results),
+        _rotations_table(results),
         comparison_table(results),
         spectra_table(results),
-        capacity_curves_table(results),
-        pga_curves_table(results),
+        _capacity_curves_table(results),
+        _pga_curves_table(results),
         sensitivity.sensitivity_table(results),
         *uncertainty.data_tables(results),
         declaration.controls_in_full(results),
@@ -110,7 +110,7 @@ def _conditions_and_remarks(check: Check) -> Listing:
     return Listing(tuple({each.text: each for each in (*check.conditions, *check.remarks)}.values()), "")
 
 
-def pga_at_capacity_table(results: Results) -> Table:
+def _pga_at_capacity_table(results: Results) -> Table:
     """Tabulate the PGA at capacity of every mechanism by every procedure (as thesis Table 8.6)."""
     by_mechanism = {m.name: governing.capacities(m.checks) for m in results.mechanisms}
     known = dict.fromkeys(name for found in by_mechanism.values() for name in found)
@@ -127,7 +127,7 @@ def pga_at_capacity_table(results: Results) -> Table:
     return Table("pga-at-capacity", caption, columns, rows)
 
 
-def rotations_table(results: Results) -> Table:
+def _rotations_table(results: Results) -> Table:
     """Tabulate the largest rotation at each level and the allowable one, by procedure (as thesis Table 8.10)."""
     levels = governing.pga_levels(tuple(check for mechanism in results.mechanisms for check in mechanism.checks))
     columns = (
@@ -211,7 +211,7 @@ def spectra_table(results: Results) -> Table:
     return Table("spectra", say("Elastic response spectra, target and records."), columns, rows)
 
 
-def capacity_curves_table(results: Results) -> Table:
+def _capacity_curves_table(results: Results) -> Table:
     """Tabulate the capacity curves of every mechanism, point by point."""
     columns = (
         cells.MECHANISM,
@@ -236,7 +236,7 @@ def _points(curve: BranchCurve) -> Iterator[tuple[float, ...]]:
     return zip(curve.rotation_rad, *quantities, curve.participating_mass_kg, curve.displacement_m, strict=True)
 
 
-def pga_curves_table(results: Results) -> Table:
+def _pga_curves_table(results: Results) -> Table:
     """Tabulate the PGA-rotation curves of every mechanism and procedure, point by point."""
     rows = tuple(
         (numbered_title(results, mechanism.name), Verbatim(check.procedure), Verbatim(check.limit_state), ratio, pga)

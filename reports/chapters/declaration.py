@@ -46,13 +46,13 @@ FOLLOW_ROTATION = (Family.DISPLACEMENT, Family.ENERGY, Family.HISTORY, Family.PA
 def sections(results: Results) -> list[doc.Section]:
     """Return the chapter: analysis, program and controls, each with its own heading, and the box for the judgement."""
     return [
-        doc.Section(chapter_title(results), 0, (doc.Prose(tuple(analysis_sentences(results))),)),
+        doc.Section(chapter_title(results), 0, (doc.Prose(tuple(_analysis_sentences(results))),)),
         doc.Section(
             say("Program"),
             1,
-            (doc.Facts(tuple(program_facts(results))), doc.Prose((documentation(), *verification_annex(results)))),
+            (doc.Facts(tuple(_program_facts(results))), doc.Prose((documentation(), *_verification_annex(results)))),
         ),
-        doc.Section(say("Automatic controls"), 1, tuple(control_blocks(results))),
+        doc.Section(say("Automatic controls"), 1, tuple(_control_blocks(results))),
         doc.Section(say("Judgement"), 1, tuple(_judgement())),
     ]
 
@@ -65,7 +65,7 @@ def chapter_title(results: Results) -> Text:
     return say("Calculation by computer")
 
 
-def analysis_sentences(results: Results) -> Iterator[Text]:
+def _analysis_sentences(results: Results) -> Iterator[Text]:
     """Yield the kind of analysis of the methods that decide, and why it was chosen."""
     deciding = [check for each in results.mechanisms for check in each.checks if check.role == "deciding"]
     yield from _kinds(deciding)
@@ -113,7 +113,7 @@ def _kinds(checks: list[Check]) -> Iterator[Text]:
         yield Phrase(ANALYSIS_KINDS[family].english, {"methods": methods})
 
 
-def program_facts(results: Results) -> Iterator[tuple[Text, Text]]:
+def _program_facts(results: Results) -> Iterator[tuple[Text, Text]]:
     """Yield name, version, licence and origin of the program, and the hashes of program and inputs."""
     program = results.program
     facts = (
@@ -149,7 +149,7 @@ def documentation() -> Text:
     )
 
 
-def verification_annex(results: Results) -> Iterator[Text]:
+def _verification_annex(results: Results) -> Iterator[Text]:
     """Yield what the annex of verification says: cases, failures, its hashes, and what no case exercises."""
     annex = results.verification
     if annex is None:
@@ -216,12 +216,12 @@ CONTROL_TITLES: Mapping[ControlKind, Phrase] = {
 WITHIN_ROUNDING = 1e-12  # relative difference below which a control is within rounding
 
 
-def control_blocks(results: Results) -> list[doc.Block]:
+def _control_blocks(results: Results) -> list[doc.Block]:
     """Return what was controlled, the table, and the notes on what was not made or not met."""
     if not results.controls:
         return [doc.Prose((say("These results hold no automatic controls."),))]
     return [
-        doc.Prose((controls_summary(results.controls), controls_explanation())),
+        doc.Prose((controls_summary(results.controls), _controls_explanation())),
         *doc.nonempty(controls_table(results)),
         *_control_notes(results),
     ]
@@ -247,7 +247,7 @@ def controls_summary(controls: tuple[Control, ...]) -> Text:
     )
 
 
-def controls_explanation() -> Text:
+def _controls_explanation() -> Text:
     """Return what the controls compare."""
     return say(
         "Equilibrium compares the reactions at the hinges with weights, loads and forces of inertia as the motion "

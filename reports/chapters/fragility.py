@@ -100,7 +100,7 @@ def sections(results: FragilityResults) -> list[Section]:
     """Return the chapters: the first page, a part for each mechanism, method and records, sources."""
     return [
         _first_page(results),
-        *(mechanism_section(results, each) for each in results.mechanisms),
+        *(_mechanism_section(results, each) for each in results.mechanisms),
         _method_section(results),
         Section(say("Sources"), 0, (BulletList(tuple(_cited_works(results))),)),
     ]
@@ -163,7 +163,7 @@ def _cited_works(results: FragilityResults) -> Iterator[Text]:
     yield scope.HOUSNER
 
 
-def mechanism_section(results: FragilityResults, mechanism: MechanismFragility) -> Section:
+def _mechanism_section(results: FragilityResults, mechanism: MechanismFragility) -> Section:
     """Return the pages of a mechanism: what it means, the curves, the runs behind them, the measures, the rates."""
     stem = file_stem(mechanism.name, [each.name for each in results.mechanisms].index(mechanism.name) + 1)
     blocks: list[Block] = [
@@ -171,11 +171,11 @@ def mechanism_section(results: FragilityResults, mechanism: MechanismFragility) 
         *_curve_blocks(mechanism, stem),
         *nonempty(fragility_tables.curves_table(mechanism, f"{stem}-curves")),
         *_run_blocks(mechanism, stem),
-        Prose((islands_sentence(mechanism),)),
+        Prose((_islands_sentence(mechanism),)),
         *nonempty(fragility_tables.islands_table(mechanism, f"{stem}-islands", most=fragility_tables.MAX_ISLANDS)),
         *nonempty(fragility_tables.measures_table(mechanism, f"{stem}-measures")),
         *_rate_blocks(results, mechanism, stem),
-        *_prose(epistemic_sentences(mechanism)),
+        *_prose(_epistemic_sentences(mechanism)),
         *_remarks(mechanism),
     ]
     title = Verbatim(mechanism.label or mechanism.name)
@@ -198,7 +198,7 @@ def _curve_blocks(mechanism: MechanismFragility, stem: str) -> Iterator[Block]:
             measure=measure_text(curve.measure),
         )
         yield Figure(f"{stem}-fragility", caption, partial(figures.draw_fragility, curve))
-        yield from _prose(describe_counts(curve))
+        yield from _prose(_describe_counts(curve))
 
 
 def _run_blocks(mechanism: MechanismFragility, stem: str) -> Iterator[Block]:
@@ -309,17 +309,17 @@ def mechanism_summary(mechanism: MechanismFragility, hazards: Sequence[HazardRes
     """
     curve, risk = main_curve(mechanism), main_risk(mechanism)
     if curve is not None:
-        yield intensity_sentence(curve)
+        yield _intensity_sentence(curve)
         yield from _extrapolated(curve)
     if risk is not None:
         yield rate_sentence(risk)
         if risk.target_rate is not None:
-            yield target_sentence(risk)
+            yield _target_sentence(risk)
     elif hazards:
-        yield no_rate_sentence(mechanism, hazards)
+        yield _no_rate_sentence(mechanism, hazards)
 
 
-def no_rate_sentence(mechanism: MechanismFragility, hazards: Sequence[HazardResult]) -> Text:
+def _no_rate_sentence(mechanism: MechanismFragility, hazards: Sequence[HazardResult]) -> Text:
     """Say why a mechanism has no annual rate although the hazard of the site is given."""
     state, measures = last_state(mechanism), [hazard.measure for hazard in hazards]
     found = [each for each in mechanism.curves if each.state == state and each.measure in measures]
@@ -336,7 +336,7 @@ def no_rate_sentence(mechanism: MechanismFragility, hazards: Sequence[HazardResu
     )
 
 
-def intensity_sentence(curve: FragilityCurve) -> Text:
+def _intensity_sentence(curve: FragilityCurve) -> Text:
     """Say at which intensity 5 % and 50 % of the records reach the state of a curve."""
     fitted = curve.lognormal
     if fitted is None:
@@ -411,7 +411,7 @@ def rate_sentence(risk: RiskResult) -> Text:
     )
 
 
-def target_sentence(risk: RiskResult) -> Text:
+def _target_sentence(risk: RiskResult) -> Text:
     """Say whether the rate is within the target that the project sets."""
     target = quantity(risk.target_rate or 0.0, "annual rate", FIGURES)
     wide = quantity(risk.with_epistemic or 0.0, "annual rate", RATE_FIGURES)
@@ -431,7 +431,7 @@ def target_sentence(risk: RiskResult) -> Text:
     return say("Whether this is within the target of {target} is not known: {why}.", target=target, why=GAPS[risk.gap])
 
 
-def describe_counts(curve: FragilityCurve) -> Iterator[Text]:
+def _describe_counts(curve: FragilityCurve) -> Iterator[Text]:
     """Yield how many records make a curve, and what of them asks for care."""
     yield say_count(
         "{number} record of {events} makes this curve.",
@@ -460,7 +460,7 @@ def describe_counts(curve: FragilityCurve) -> Iterator[Text]:
         )
 
 
-def islands_sentence(mechanism: MechanismFragility) -> Text:
+def _islands_sentence(mechanism: MechanismFragility) -> Text:
     """Say how many records have islands."""
     number = sum(bool(run.islands) for run in mechanism.runs)
     if not number:
@@ -473,7 +473,7 @@ def islands_sentence(mechanism: MechanismFragility) -> Text:
     )
 
 
-def epistemic_sentences(mechanism: MechanismFragility) -> Iterator[Text]:
+def _epistemic_sentences(mechanism: MechanismFragility) -> Iterator[Text]:
     """Yield the dispersion of what is not known of the mechanism, apart from that of records."""
     if mechanism.epistemic is None:
         yield say(

@@ -150,7 +150,7 @@ def curves_table(mechanism: MechanismFragility, name: str) -> Table:
     rows = tuple(
         (
             state_text(curve.state),
-            *((None,) * 9 if curve.lognormal is None else lognormal_numbers(curve.lognormal)),
+            *((None,) * 9 if curve.lognormal is None else _lognormal_numbers(curve.lognormal)),
             None if curve.first is None else curve.first.median,
             curve.records,
             curve.censored,
@@ -166,7 +166,7 @@ def curves_table(mechanism: MechanismFragility, name: str) -> Table:
     return Table(name, caption, columns, rows, small=True)
 
 
-def lognormal_numbers(fitted: LognormalResult) -> Iterator[Cell]:
+def _lognormal_numbers(fitted: LognormalResult) -> Iterator[Cell]:
     """Yield 5 %, median and dispersion of a lognormal, each followed by the ends of its interval."""
     for value, ends in (
         (fitted.five_percent, fitted.five_percent_interval),
@@ -196,11 +196,11 @@ def measures_table(mechanism: MechanismFragility, name: str) -> Table:
 
 def _measure_row(each: MeasureComparison) -> tuple[Cell, ...]:
     found = {trend.on: trend for trend in each.trends}
-    trends = (trend_text(found.get(on)) for on in ("magnitude", "distance", "scale"))
+    trends = (_trend_text(found.get(on)) for on in ("magnitude", "distance", "scale"))
     return measure_text(each.measure), each.dispersion, *trends
 
 
-def trend_text(trend: Trend | None) -> Text | None:
+def _trend_text(trend: Trend | None) -> Text | None:
     """Return a trend with its p-value and whether it is significant, in words; None where it is not known."""
     if trend is None:
         return None
@@ -342,7 +342,7 @@ def _curve_rows(results: FragilityResults, dimension: str) -> tuple[tuple[Column
         counts = (curve.records, curve.events, curve.censored, curve.hollow)
         for word, fitted in ((say("lognormal"), curve.lognormal), (say("bound"), curve.first)):
             if fitted is not None:
-                rows.append((*lead, word, *lognormal_numbers(fitted), *counts))
+                rows.append((*lead, word, *_lognormal_numbers(fitted), *counts))
     return columns, rows
 
 

@@ -83,12 +83,12 @@ def _coordinates(results: Results) -> Iterator[tuple[Text, Text | str]]:
 def _people(results: Results) -> Iterator[tuple[Text, Text | str]]:
     """Yield author with office and licence number, the engineer where that is another, and the checker."""
     writer, leader = author(results), engineer(results)
-    yield say("Author"), credentials(results, writer) or ""
+    yield say("Author"), _credentials(results, writer) or ""
     yield say("Engineer"), "" if leader == writer else leader
     yield say("Checked by"), checker(results)
 
 
-def credentials(results: Results, name: str) -> Text | None:
+def _credentials(results: Results, name: str) -> Text | None:
     """Return a name with office and licence number, as far as they are given; None where nothing is."""
     matter = results.report
     texts: list[Text] = [Verbatim(given) for given in (name, matter.office) if given]

@@ -20,7 +20,7 @@ def sections(results: Results, building: BuildingScene | None) -> list[Section]:
 
     building : the bodies of all mechanisms, None where none has geometry
     """
-    blocks = (*plan(results, building), *checklist_blocks(results))
+    blocks = (*plan(results, building), *_checklist_blocks(results))
     return [
         Section(say("Key plan and list of mechanisms"), 0, blocks, starts_page=True),
         *_revisions(results),
@@ -71,7 +71,7 @@ MAX_NAMED = 6  # items that page 1 names
 IN_PLANE = frozenset(each.key for items in CHECKLISTS.values() for each in items if each.in_plane)
 
 
-def checklist_blocks(results: Results) -> list[Block]:
+def _checklist_blocks(results: Results) -> list[Block]:
     """Return the list, and what it means for the index of the building."""
     return [*([checklist_table(results)] if results.report.checklist else []), Prose((checklist_meaning(results),))]
 

@@ -156,7 +156,7 @@ def description(mechanism: MechanismResult) -> Paragraph:
 
 def _motion(mechanism: MechanismResult) -> Text:
     kind = KINDS.get(mechanism.kind, Verbatim(mechanism.kind))
-    direction = motion_direction(mechanism)
+    direction = _motion_direction(mechanism)
     if direction is None:
         if mechanism.sides == "two":
             return say("{kind} that rocks to both sides.", kind=kind)
@@ -166,7 +166,7 @@ def _motion(mechanism: MechanismResult) -> Text:
     return say("{kind} that rocks to one side only, towards {direction}.", kind=kind, direction=direction)
 
 
-def motion_direction(mechanism: MechanismResult) -> Text | None:
+def _motion_direction(mechanism: MechanismResult) -> Text | None:
     """Return the direction of positive rotation: an axis, or its angle; None for an equivalent block."""
     if mechanism.direction is None:
         return None

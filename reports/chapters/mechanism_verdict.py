@@ -48,7 +48,7 @@ def verdict_sentences(results: Results, mechanism: MechanismResult) -> Iterator[
         yield say("No code is named that decides: the results of all methods are for comparison only.")
         return
     for answer in mechanism_verdict.answers:
-        check = governing_check(governing.checks_at_site(results, mechanism), answer)
+        check = _governing_check(governing.checks_at_site(results, mechanism), answer)
         yield _governing_sentence(check, answer)
         yield from _floor_motion(check)
         yield from _numerical_spread(check)
@@ -64,7 +64,7 @@ def verdict_sentences(results: Results, mechanism: MechanismResult) -> Iterator[
         yield say("The answer depends on the conditions listed with the verdict.")
 
 
-def governing_check(checks: tuple[Check, ...], answer: Answer) -> Check | None:
+def _governing_check(checks: tuple[Check, ...], answer: Answer) -> Check | None:
     """Return the check behind an answer, of those at the site's own action; None where no method was asked."""
     own = tuple(check for check in governing.code_checks(checks) if check.procedure == answer.procedure)
     of_state = tuple(check for check in own if check.limit_state == answer.limit_state)

@@ -31,7 +31,7 @@ def sections(results: Results) -> list[Section]:
         *_missing(results, verdict),
         *_titled(say("To be shown, since a pass depends on it:"), list(verdict.conditions)),
         *_titled(say("To survey first:"), list(survey(results, verdict))),
-        *_titled(say("To examine next:"), list(next_checks(results))),
+        *_titled(say("To examine next:"), list(_next_checks(results))),
     ]
     if verdict.outcome == Decision.PASS:
         nothing = say("At the site’s own action no mechanism examined requires strengthening.")
@@ -139,7 +139,7 @@ def _change(results: Results, row: SensitivityResult) -> Text:
     )
 
 
-def next_checks(results: Results) -> Iterator[Text]:
+def _next_checks(results: Results) -> Iterator[Text]:
     """Yield the mechanisms that are possible and were not examined: by this program, and by others."""
     items = results.report.not_examined
     out_of_plane = [item for item in items if item.key not in key_plan.IN_PLANE]

@@ -24,7 +24,7 @@ def sections(results: Results) -> list[Section]:
     """Return scope and limits, then methods with their editions, then references."""
     limits = tuple(applicable_limits(results))
     blocks: list[Block] = [
-        Prose((scope_text(results),)),
+        Prose((_scope_text(results),)),
         *_notes(results),
         Prose((say("Limits that matter for these results:"),)),
         BulletList(limits),
@@ -34,7 +34,7 @@ def sections(results: Results) -> list[Section]:
         Section(
             say("Codes and methods"),
             1,
-            (*nonempty(methods_table(results)), *nonempty(rules_table(results)), *_uncompared(results)),
+            (*nonempty(methods_table(results)), *nonempty(_rules_table(results)), *_uncompared(results)),
         ),
         Section(say("References"), 1, (BulletList(cited_works(results)),)),
     ]
@@ -46,7 +46,7 @@ def _notes(results: Results) -> list[Block]:
     return [Prose((say("Notes: {notes}", notes=Verbatim(notes)),))] if notes else []
 
 
-def scope_text(results: Results) -> Text:
+def _scope_text(results: Results) -> Text:
     """Return what was assessed and what was not."""
     return Paragraph(
         (
@@ -247,7 +247,7 @@ def methods_table(results: Results) -> Table:
     fields: tuple[Field[list[Check]], ...] = (
         (Column(say("Method"), share=0.24), lambda checks: procedure_title(checks[0].procedure)),
         (Column(say("Edition"), share=0.22), lambda checks: Term(checks[0].edition)),
-        (Column(say("Part in the verdict"), share=0.16), part_in_verdict),
+        (Column(say("Part in the verdict"), share=0.16), _part_in_verdict),
         (Column(say("Compares")), _compared),
     )
 
@@ -263,7 +263,7 @@ def _decides(checks: list[Check]) -> bool:
     return any(check.role == "deciding" for check in checks)
 
 
-def part_in_verdict(checks: list[Check]) -> Text:
+def _part_in_verdict(checks: list[Check]) -> Text:
     """Return what the answers of a method do for the verdict."""
     if _decides(checks):
         return say("decides")
@@ -279,7 +279,7 @@ def _compared(checks: list[Check]) -> Text | None:
     return None if family is None else COMPARED[family]
 
 
-def rules_table(results: Results) -> Table:
+def _rules_table(results: Results) -> Table:
     """Tabulate the rules of the deciding code with their clauses."""
     found = () if results.verdict is None or results.verdict.basis == "own" else results.verdict.clauses
     columns = (Column(say("Rule of the verdict")), Column(say("Clause"), share=0.3))

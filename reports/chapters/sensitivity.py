@@ -84,16 +84,16 @@ class InputEffect:
 
 def sections(results: Results) -> list[Section]:
     """Return the chapter; none where nothing was varied."""
-    found = input_effects(results)
+    found = _input_effects(results)
     if not found:
         notes = tuple(_inputs_not_varied(results))
         return [Section(say("Sensitivity"), 0, notes)] if notes else []
     figures = tuple(_figures(results))
     shown = figures[: 2 if sum(bars for _, bars in figures[:2]) <= MAX_BARS else 1]
     blocks: tuple[Block, ...] = (
-        Prose((METHOD, *conclusions(results, found))),
+        Prose((METHOD, *_conclusions(results, found))),
         *(figure for figure, _ in shown),
-        effects_table(results, found),
+        _effects_table(results, found),
         *_inputs_not_varied(results),
     )
     return [Section(say("Sensitivity"), 0, blocks, starts_page=True)]
@@ -106,7 +106,7 @@ def annex_sections(results: Results) -> list[Section]:
     return [Section(say("Sensitivity of the other mechanisms"), 1, rest)] if rest else []
 
 
-def input_effects(results: Results) -> list[InputEffect]:
+def _input_effects(results: Results) -> list[InputEffect]:
     """Return every input of every mechanism, those that change an outcome first, then by their effect."""
     found = [
         InputEffect(varied, varied.shown[0])
@@ -127,13 +127,13 @@ def _by_mechanism(results: Results) -> Iterator[tuple[str, tuple[VariedInput, ..
             yield mechanism.name, ranked
 
 
-def conclusions(results: Results, found: list[InputEffect]) -> Iterator[Text]:
+def _conclusions(results: Results, found: list[InputEffect]) -> Iterator[Text]:
     """Yield what to survey first, and whether an outcome changes."""
     strong = [each for each in found if each.effect > 0.0]
     if not strong:
         yield say("None of the values moves an answer within its range.")
         return
-    first = listing(input_name(each.varied.number) for each in one_for_each_input(strong)[:2])
+    first = listing(input_name(each.varied.number) for each in _one_for_each_input(strong)[:2])
     yield say("Survey first: {inputs}. These move the answers most.", inputs=first)
     changing = [each for each in found if each.decides]
     if changing:
@@ -143,7 +143,7 @@ def conclusions(results: Results, found: list[InputEffect]) -> Iterator[Text]:
         yield say("No outcome that decides changes within these ranges.")
 
 
-def one_for_each_input(found: list[InputEffect]) -> list[InputEffect]:
+def _one_for_each_input(found: list[InputEffect]) -> list[InputEffect]:
     """Return each input once, in the mechanism whose answer it moves most."""
     called = [input_name(each.varied.number) for each in found]
     return [each for place, each in enumerate(found) if called[place] not in called[:place]]
@@ -154,11 +154,11 @@ def _change(results: Results, each: InputEffect) -> Text:
     return say("{input} ({mechanism})", input=input_name(each.varied.number), mechanism=Verbatim(name))
 
 
-def effects_table(results: Results, found: list[InputEffect]) -> Table:
+def _effects_table(results: Results, found: list[InputEffect]) -> Table:
     """Tabulate the inputs with the largest effects over all mechanisms."""
     fields: tuple[Field[InputEffect], ...] = (
         (Column(say("Input")), lambda each: input_name(each.varied.number)),
-        (Column(say("Range")), lambda each: range_text(each.varied.number)),
+        (Column(say("Range")), lambda each: _range_text(each.varied.number)),
         (cells.MECHANISM, lambda each: numbered_title(results, each.answer.mechanism)),
         (Column(say("Answer")), lambda each: answer_name(each.answer)),
         (Column(say("At low")), lambda each: answer_text(each.answer, "low")),
@@ -167,7 +167,7 @@ def effects_table(results: Results, found: list[InputEffect]) -> Table:
         (Column(say("Outcome")), _outcomes_within_range),
     )
     caption = say("The inputs with the largest effects, each in the mechanism whose answer it moves most.")
-    return tabulate("influences", caption, fields, one_for_each_input(found)[:MAX_ROWS], small=True)
+    return tabulate("influences", caption, fields, _one_for_each_input(found)[:MAX_ROWS], small=True)
 
 
 def _outcomes_within_range(each: InputEffect) -> Text:
@@ -176,7 +176,7 @@ def _outcomes_within_range(each: InputEffect) -> Text:
         outcome
         for bound in BOUNDS
         for row in each.varied.decisive
-        if changes_outcome(row, bound) and (outcome := outcome_at(row, bound))
+        if changes_outcome(row, bound) and (outcome := _outcome_at(row, bound))
     )
     return listing((CHANGED_OUTCOMES[each.value] for each in changed), "or") if changed else say("unchanged")
 
@@ -209,13 +209,13 @@ def _panel(ranked: tuple[VariedInput, ...], place: int, target: float | None) ->
     bars = tuple(_bar(each, each.shown[place]) for each in ranked)
     dimension = "ground acceleration" if first.quantity == "capacity_pga_g" else "ratio"
     name = (answer_name(first), procedure_title(first.procedure))
-    return sensitivity.TornadoPanel(name, dimension, answer_value(first, "base"), _limit(ranked, first, target), bars)
+    return sensitivity.TornadoPanel(name, dimension, _answer_value(first, "base"), _limit(ranked, first, target), bars)
 
 
 def _bar(each: VariedInput, row: SensitivityResult) -> sensitivity.TornadoBar:
-    lines = (input_name(each.number), range_text(each.number))
+    lines = (input_name(each.number), _range_text(each.number))
     verdicts = (_changed_outcome(row, "low"), _changed_outcome(row, "high"))
-    return sensitivity.TornadoBar(lines, answer_value(row, "low"), answer_value(row, "high"), verdicts)
+    return sensitivity.TornadoBar(lines, _answer_value(row, "low"), _answer_value(row, "high"), verdicts)
 
 
 def _limit(
@@ -233,7 +233,7 @@ def _limit(
 
 def _changed_outcome(row: SensitivityResult, side: RangeEnd) -> Text | None:
     """Return the verdict that a check changes to; None where it does not change."""
-    verdict = outcome_at(row, side)
+    verdict = _outcome_at(row, side)
     return cells.OUTCOMES[verdict.value] if verdict is not None and changes_outcome(row, side) else None
 
 
@@ -337,7 +337,7 @@ def value_text(row: SensitivityResult, value: float | None) -> Text:
     return quantity(value, UNIT_DIMENSIONS.get(row.unit, "ratio"))
 
 
-def range_text(row: SensitivityResult) -> Text:
+def _range_text(row: SensitivityResult) -> Text:
     """Return the low and the high value of an input."""
     return say("{low} to {high}", low=value_text(row, row.low), high=value_text(row, row.high))
 
@@ -353,7 +353,7 @@ def answer_name(row: SensitivityResult) -> Text:
 
 def answer_text(row: SensitivityResult, at: InputValue) -> Text:
     """Return an answer in a case, with its unit."""
-    found = answer_value(row, at)
+    found = _answer_value(row, at)
     if found is None:
         return say("not known")
     if found == inf:
@@ -378,22 +378,22 @@ def rank_inputs(rows: Sequence[SensitivityResult]) -> tuple[VariedInput, ...]:
             numbers.setdefault((row.parameter, row.key), []).append(row)
     if not numbers:
         return ()
-    keys = [answer_key(row) for row in representative_answers(next(iter(numbers.values())))]
+    keys = [_answer_key(row) for row in _representative_answers(next(iter(numbers.values())))]
     found = [_varied_input(each, keys) for each in numbers.values()]
     return tuple(sorted(found, key=lambda each: [0.0 if is_negligible(row) else -span(row) for row in each.shown]))
 
 
 def _varied_input(rows: Sequence[SensitivityResult], keys: Sequence[tuple[str, str, str, float | None]]) -> VariedInput:
-    by_key = {answer_key(row): row for row in reversed(rows)}
+    by_key = {_answer_key(row): row for row in reversed(rows)}
     return VariedInput(tuple(rows), tuple(by_key[each] for each in keys))
 
 
-def answer_key(row: SensitivityResult) -> tuple[str, str, str, float | None]:
+def _answer_key(row: SensitivityResult) -> tuple[str, str, str, float | None]:
     """Return quantity, procedure, limit state and level of an answer."""
     return row.quantity, row.procedure, row.limit_state, row.level_pga_g
 
 
-def representative_answers(rows: Sequence[SensitivityResult]) -> list[SensitivityResult]:
+def _representative_answers(rows: Sequence[SensitivityResult]) -> list[SensitivityResult]:
     """Choose, among the answers of one number, those that represent all.
 
     These are the index of the deciding answer, and the PGA at capacity of its procedure. Where none decides, they are
@@ -410,7 +410,7 @@ def representative_answers(rows: Sequence[SensitivityResult]) -> list[Sensitivit
     ratios = [row for row in rows if row.quantity == "demand_capacity"]
     known = [row for row in rows if row.quantity == "capacity_pga_g" and row.at_base]
     if not known:
-        return sorted(ratios, key=lambda row: answer_value(row, "base") or 0.0)[-1:]
+        return sorted(ratios, key=lambda row: _answer_value(row, "base") or 0.0)[-1:]
     least = min(known, key=lambda row: row.at_base or inf)
     levels = sorted({row.level_pga_g or 0.0 for row in ratios})
     near = min(levels, key=lambda level: abs(log(level / (least.at_base or level))), default=None)
@@ -419,20 +419,20 @@ def representative_answers(rows: Sequence[SensitivityResult]) -> list[Sensitivit
     return [least, *own[:1], *[row for row in there if uses_histories(row.procedure)][:1]]
 
 
-def answer_value(row: SensitivityResult, at: InputValue) -> float | None:
+def _answer_value(row: SensitivityResult, at: InputValue) -> float | None:
     """Return the answer in a case: infinite where the body overturns, None where it is not known."""
     found = {"base": row.at_base, "low": row.at_low, "high": row.at_high}[at]
-    return inf if found is None and outcome_at(row, at) == Outcome.FAIL else found
+    return inf if found is None and _outcome_at(row, at) == Outcome.FAIL else found
 
 
-def outcome_at(row: SensitivityResult, at: InputValue) -> Outcome | None:
+def _outcome_at(row: SensitivityResult, at: InputValue) -> Outcome | None:
     """Return the verdict in a case; None where it was not assessed."""
     return {"base": row.verdict_base, "low": row.verdict_low, "high": row.verdict_high}[at]
 
 
 def span(row: SensitivityResult) -> float:
     """Return the width of the range of an answer; 0 where it is not known, or overturns in all cases."""
-    known = [found for at in INPUT_VALUES if (found := answer_value(row, at)) is not None]
+    known = [found for at in INPUT_VALUES if (found := _answer_value(row, at)) is not None]
     return max(known) - min(known) if known and min(known) < inf else 0.0
 
 
@@ -443,4 +443,4 @@ def is_negligible(row: SensitivityResult) -> bool:
 
 def changes_outcome(row: SensitivityResult, side: RangeEnd) -> bool:
     """Return whether a verdict changes from pass to fail or back."""
-    return {row.verdict_base, outcome_at(row, side)} == {Outcome.PASS, Outcome.FAIL}
+    return {row.verdict_base, _outcome_at(row, side)} == {Outcome.PASS, Outcome.FAIL}

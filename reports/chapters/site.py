@@ -30,7 +30,7 @@ def sections(results: Results) -> list[doc.Section]:
     """Return the chapter."""
     parts = [
         doc.Section(say("Site and action"), 0, tuple(_action_blocks(results)), starts_page=True),
-        combination_section(results),
+        _combination_section(results),
     ]
     if results.records:
         parts.append(doc.Section(say("Records"), 1, tuple(_record_blocks(results))))
@@ -189,7 +189,7 @@ COMBINATIONS: Mapping[str, Phrase] = {
 NO_LOAD_FACTORS = say("The seismic action is combined with the loads of the project; no load factors are applied.")
 
 
-def combination_section(results: Results) -> doc.Section:
+def _combination_section(results: Results) -> doc.Section:
     """Return what acts on the mechanisms, in which combination and directions."""
     basis = "" if results.verdict is None else results.verdict.basis
     blocks: tuple[doc.Block, ...] = (
@@ -242,7 +242,7 @@ def loads_table(results: Results) -> doc.Table:
     fields: tuple[doc.Field[tuple[LoadResult, list[str]]], ...] = (
         (doc.Column(say("Load")), lambda group: Verbatim(group[0].name)),
         (doc.Column(say("Mechanisms")), lambda group: names(group[1])),
-        (doc.Column(say("Acts as")), lambda group: acts_as(group[0])),
+        (doc.Column(say("Acts as")), lambda group: _acts_as(group[0])),
         (doc.Column(say("Mass"), "mass"), lambda group: group[0].mass_kg),
         (doc.Column(say("Force along"), "force"), lambda group: group[0].force_n and group[0].force_n[0]),
         (doc.Column(say("Force up"), "force"), lambda group: group[0].force_n and group[0].force_n[1]),
@@ -251,7 +251,7 @@ def loads_table(results: Results) -> doc.Table:
     return doc.tabulate("actions", caption, fields, groups.values(), small=True)
 
 
-def acts_as(load: LoadResult) -> Text:
+def _acts_as(load: LoadResult) -> Text:
     """Return what a load does in the combination."""
     if load.kind == "mass":
         return say("weight and mass") if load.bearing else say("horizontal mass only")

@@ -65,7 +65,7 @@ def event_name(record: RecordResult) -> str:
     return record.event if year in record.event else f"{record.event} {year}".strip()
 
 
-def requirements_of_basis(results: Results) -> tuple[RequirementResult, ...]:
+def _requirements_of_basis(results: Results) -> tuple[RequirementResult, ...]:
     """Return the requirements of the code that belongs to the basis; none without records or basis."""
     code, motion = suite_code(results), results.ground_motion
     return () if motion is None else tuple(one for one in motion.requirements if one.code == code)
@@ -73,12 +73,12 @@ def requirements_of_basis(results: Results) -> tuple[RequirementResult, ...]:
 
 def meets_requirements(results: Results) -> bool:
     """Return whether the suite meets every requirement of the code that belongs to the basis."""
-    return all(rule.verdict == "met" for rule in requirements_of_basis(results))
+    return all(rule.verdict == "met" for rule in _requirements_of_basis(results))
 
 
 def suite_sentences(results: Results) -> Iterator[Text]:
     """Yield over which periods the suite was fitted, and whether it meets the rules of the basis."""
-    motion, rules = results.ground_motion, requirements_of_basis(results)
+    motion, rules = results.ground_motion, _requirements_of_basis(results)
     if results.records and all(not record.path for record in results.records):
         yield say_count(
             "The suite has {number} artificial record, of PGA {pga} as scaled to the spectrum of the site.",
@@ -95,12 +95,12 @@ def suite_sentences(results: Results) -> Iterator[Text]:
             misfit=quantity(motion.misfit, "ratio", FIGURES),
         )
     if motion is not None and motion.lock:
-        yield lock_sentence(motion.lock)
+        yield _lock_sentence(motion.lock)
     if rules:
         yield from _compliance(rules)
 
 
-def made_for_sentence(code: str) -> Text:
+def _made_for_sentence(code: str) -> Text:
     """Say whose rules the suite was made to meet."""
     return say(
         "The suite was made to meet the rules of {code}, as far as they can be checked: the number of its records "
@@ -109,7 +109,7 @@ def made_for_sentence(code: str) -> Text:
     )
 
 
-def lock_sentence(file: str) -> Text:
+def _lock_sentence(file: str) -> Text:
     """Say that the suite is locked."""
     return say(
         "The suite is locked: the records and their scale factors are those of {file}, whatever becomes of the "
@@ -145,7 +145,7 @@ def basis_requirements_table(results: Results) -> doc.Table:
         (doc.Column(say("Limit")), _limit_text),
         (doc.Column(say("Outcome")), lambda rule: doc.OutcomeCell(*REQUIREMENT_OUTCOMES[rule.verdict])),
     )
-    rules = requirements_of_basis(results)
+    rules = _requirements_of_basis(results)
     caption = say("The suite against the rules of {code}.", code=Verbatim(rules[0].code if rules else ""))
     return doc.tabulate("suite-rules", caption, fields, rules, small=True)
 
@@ -172,11 +172,11 @@ def sections(results: Results) -> list[doc.Section]:
     if motion is not None:
         blocks += [
             doc.Prose(selection_sentences(motion)),
-            *doc.nonempty(equivalent_periods_table(results, motion)),
-            *doc.nonempty(selection_steps_table(motion)),
+            *doc.nonempty(_equivalent_periods_table(results, motion)),
+            *doc.nonempty(_selection_steps_table(motion)),
         ]
         blocks += doc.nonempty(requirements_table(motion))
-    blocks += [*doc.nonempty(amplification_table(results)), *doc.nonempty(processing_table(results))]
+    blocks += [*doc.nonempty(_amplification_table(results)), *doc.nonempty(processing_table(results))]
     return [doc.Section(say("Suite of records"), 0, tuple(blocks), starts_page=True, mark=MARK)]
 
 
@@ -190,8 +190,8 @@ def selection_sentences(motion: GroundMotionResult) -> tuple[Text, ...]:
         source=Term(motion.source),
         misfit=quantity(motion.misfit),
     )
-    made = (made_for_sentence(motion.made_for),) if motion.made_for else ()
-    lock = (*made, *((lock_sentence(motion.lock),) if motion.lock else ()))
+    made = (_made_for_sentence(motion.made_for),) if motion.made_for else ()
+    lock = (*made, *((_lock_sentence(motion.lock),) if motion.lock else ()))
     chosen = motion.selection
     if chosen is None:
         return (over, *lock)
@@ -210,7 +210,7 @@ def selection_sentences(motion: GroundMotionResult) -> tuple[Text, ...]:
     return (over, rule, *lock)
 
 
-def equivalent_periods_table(results: Results, motion: GroundMotionResult) -> doc.Table:
+def _equivalent_periods_table(results: Results, motion: GroundMotionResult) -> doc.Table:
     """Tabulate the equivalent periods of the mechanisms."""
     columns = (MECHANISM, doc.Column(say("Shortest"), "time"), doc.Column(say("Longest"), "time"))
     known = {each.name for each in results.mechanisms}
@@ -229,7 +229,7 @@ def equivalent_periods_table(results: Results, motion: GroundMotionResult) -> do
     return doc.Table("equivalent-periods", caption, columns, rows, small=True)
 
 
-def selection_steps_table(motion: GroundMotionResult) -> doc.Table:
+def _selection_steps_table(motion: GroundMotionResult) -> doc.Table:
     """Tabulate the number of records left after each step of the selection."""
     steps = () if motion.selection is None else motion.selection.remaining
     rows = tuple((Term(one.step), one.number) for one in steps)
@@ -237,7 +237,7 @@ def selection_steps_table(motion: GroundMotionResult) -> doc.Table:
     return doc.Table("selection", say("Records left after each step of the selection."), columns, rows, small=True)
 
 
-def amplification_table(results: Results) -> doc.Table:
+def _amplification_table(results: Results) -> doc.Table:
     """Tabulate the amplification factor of each record at each mechanism (as thesis Table 8.9)."""
     raised = [m for m in results.mechanisms if m.amplification.height_m is not None and m.amplification.factors]
     factors = [{one.record: one.factor for one in m.amplification.factors} for m in raised]

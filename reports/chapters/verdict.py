@@ -77,10 +77,10 @@ def sections(results: Results) -> list[Section]:
         Banner(
             verdict.outcome.value, headline(verdict), verdict.at_the_limit and verdict.outcome != Decision.INCOMPLETE
         ),
-        Facts(tuple(basis_facts(results, verdict))),
-        *short_list(say("The verdict is subject to these conditions:"), conditions(results, verdict)),
+        Facts(tuple(_basis_facts(results, verdict))),
+        *_short_list(say("The verdict is subject to these conditions:"), conditions(results, verdict)),
         *_missing(verdict, results),
-        *short_list(say("Warnings that bear on the verdict:"), warnings(results)),
+        *_short_list(say("Warnings that bear on the verdict:"), warnings(results)),
         matrix(results, verdict),
     ]
     return [Section(say("Verdict"), 0, tuple(blocks))]
@@ -148,7 +148,7 @@ def conditions(results: Results, verdict: Verdict) -> list[Text]:
     return [*verdict.conditions, *(cells.stated_premises(results) if verdict.basis else ())]
 
 
-def basis_facts(results: Results, verdict: Verdict) -> Iterator[tuple[Text, Text]]:
+def _basis_facts(results: Results, verdict: Verdict) -> Iterator[tuple[Text, Text]]:
     """Yield what the verdict is based on: code, limit state, action, methods, target and index."""
     yield say("Code"), _code(results, verdict)
     if verdict.limit_states and verdict.basis != cells.OWN_BASIS:
@@ -156,7 +156,7 @@ def basis_facts(results: Results, verdict: Verdict) -> Iterator[tuple[Text, Text
         yield say("Limit state"), states
     yield say("Site’s own action"), action_text(results, verdict)
     if results.spectrum is not None:
-        yield say("Spectrum"), spectrum_text(results.spectrum)
+        yield say("Spectrum"), _spectrum_text(results.spectrum)
     if verdict.methods:
         yield say("Methods that may decide"), listing(map(procedure_title, verdict.methods))
     known = cells.knowledge_text(results)
@@ -211,7 +211,7 @@ def action_text(results: Results, verdict: Verdict) -> Text:
     return listing(known, "")
 
 
-def spectrum_text(spectrum: SpectrumResult) -> Text:
+def _spectrum_text(spectrum: SpectrumResult) -> Text:
     """Return the clause of the spectrum with the parameters that an authority looks for first."""
     rows = dict(zip(spectrum.parameters, parameter_rows(spectrum.parameters), strict=True))
     known = [(phrase.english, rows[key][1]) for key, phrase in ESSENTIAL.items() if key in rows]
@@ -229,7 +229,7 @@ def _missing(verdict: Verdict, results: Results) -> list[Block]:
     """Return what would complete the verdict, as lines to paste, and what it would be with the safe values."""
     if verdict.outcome != Decision.INCOMPLETE or not verdict.missing:
         return []
-    blocks = short_list(say("What is missing:"), cells.missing_texts(results, verdict))
+    blocks = _short_list(say("What is missing:"), cells.missing_texts(results, verdict))
     if cells.fits_page_1(results, verdict):
         blocks += cells.blocks_to_paste(results, verdict)
     else:
@@ -272,7 +272,7 @@ def is_shortened(points: Sequence[Text]) -> bool:
     return len(points) > MAX_POINTS + 1
 
 
-def short_list(title: Text, points: Sequence[Text]) -> list[Block]:
+def _short_list(title: Text, points: Sequence[Text]) -> list[Block]:
     """Return a list under its title; of a long one the first points, and how many there are besides."""
     if not points:
         return []
@@ -312,7 +312,7 @@ class MethodColumn:
 def matrix(results: Results, verdict: Verdict) -> Table:
     """Tabulate mechanism by answer: the deciding one in the colour of its outcome, the others in grey."""
     has_index = verdict.index is not None and verdict.index.name != cells.DEMAND_CAPACITY
-    shown, folded = split_methods(answering_methods(results), verdict, MAX_COLUMNS - 3 - has_index)
+    shown, folded = _split_methods(_answering_methods(results), verdict, MAX_COLUMNS - 3 - has_index)
     columns = [Column(say("Mechanism"), share=0.2), Column(say("Verdict")), Column(say("Holds up to PGA"))]
     columns += [Column(cells.index_symbol(verdict.index.name))] if has_index and verdict.index is not None else []
     columns += [Column(say("D/C, {method}", method=method.title)) for method in shown]
@@ -326,14 +326,14 @@ def matrix(results: Results, verdict: Verdict) -> Table:
                 OutcomeCell(one.outcome.value, cells.outcome_text(one.outcome, near=one.at_the_limit)),
                 cells.margin_text(one, verdict.action),
                 *((_index_cell(one),) if has_index else ()),
-                *(method_cell(results, mechanism, one, method) for method in shown),
-                *((least_favourable_cell(results, mechanism, folded),) if folded else ()),
+                *(_method_cell(results, mechanism, one, method) for method in shown),
+                *((_least_favourable_cell(results, mechanism, folded),) if folded else ()),
             )
         )
-    return Table("verdict", matrix_caption(verdict), tuple(columns), tuple(rows), small=True)
+    return Table("verdict", _matrix_caption(verdict), tuple(columns), tuple(rows), small=True)
 
 
-def matrix_caption(verdict: Verdict) -> Text:
+def _matrix_caption(verdict: Verdict) -> Text:
     """Return the caption of the matrix."""
     if not verdict.basis:
         return say(
@@ -346,7 +346,7 @@ def matrix_caption(verdict: Verdict) -> Text:
     return words if cells.index_name(verdict) != ZETA else Paragraph((words, ZETA_DEFINITION))
 
 
-def answering_methods(results: Results) -> list[MethodColumn]:
+def _answering_methods(results: Results) -> list[MethodColumn]:
     """Return the methods that answer for some mechanism at the site's own action, in order of appearance."""
     checks = [check for mechanism in results.mechanisms for check in governing.code_checks_at_site(results, mechanism)]
     answered = [check for check in checks if check.verdict not in governing.UNANSWERED or check.role == "deciding"]
@@ -355,7 +355,7 @@ def answering_methods(results: Results) -> list[MethodColumn]:
     return [MethodColumn(procedure, state, procedures.count(procedure) > 1) for procedure, state in pairs]
 
 
-def split_methods(
+def _split_methods(
     every: Sequence[MethodColumn], verdict: Verdict, most: int
 ) -> tuple[list[MethodColumn], list[MethodColumn]]:
     """Return the methods with a column of their own, those that may decide first, and those that share one."""
@@ -374,7 +374,7 @@ def _method_rank(method: MethodColumn, verdict: Verdict) -> int:
     return 2 if method.procedure.startswith(f"{verdict.basis}-") else 3
 
 
-def method_cell(
+def _method_cell(
     results: Results, mechanism: MechanismResult, mechanism_verdict: MechanismVerdict, method: MethodColumn
 ) -> Cell:
     """Return the answer of one method; None where the method does not apply to the mechanism."""
@@ -408,7 +408,7 @@ def ratio_text(check: Check) -> Text:
     return quantity(check.ratio, figures=ratio_figures(check, most=3))
 
 
-def least_favourable_cell(results: Results, mechanism: MechanismResult, folded: Sequence[MethodColumn]) -> Cell:
+def _least_favourable_cell(results: Results, mechanism: MechanismResult, folded: Sequence[MethodColumn]) -> Cell:
     """Return the least favourable answer of several methods with its title; None where none of them applies."""
     pairs = [
         (check, method)

@@ -22,10 +22,10 @@ def sections(results: VerificationResults) -> list[doc.Section]:
     return [
         doc.Section(say("Outcome"), 0, tuple(_outcome_blocks(results))),
         doc.Section(say("Program and how to run the cases again"), 0, tuple(_program_blocks(results))),
-        doc.Section(say("Theory and field of use"), 0, tuple(theory_blocks(results))),
-        doc.Section(say("Differences"), 0, tuple(difference_figures(results))),
+        doc.Section(say("Theory and field of use"), 0, tuple(_theory_blocks(results))),
+        doc.Section(say("Differences"), 0, tuple(_difference_figures(results))),
         doc.Section(say("Solved cases"), 0, (doc.Prose(READING),)),
-        *(case_section(each, place) for place, each in enumerate(results.cases, start=1)),
+        *(_case_section(each, place) for place, each in enumerate(results.cases, start=1)),
         doc.Section(say("What is not covered"), 0, tuple(_uncovered_blocks(results))),
         doc.Section(say("Judgement"), 0, tuple(_judgement_blocks())),
     ]
@@ -37,7 +37,7 @@ def _outcome_blocks(results: VerificationResults) -> Iterator[doc.Block]:
     partial = results.quick or results.left_out or results.foreign or bare or not results.evidence
     yield doc.Banner("fail" if results.failures else "incomplete" if partial else "pass", _headline(results))
     yield doc.Prose(tuple(_totals(results)))
-    yield cases_table(results)
+    yield _cases_table(results)
 
 
 def _headline(results: VerificationResults) -> Text:
@@ -129,11 +129,11 @@ def _totals(results: VerificationResults) -> Iterator[Text]:
         )
 
 
-def cases_table(results: VerificationResults) -> doc.Table:
+def _cases_table(results: VerificationResults) -> doc.Table:
     """Tabulate the cases: source, standing, number of values, largest difference, outcome."""
     fields: tuple[doc.Field[CaseResult], ...] = (
         (doc.Column(say("Case"), share=0.36), lambda case: Verbatim(case.title)),
-        (doc.Column(say("Source")), lambda case: Verbatim(author_and_year(case.source.citation))),
+        (doc.Column(say("Source")), lambda case: Verbatim(_author_and_year(case.source.citation))),
         (doc.Column(say("Standing"), share=0.12), lambda case: STANDINGS[case.source.standing]),
         (doc.Column(say("Values"), "ratio"), lambda case: len(case.values)),
         (
@@ -231,7 +231,7 @@ def _judgement_blocks() -> Iterator[doc.Block]:
     yield doc.WritingBox(say("Engineer’s judgement of the program and of these cases"), 32.0)
 
 
-def difference_figures(results: VerificationResults) -> Iterator[doc.Prose | doc.Figure]:
+def _difference_figures(results: VerificationResults) -> Iterator[doc.Prose | doc.Figure]:
     """Yield how to read them, differences over tolerance by source, and values of the program over those expected."""
     yield doc.Prose(
         (
@@ -261,7 +261,7 @@ FIGURES = 6  # of a value
 DIFFERENCE_FIGURES = 2  # figures of a difference
 
 
-def case_section(case: CaseResult, place: int) -> doc.Section:
+def _case_section(case: CaseResult, place: int) -> doc.Section:
     """Return the part of one case. place: among the cases, from 1 on."""
     return doc.Section(Verbatim(case.title), 1, tuple(_case_blocks(case, place)))
 
@@ -459,7 +459,7 @@ THEORY: Mapping[str, tuple[Phrase, Phrase]] = {
 """Equations and field of use of each word that has them."""
 
 
-def theory_blocks(results: VerificationResults) -> Iterator[doc.Block]:
+def _theory_blocks(results: VerificationResults) -> Iterator[doc.Block]:
     """Yield the theory that all mechanisms share, then a table by mechanism with the cases that show it."""
     yield doc.Prose(
         (
@@ -495,7 +495,7 @@ def _theory_table(results: VerificationResults) -> doc.Table:
     return doc.Table("theory", caption, columns, rows, small=True)
 
 
-def author_and_year(citation: str) -> str:
+def _author_and_year(citation: str) -> str:
     """Return author and year of a citation, as far as the year in brackets; the citation if it has none."""
     found = re.match(r".*?\((?:19|20)\d\d[a-z]?\)", citation)
     return found[0] if found else citation

@@ -106,7 +106,7 @@ def _mark_joint_events(
 ) -> None:
     """Mark where each joint begins to open, and where its edge begins to crush."""
     for key, face, offset in (("opening_rad", "white", (6, -3)), ("crushing_rad", OWN_JOINTS, (-2, -10))):
-        for at, height, hinges in joint_events(mechanism, key, rotation, moment):
+        for at, height, hinges in _joint_events(mechanism, key, rotation, moment):
             axes.plot([at], [height], "o", color=OWN_JOINTS, markerfacecolor=face, markersize=4.5, zorder=3)
             axes.annotate(
                 style.label(", ".join(hinges)),
@@ -119,7 +119,7 @@ def _mark_joint_events(
         axes.plot([], [], "o", color=OWN_JOINTS, markerfacecolor=face, markersize=4.5, label=locale.text(name))
 
 
-def joint_events(
+def _joint_events(
     mechanism: MechanismResult, key: str, rotation: FloatArray, moment: FloatArray
 ) -> list[tuple[float, float, list[str]]]:
     """Return rotation [rad] and moment [-] at which joints of the positive branch open or crush, with their hinges."""
@@ -165,7 +165,7 @@ def draw_contact(mechanism: MechanismResult, locale: Locale) -> Figure:
                 rotation, values = np.asarray(curve["mechanism_rotation_rad"]), scale.in_unit(curve[key])
                 axes.plot(rotation, values, dash, color=colour, label=style.label(hinges))
             axes.set(xlabel=locale.heading(say("rotation φ"), "rotation"), ylabel=scale.heading(name), xscale="log")
-            axes.set_xlim(axis_start(mechanism, end), end)
+            axes.set_xlim(_axis_start(mechanism, end), end)
             axes.xaxis.set_minor_formatter(NullFormatter())
             axes.set_ylim(bottom=0.0)
         _draw_strength(axes, mechanism, locale)
@@ -173,7 +173,7 @@ def draw_contact(mechanism: MechanismResult, locale: Locale) -> Figure:
         return figure
 
 
-def axis_start(mechanism: MechanismResult, end: float) -> float:
+def _axis_start(mechanism: MechanismResult, end: float) -> float:
     """Return the start of the axis of rotations [rad]: before any joint opens, at most a thousandth of its end."""
     opening = [float(found["opening_rad"]) for found in deformable_joints(mechanism) if found["opening_rad"]]
     return min([*(BEFORE_OPENING * at for at in opening), LEAST_ROTATION * end])
@@ -185,7 +185,7 @@ def distinct_curves(mechanism: MechanismResult) -> list[tuple[dict[str, Any], st
     branches: tuple[tuple[BranchName, str], ...] = (("positive", "-"), ("negative", "--"))
     for branch, dash in branches:
         for place, interface in enumerate(joints_of_branch(mechanism, branch)):
-            like = next((hinges for other, _, _, hinges in found if have_same_curves(interface, other)), None)
+            like = next((hinges for other, _, _, hinges in found if _have_same_curves(interface, other)), None)
             if like is None:
                 found.append((interface, HINGE_COLOURS[place % len(HINGE_COLOURS)], dash, [interface["hinge"]]))
             else:
@@ -193,7 +193,7 @@ def distinct_curves(mechanism: MechanismResult) -> list[tuple[dict[str, Any], st
     return [(interface, colour, dash, ", ".join(hinges)) for interface, colour, dash, hinges in found]
 
 
-def have_same_curves(one: dict[str, Any], other: dict[str, Any]) -> bool:
+def _have_same_curves(one: dict[str, Any], other: dict[str, Any]) -> bool:
     """Return whether two joints have the same curves, to the eye."""
     return all(_same_curve(one["curve"], other["curve"], key) for key, _, _ in _CONTACT_PANELS)
 

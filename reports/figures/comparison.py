@@ -121,14 +121,14 @@ def draw_curves(results: Results, locale: Locale) -> Figure:
 def curve_procedure(results: Results) -> str:
     """Return the procedure whose curves are compared: that with most of them, of equals one that decides."""
     methods = () if results.verdict is None else results.verdict.methods
-    shown = [check for mechanism in results.mechanisms for check in one_per_procedure(mechanism.checks)]
+    shown = [check for mechanism in results.mechanisms for check in _one_per_procedure(mechanism.checks)]
     letter = [check.procedure for check in shown if check.reading == "letter"]
     count = Counter(letter or [check.procedure for check in shown])
     return max(count, key=lambda name: (count[name], name in methods), default="")
 
 
 def _draw_rotation(axes: Axes, mechanism: MechanismResult, procedure: str, ink: style.Pen, name: str) -> None:
-    check = next((each for each in one_per_procedure(mechanism.checks) if each.procedure == procedure), None)
+    check = next((each for each in _one_per_procedure(mechanism.checks) if each.procedure == procedure), None)
     pga, ratio = ((), ()) if check is None else (check.pga_curve.pga_g, check.pga_curve.rotation_ratio)
     axes.plot(pga, ratio, linestyle=ink.dash, color=ink.colour, linewidth=ink.width, label=name)
 
@@ -232,7 +232,7 @@ AXES_HEIGHT, LEGEND_LINE = 1.85, 0.125  # of the axes, of a line of the legend [
 
 def draw_pga_rotation(mechanism: MechanismResult, locale: Locale) -> Figure:
     """Draw phi / phi_ov [-] over PGA [g]: a curve for each procedure, allowables, levels, and maxima of records."""
-    shown = one_per_procedure(mechanism.checks)
+    shown = _one_per_procedure(mechanism.checks)
     with style.report_style():
         figure = style.sheet(AXES_HEIGHT + LEGEND_LINE * (len(shown) // 2 + 3), locale, width=style.HALF)
         axes = figure.subplots()
@@ -243,12 +243,12 @@ def draw_pga_rotation(mechanism: MechanismResult, locale: Locale) -> Figure:
         _draw_histories(axes, mechanism.histories, locale)
         axes.set_xlabel(locale.heading(say("peak ground acceleration, PGA"), "ground acceleration"))
         axes.set_ylabel(locale.heading(say("rotation φ / φₒᵥ"), "ratio"))
-        axes.set(xlim=(0.0, pga_axis_end(mechanism, levels)), ylim=(0.0, 1.12))
+        axes.set(xlim=(0.0, _pga_axis_end(mechanism, levels)), ylim=(0.0, 1.12))
         style.legend_below(figure, columns=2)
         return figure
 
 
-def one_per_procedure(checks: tuple[Check, ...]) -> tuple[Check, ...]:
+def _one_per_procedure(checks: tuple[Check, ...]) -> tuple[Check, ...]:
     """Return the first check of each procedure and limit state that applies and has a PGA-rotation curve."""
     first: dict[tuple[str, str], Check] = {}
     for check in checks:
@@ -290,7 +290,7 @@ def _draw_levels(axes: Axes, levels: list[float], locale: Locale) -> None:
         axes.plot([], [], color=style.MUTED, linewidth=0.7, linestyle=(0, (2, 2)), label=name)
 
 
-def pga_axis_end(mechanism: MechanismResult, levels: list[float]) -> float:
+def _pga_axis_end(mechanism: MechanismResult, levels: list[float]) -> float:
     """Return the end of the axis [g]: beyond every capacity, uplift and level."""
     capacities = [check.capacity_pga_g for check in mechanism.checks if check.capacity_pga_g is not None]
     uplifts = [check.uplift_pga_g for check in mechanism.checks if check.uplift_pga_g is not None]

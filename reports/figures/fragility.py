@@ -88,7 +88,7 @@ def _draw_points(
         for x, y in zip(*ends, strict=True):
             axes.plot(x, y, color=style.MUTED, linewidth=0.7)
     for hollow in (False, True):
-        some = [point for point in points if is_hollow(point) == hollow]
+        some = [point for point in points if _is_hollow(point) == hollow]
         axes.plot(
             [point.intensity for point in some],
             [PERCENT * point.share for point in some],
@@ -116,7 +116,7 @@ def _draw_lognormal(axes: Axes, curve: FragilityCurve, fitted: LognormalResult, 
             axes.plot([0.0, at, at], [share, share, 0.0], ":", color=LOGNORMAL_COLOUR, linewidth=0.8)
 
 
-def is_hollow(point: EmpiricalPoint) -> bool:
+def _is_hollow(point: EmpiricalPoint) -> bool:
     """Return whether most records of a point are scaled by more than 4."""
     return 2 * point.hollow > point.records
 

@@ -67,14 +67,14 @@ VERDICT_WORDS: Mapping[WallOutcome, Phrase] = {
 
 def draw_key_plan(building: BuildingScene, locale: Locale) -> Figure:
     """Draw all bodies."""
-    camera = fit_camera(building.direction, scene_points(building, building.moving_parts), KEY_PLAN_SIZE)
+    camera = fit_camera(building.direction, _scene_points(building, building.moving_parts), KEY_PLAN_SIZE)
     with report_style():
         figure, axes = scene_sheet(camera, WIDTH, locale, below=LEGEND_HEIGHT)
-        paint_building(axes, building, camera, dict(enumerate(building.moving_parts)))
+        _paint_building(axes, building, camera, dict(enumerate(building.moving_parts)))
         occluders, owner = project_faces(building.surface, building.owner, camera)
         tags = []
         for place, part in enumerate(building.moving_parts):
-            draw_lines(axes, part, camera, occluders)
+            _draw_lines(axes, part, camera, occluders)
             seen = visible_middle(occluders.faces[owner == place], occluders)
             x, y, _ = (camera.project(part.middle) if seen is None else seen).tolist()
             tags.append(Label(part.title, (x, y)))
@@ -111,14 +111,14 @@ def _wires_of_part(part: MovingPart) -> Iterator[Wire]:
         yield Wire(rounded_points(line), HINGE_COLOUR, part.title if place == 0 else "")
 
 
-def scene_points(building: BuildingScene, shown: Sequence[MovingPart]) -> FloatArray:
+def _scene_points(building: BuildingScene, shown: Sequence[MovingPart]) -> FloatArray:
     """Return all points [k, 3] [m] of a picture with the axes of rotation of the parts shown."""
     hinges = [line for part in shown for line in part.hinges]
     used = np.unique(building.surface.triangles)
     return np.concatenate([building.surface.vertices[used], *hinges])
 
 
-def paint_building(axes: Axes, building: BuildingScene, camera: Camera, shown: Mapping[int, MovingPart]) -> None:
+def _paint_building(axes: Axes, building: BuildingScene, camera: Camera, shown: Mapping[int, MovingPart]) -> None:
     """Draw the bodies: the parts of `shown` in the colours of their verdicts, everything else grey."""
     colours = dict.fromkeys(range(-1, len(building.moving_parts)), FIXED)
     colours |= {place: VERDICT[part.outcome] for place, part in shown.items()}
@@ -126,7 +126,7 @@ def paint_building(axes: Axes, building: BuildingScene, camera: Camera, shown: M
     paint_bodies(axes, building.surface, building.owner, camera, Appearance(colours, hatched, SHARP_ANGLE))
 
 
-def draw_lines(axes: Axes, part: MovingPart, camera: Camera, occluders: Occluders) -> None:
+def _draw_lines(axes: Axes, part: MovingPart, camera: Camera, occluders: Occluders) -> None:
     """Draw the axes of rotation of a part, thick, and its cracks, dashed; what is hidden of them is dotted."""
     for ring in part.cracks:
         _draw_line(axes, camera.project(ring), occluders, colour=INK, width=0.7, dash=CRACK_DASHES)
@@ -165,7 +165,7 @@ def draw_place(building: BuildingScene, mechanism: str, locale: Locale) -> Figur
     if place is None:
         raise ValueError(f'mechanism "{mechanism}" has no geometry that can be drawn in space')
     part, shown = building.moving_parts[place], building_of_mechanism(building, place)
-    corners, points = building.surface.corners[part.triangles].reshape(-1, 3), scene_points(shown, [part])
+    corners, points = building.surface.corners[part.triangles].reshape(-1, 3), _scene_points(shown, [part])
     arrow = direction_arrow(corners, part.direction, 0.6 * float(np.ptp(points, axis=0).max()))
     for direction in (building.direction, -building.direction):
         camera = fit_camera(direction, np.concatenate([points, arrow]), PLACE_SIZE)
@@ -174,8 +174,8 @@ def draw_place(building: BuildingScene, mechanism: str, locale: Locale) -> Figur
             break
     with report_style():
         figure, axes = scene_sheet(camera, HALF, locale)
-        paint_building(axes, shown, camera, {place: part})
-        draw_lines(axes, part, camera, occluders)
+        _paint_building(axes, shown, camera, {place: part})
+        _draw_lines(axes, part, camera, occluders)
         draw_arrow(axes, camera.project(arrow), width=1.4)
         return figure
 
@@ -235,11 +235,11 @@ def building_of(results: Results) -> BuildingScene | None:
     seen = [(each, each.view) for each in results.mechanisms if each.view is not None and each.view.triangles]
     if not seen:
         return None
-    groups = _group_by_shared_bodies(results, [region_of(*each) for each in seen])
+    groups = _group_by_shared_bodies(results, [_region_of(*each) for each in seen])
     surfaces = [_bodies_cut_at_cracks(regions) for regions in groups]
     directions = [np.array(view.direction) for _, view in seen]
     direction = max(directions, key=lambda one: sum(abs(float(one @ other)) for other in directions))
-    apart = any(occupy_same_space(*pair) for pair in combinations(surfaces, 2))
+    apart = any(_occupy_same_space(*pair) for pair in combinations(surfaces, 2))
     steps = _side_by_side(surfaces, direction) if apart else [np.zeros(3)] * len(surfaces)
     moving_parts: list[MovingPart] = []
     owners: list[IntArray] = []
@@ -308,7 +308,7 @@ def _body_names(value: object) -> Iterator[str]:
 def _bodies_cut_at_cracks(regions: Sequence[MovingRegion]) -> TriangleSurface:
     """Return the bodies of mechanisms, each once, cut where they crack."""
     corners = np.concatenate(list(_distinct_bodies([region.view for region in regions])))
-    for plane in dividing_planes(regions):
+    for plane in _dividing_planes(regions):
         corners = cut_triangles(corners, plane)
     return weld(corners)
 
@@ -337,7 +337,7 @@ def _distinct_bodies(views: Sequence[View]) -> Iterator[FloatArray]:
         for body in np.unique(found):
             used, index = np.unique(surface.triangles[found == body], return_inverse=True)
             part = TriangleSurface(surface.vertices[used], index.reshape(-1, 3))
-            box = box_of(part.vertices)
+            box = _box_of(part.vertices)
             if not any((box[0] >= other[0] - slack).all() and (box[1] <= other[1] + slack).all() for other in earlier):
                 boxes.append(box)
                 yield _coarsen(part)
@@ -377,7 +377,7 @@ def _side_by_side(surfaces: Sequence[TriangleSurface], direction: FloatArray) ->
     """Return the shifts [m] that place bodies side by side as the viewer sees them, in rows one below another."""
     across, _, towards = viewing_frame(direction)
     back = towards * [1.0, 1.0, 0.0] / float(np.hypot(*towards[:2]))
-    boxes = [box_of(surface.vertices) for surface in surfaces]
+    boxes = [_box_of(surface.vertices) for surface in surfaces]
     reach = [surface.vertices @ across for surface in surfaces]
     wide, tall = max(float(np.ptp(each)) for each in reach), max(float(box[1, 2] - box[0, 2]) for box in boxes)
     steps = []
@@ -436,11 +436,11 @@ class MovingRegion:
         return mine.shape == its.shape and np.allclose(mine, its, rtol=0.0, atol=self.slack)
 
 
-def region_of(mechanism: MechanismResult, view: View) -> MovingRegion:
+def _region_of(mechanism: MechanismResult, view: View) -> MovingRegion:
     """Return where a mechanism moves masonry of its view."""
     triangles, moves = np.array(view.triangles), np.array(view.block_of) >= 0
     points = np.array(view.vertices)[np.unique(triangles[moves] if moves.any() else triangles)]
-    return MovingRegion(mechanism, view, box_of(points), tuple(_sides_of_sections(points, view)))
+    return MovingRegion(mechanism, view, _box_of(points), tuple(_sides_of_sections(points, view)))
 
 
 def _sides_of_sections(points: FloatArray, view: View) -> Iterator[tuple[CrackPlane, float]]:
@@ -452,7 +452,7 @@ def _sides_of_sections(points: FloatArray, view: View) -> Iterator[tuple[CrackPl
             yield plane, 1.0 if heights.min() >= -slack else -1.0
 
 
-def dividing_planes(regions: Sequence[MovingRegion]) -> list[CrackPlane]:
+def _dividing_planes(regions: Sequence[MovingRegion]) -> list[CrackPlane]:
     """Return the planes by which parts that move are divided from the rest: of cracks, or level below a part."""
     upright, lowest = np.array([0.0, 0.0, 1.0]), min(float(region.box[0, 2]) for region in regions)
     rings = dict.fromkeys(ring for region in regions for ring in region.view.sections)
@@ -466,7 +466,7 @@ LARGEST_SHARED = 0.3  # of the smaller: bodies that share more of their ground a
 GROUND_SAMPLES = 15  # points along the ground of a body, in either direction
 
 
-def box_of(points: FloatArray) -> FloatArray:
+def _box_of(points: FloatArray) -> FloatArray:
     """Return the least and the largest coordinates [2, 3] of points [k, 3]."""
     return np.array([points.min(axis=0), points.max(axis=0)])
 
@@ -509,25 +509,25 @@ def body_numbers(surface: TriangleSurface) -> IntArray:
     return np.asarray(body[a])
 
 
-def occupy_same_space(one: TriangleSurface, other: TriangleSurface) -> bool:
+def _occupy_same_space(one: TriangleSurface, other: TriangleSurface) -> bool:
     """Return whether two surfaces share so much ground and height that they cannot both stand there."""
-    boxes = np.array([box_of(one.vertices), box_of(other.vertices)])
+    boxes = np.array([_box_of(one.vertices), _box_of(other.vertices)])
     low, high = boxes[:, 0].max(axis=0), boxes[:, 1].min(axis=0)
     if (high <= low).any() or high[2] - low[2] <= LARGEST_SHARED * np.ptp(boxes[..., 2], axis=1).min():
         return False
-    return shared_ground(one, other) > LARGEST_SHARED or shared_ground(other, one) > LARGEST_SHARED
+    return _shared_ground(one, other) > LARGEST_SHARED or _shared_ground(other, one) > LARGEST_SHARED
 
 
-def shared_ground(one: TriangleSurface, other: TriangleSurface) -> float:
+def _shared_ground(one: TriangleSurface, other: TriangleSurface) -> float:
     """Return the part of the ground under a surface that is under another too [-], by points on a grid."""
-    low, high = box_of(one.vertices[:, :2])
+    low, high = _box_of(one.vertices[:, :2])
     sides = np.linspace(low, high, GROUND_SAMPLES + 2)[1:-1].T
     points = np.asarray(shapely.points(np.stack(np.meshgrid(*sides), axis=-1).reshape(-1, 2)))
-    mine, its = (are_above(surface, points) for surface in (one, other))
+    mine, its = (_are_above(surface, points) for surface in (one, other))
     return float((mine & its).sum() / max(mine.sum(), 1))
 
 
-def are_above(surface: TriangleSurface, points: FloatArray) -> BoolArray:
+def _are_above(surface: TriangleSurface, points: FloatArray) -> BoolArray:
     """Return whether each point of the ground [k] lies under a surface."""
     faces = surface.corners[:, :, :2]
     (x, y), (u, v) = (faces[:, 1] - faces[:, 0]).T, (faces[:, 2] - faces[:, 0]).T

@@ -258,13 +258,13 @@ def occluding_pairs(corners: FloatArray) -> tuple[IntArray, IntArray]:
     common = shapely.intersection(shrunk[one], shrunk[other])
     size = float(np.ptp(corners.reshape(-1, 3), axis=0).max())
     at = shapely.get_coordinates(shapely.centroid(common))
-    gap = plane_heights(corners[other], at) - plane_heights(corners[one], at)
+    gap = _plane_heights(corners[other], at) - _plane_heights(corners[one], at)
     meet = (shapely.area(common) > NEGLIGIBLE_OVERLAP * size**2) & (np.abs(gap) > NEGLIGIBLE_OVERLAP * size)
     one, other, gap = one[meet], other[meet], gap[meet]
     return np.where(gap > 0.0, one, other), np.where(gap > 0.0, other, one)
 
 
-def plane_heights(corners: FloatArray, at: FloatArray) -> FloatArray:
+def _plane_heights(corners: FloatArray, at: FloatArray) -> FloatArray:
     """Return the third coordinate [k] of the planes of triangles [k, 3, 3] at points [k, 2]."""
     normal = unit_normals(corners)
     away = np.einsum("ki,ki->k", normal[:, :2], at - corners[:, 0, :2])
@@ -288,7 +288,7 @@ class Occluders:
         """Return whether each of points [k, 3] lies behind one of the faces."""
         slack = BEHIND * float(np.ptp(self.faces[:, :, 2]))
         point, face = self.tree.query(np.asarray(shapely.points(points[:, :2])), predicate="intersects")
-        nearer = plane_heights(self.faces[face], points[point, :2]) > points[point, 2] + slack
+        nearer = _plane_heights(self.faces[face], points[point, :2]) > points[point, 2] + slack
         return np.isin(np.arange(len(points)), point[nearer])
 
 

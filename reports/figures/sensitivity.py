@@ -74,7 +74,7 @@ def draw_tornado(panels: Sequence[TornadoPanel], locale: Locale) -> Figure:
 def _draw_panel(axes: Axes, panel: TornadoPanel, locale: Locale) -> None:
     limit = None if panel.limit is None else panel.limit[0]
     ends = [value for bar in panel.bars for value in (bar.low, bar.high)]
-    low, high = axis_span([value for value in (*ends, panel.base, limit) if _is_drawn(value)])
+    low, high = _axis_span([value for value in (*ends, panel.base, limit) if _is_drawn(value)])
     axes.set_xlim(low, high)
     for row, bar in enumerate(panel.bars):
         halves = zip((bar.low, bar.high), (LOW_COLOUR, HIGH_COLOUR), (-0.5, 0.5), bar.verdicts, strict=True)
@@ -116,7 +116,7 @@ def _is_drawn(value: float | None) -> TypeGuard[float]:
     return value is not None and value < inf
 
 
-def axis_span(values: Sequence[float]) -> tuple[float, float]:
+def _axis_span(values: Sequence[float]) -> tuple[float, float]:
     """Return the ends of an axis: all of the values with a margin, and a width where they are one."""
     low, high = min(values, default=0.0), max(values, default=1.0)
     width = max(high - low, 0.02 * max(abs(low), abs(high)), 1e-6)
@@ -138,7 +138,7 @@ SweptValues = Sequence[float | None]
 
 def draw_sweep(sweep: SweepResult, locale: Locale) -> Figure:
     """Draw the results over the values, a panel for each quantity that is known of any case."""
-    shown = swept_quantities(sweep)
+    shown = _swept_quantities(sweep)
     with report_style():
         figure = sheet(2.0, locale)
         beside = figure.subplots(1, len(shown), squeeze=False)[0]
@@ -152,7 +152,7 @@ def draw_sweep(sweep: SweepResult, locale: Locale) -> Figure:
         return figure
 
 
-def swept_quantities(sweep: SweepResult) -> list[tuple[SweptValues, Phrase, str]]:
+def _swept_quantities(sweep: SweepResult) -> list[tuple[SweptValues, Phrase, str]]:
     """Return the quantities of which any value is known, with their names and dimensions.
 
     On joints without a threshold of uplift the overturning rotation replaces the multiplier.
@@ -160,14 +160,14 @@ def swept_quantities(sweep: SweepResult) -> list[tuple[SweptValues, Phrase, str]
     threshold = (sweep.uplift_multiplier, say("load multiplier at uplift λ"), "ratio")
     overturning = (sweep.overturning_flexible_rad, say("overturning on joints φₒᵥ"), "rotation")
     all_of_them: list[tuple[SweptValues, Phrase, str]] = [
-        threshold if any_known(sweep.uplift_multiplier) else overturning,
+        threshold if _any_known(sweep.uplift_multiplier) else overturning,
         (sweep.p_eq_per_s, say("frequency parameter p"), "angular frequency"),
         (sweep.demand_capacity, say("demand / capacity"), "ratio"),
     ]
-    return [each for each in all_of_them if any_known(each[0])]
+    return [each for each in all_of_them if _any_known(each[0])]
 
 
-def any_known(values: SweptValues) -> bool:
+def _any_known(values: SweptValues) -> bool:
     """Return whether any case has a value."""
     return any(value is not None for value in values)
 

@@ -86,7 +86,7 @@ def draw_sketch(mechanism: MechanismResult, locale: Locale) -> Figure:
     metres = table_scale("length", locale)
     with report_style():
         figure = bare_sheet(panel[1] + BOTTOM + TOP, locale, width=HALF)
-        rest, turned = (add_panel(figure, column, panel, window, metres) for column in (0, 1))
+        rest, turned = (_add_panel(figure, column, panel, window, metres) for column in (0, 1))
         _draw_at_rest(rest, drawing, window, locale)
         _draw_displaced(turned, drawing, window, locale)
         return figure
@@ -95,9 +95,9 @@ def draw_sketch(mechanism: MechanismResult, locale: Locale) -> Figure:
 def common_window(drawing: Drawing) -> SketchWindow:
     """Return the window that holds the mechanism at rest and displaced, the masonry beside it, and room for names."""
     scenes = [each for each in (drawing, drawing.displaced, drawing.displaced_negative) if each is not None]
-    points = np.array([point for scene in scenes for point in drawn_points(scene)])
+    points = np.array([point for scene in scenes for point in _drawn_points(scene)])
     arrow = LOAD_ARROW * float(np.ptp(points, axis=0).max())
-    ends = [end for scene in scenes for load in scene.loads for end in arrow_ends(load, arrow)]
+    ends = [end for scene in scenes for load in scene.loads for end in _arrow_ends(load, arrow)]
     points = np.concatenate([points, np.array(ends).reshape(-1, 2)])
     size = float(np.ptp(points, axis=0).max())
     (left, low), (right, high) = points.min(axis=0).tolist(), points.max(axis=0).tolist()
@@ -113,7 +113,7 @@ def extent_between(ring: Sequence[Point], low: float, high: float) -> tuple[floa
     return () if part.is_empty else (part.bounds[0], part.bounds[2])
 
 
-def drawn_points(scene: Drawing | DisplacedDrawing) -> Iterator[Point]:
+def _drawn_points(scene: Drawing | DisplacedDrawing) -> Iterator[Point]:
     """Yield every point that is drawn, except of arrows."""
     yield from (point for ring in scene.blocks for point in ring)
     yield from (hinge.at for hinge in scene.hinges)
@@ -121,7 +121,7 @@ def drawn_points(scene: Drawing | DisplacedDrawing) -> Iterator[Point]:
     yield from scene.centroids
 
 
-def arrow_ends(load: DrawnLoad, length: float) -> tuple[Point, ...]:
+def _arrow_ends(load: DrawnLoad, length: float) -> tuple[Point, ...]:
     """Return tail and head [m] of a load's arrow: a force pushes onto its point, a tie or a weight pulls from it."""
     if load.towards is None:
         return ()
@@ -139,7 +139,7 @@ def panel_size(size: tuple[float, float]) -> tuple[float, float]:
     return room, max(scale * high, LOWEST)
 
 
-def add_panel(figure: Figure, column: int, panel: tuple[float, float], window: SketchWindow, metres: Scale) -> Axes:
+def _add_panel(figure: Figure, column: int, panel: tuple[float, float], window: SketchWindow, metres: Scale) -> Axes:
     """Add the axes of one panel: equal scale, data in metres, ticks in the unit of the locale."""
     wide, high = panel
     tall = high + BOTTOM + TOP
@@ -167,29 +167,29 @@ def _draw_at_rest(axes: Axes, drawing: Drawing, window: SketchWindow, locale: Lo
     if len(drawing.centroids) > 1:
         axes.plot(*drawing.centroid, marker="x", markersize=5, markeredgewidth=1.2, color=INK)
     _draw_loads(axes, drawing.loads, window)
-    for hinge, colour in hinges_with_colour(drawing):
+    for hinge, colour in _hinges_with_colour(drawing):
         _draw_hinge(axes, hinge, colour)
     _draw_direction(axes)
-    arrows = [np.array(arrow_ends(load, window.arrow)) for load in drawing.loads if load.towards is not None]
+    arrows = [np.array(_arrow_ends(load, window.arrow)) for load in drawing.loads if load.towards is not None]
     shafts = [Label("", (x, z)) for tail, head in arrows for x, z in np.linspace(tail, head, 5).tolist()]
-    write_labels(axes, [*point_names(drawing, window), *shafts])
+    write_labels(axes, [*_point_names(drawing, window), *shafts])
 
 
-def hinges_with_colour(drawing: Drawing) -> list[tuple[NamedPoint, str]]:
+def _hinges_with_colour(drawing: Drawing) -> list[tuple[NamedPoint, str]]:
     """Return the hinges, each with the colour of its branch."""
     count = len(drawing.displaced.hinges)
     colours = [POSITIVE] * count + [NEGATIVE] * (len(drawing.hinges) - count)
     return list(zip(drawing.hinges, colours, strict=True))
 
 
-def point_names(drawing: Drawing, window: SketchWindow) -> list[Label]:
+def _point_names(drawing: Drawing, window: SketchWindow) -> list[Label]:
     """Return the names of hinges, centroids and loads at rest, that of an arrow at its free end."""
-    made = [Label(label(hinge.name, 14), hinge.at, colour) for hinge, colour in hinges_with_colour(drawing)]
+    made = [Label(label(hinge.name, 14), hinge.at, colour) for hinge, colour in _hinges_with_colour(drawing)]
     if len(drawing.centroids) > 1:
         made += [Label(f"G{place}", at) for place, at in enumerate(drawing.centroids, start=1)]
     made.append(Label("G", drawing.centroid))
     for load in drawing.loads:
-        tail, head = arrow_ends(load, window.arrow) or (load.at, load.at)
+        tail, head = _arrow_ends(load, window.arrow) or (load.at, load.at)
         at = {"force": tail, "tie": head, "mass": load.at}[load.kind]
         made.append(Label(label(load.name, 24), at, LOAD))
     return made
@@ -249,7 +249,7 @@ def _draw_loads(axes: Axes, loads: Sequence[DrawnLoad], window: SketchWindow) ->
         if load.kind == "mass":
             axes.plot(*load.at, marker="o", markersize=4.5, color=LOAD)
         if load.towards is not None:
-            tail, head = arrow_ends(load, window.arrow)
+            tail, head = _arrow_ends(load, window.arrow)
             axes.annotate("", head, xytext=tail, arrowprops=style, annotation_clip=False)
 
 
@@ -272,12 +272,12 @@ def draw_view(view: View, positive: int, locale: Locale) -> Figure:
     """
     surface = TriangleSurface(np.array(view.vertices), np.array(view.triangles))
     along, size = np.array(view.direction), float(max(view.size))
-    lines = [extend_line(np.array(axis.ends), AXIS_BEYOND * size) for axis in view.axes]
+    lines = [_extend_line(np.array(axis.ends), AXIS_BEYOND * size) for axis in view.axes]
     arrow = direction_arrow(surface.vertices, along, size)
     camera = fit_camera(along, np.concatenate([surface.vertices, arrow, *lines]), VIEW_SIZE)
     with report_style():
         figure, axes = scene_sheet(camera, WIDTH, locale)
-        appearance = Appearance({block: shade(block) for block in view.block_of}, {}, sharp_angle(view))
+        appearance = Appearance({block: shade(block) for block in view.block_of}, {}, _sharp_angle(view))
         paint_bodies(axes, surface, np.array(view.block_of), camera, appearance)
         for ring in view.sections:
             axes.plot(*camera.project(np.array(ring))[:, :2].T, color=INK, linewidth=0.8, linestyle=(0, (2, 1.5)))
@@ -286,12 +286,12 @@ def draw_view(view: View, positive: int, locale: Locale) -> Figure:
         return figure
 
 
-def sharp_angle(view: View) -> float:
+def _sharp_angle(view: View) -> float:
     """Return the angle between faces from which on their common edge is drawn [rad], larger for scans."""
     return radians(35 if len(view.triangles) == view.given else 65)
 
 
-def extend_line(ends: FloatArray, length: float) -> FloatArray:
+def _extend_line(ends: FloatArray, length: float) -> FloatArray:
     """Extend a line, given by its ends [2, 3], by a length [m] at both."""
     way = ends[1] - ends[0]
     step = way * length / (float(np.linalg.norm(way)) or 1.0)
@@ -333,7 +333,7 @@ def model_of_view(view: View, *, positive: int) -> SpatialModel:
     surface = TriangleSurface(np.array(view.vertices), np.array(view.triangles))
     colours = {block: shade(block) for block in view.block_of}
     wires = tuple(_wires_of_view(view, surface, positive))
-    return scene_model(surface, np.array(view.block_of), colours, wires, sharp_angle(view), np.array(view.direction))
+    return scene_model(surface, np.array(view.block_of), colours, wires, _sharp_angle(view), np.array(view.direction))
 
 
 def scene_model(
@@ -366,6 +366,6 @@ def _wires_of_view(view: View, surface: TriangleSurface, positive: int) -> Itera
     size = float(max(view.size))
     yield from (Wire(rounded_points(np.array(ring)), INK, dashed=True) for ring in view.sections)
     for place, axis in enumerate(view.axes):
-        colour, ends = POSITIVE if place < positive else NEGATIVE, extend_line(np.array(axis.ends), AXIS_BEYOND * size)
+        colour, ends = POSITIVE if place < positive else NEGATIVE, _extend_line(np.array(axis.ends), AXIS_BEYOND * size)
         yield Wire(rounded_points(ends), colour, label(axis.name, 14), dashed=place >= positive)
     yield Wire(rounded_points(direction_arrow(surface.vertices, np.array(view.direction), size)), INK, arrow=True)

@@ -29,15 +29,15 @@ def draw_scaled_spectra(target: SpectrumResult, records: tuple[RecordResult, ...
         axes = figure.subplots()
         spectra = [(record.id, record.spectrum) for record in records]
         curves = [(name, each.period_s, each.acceleration_g) for name, each in spectra]
-        draw_records(axes, curves, locale, named=any(record.path for record in records))
+        _draw_records(axes, curves, locale, named=any(record.path for record in records))
         _draw_geometric_mean(axes, records, locale)
         axes.plot(target.period_s, target.acceleration_g, color=INK, linewidth=1.8, label=locale.text(say("target")))
-        frame_spectra(axes, (0.0, min(max(target.period_s, default=1.0), LONGEST_PERIOD)), locale)
+        _frame_spectra(axes, (0.0, min(max(target.period_s, default=1.0), LONGEST_PERIOD)), locale)
         legend_below(figure, columns=2)
         return figure
 
 
-def draw_records(
+def _draw_records(
     axes: Axes, records: Sequence[tuple[str, ArrayLike, ArrayLike]], locale: Locale, *, named: bool = True
 ) -> None:
     """Draw the spectra of records, each by its name, periods [s] and ordinates [g].
@@ -51,7 +51,7 @@ def draw_records(
         axes.plot(period, ordinates, color=colour, linewidth=0.8, alpha=0.8, label=name)
 
 
-def frame_spectra(axes: Axes, periods: tuple[float, float], locale: Locale) -> None:
+def _frame_spectra(axes: Axes, periods: tuple[float, float], locale: Locale) -> None:
     """Name the axes of response spectra over a range of periods [s]."""
     axes.set(xlabel=locale.heading(say("period T"), "time"), xlim=periods, ylim=(0.0, None))
     axes.set_ylabel(locale.heading(say("pseudo-acceleration Sₐ"), "ground acceleration"))
@@ -89,7 +89,7 @@ def draw_design_spectrum(spectrum: SpectrumResult, locale: Locale) -> Figure:
         damping = quantity(100.0 * spectrum.damping, "percent", 3)
         title = say("{clause}, damping {damping}", clause=Verbatim(spectrum.clause), damping=damping)
         axes.set_title(label(locale.text(title), 90))
-        frame_spectra(axes, (0.0, end), locale)
+        _frame_spectra(axes, (0.0, end), locale)
         return figure
 
 
@@ -158,7 +158,7 @@ def mean_limits(results: Results) -> tuple[RequirementResult, ...]:
 def frame_logarithmic_spectra(axes: Axes, longest: float, locale: Locale) -> None:
     """Label the axes of response spectra over a logarithmic axis of periods [s]."""
     axes.set_xscale("log")
-    frame_spectra(axes, (SHORTEST_PERIOD, longest), locale)
+    _frame_spectra(axes, (SHORTEST_PERIOD, longest), locale)
     shown = [period for period in NUMBERED_PERIODS if period <= longest]
     axes.set_xticks(shown, [locale.number(period) for period in shown])
     axes.set_xticks((), minor=True)
@@ -206,7 +206,7 @@ def draw_record_spectra(
     with report_style():
         figure = sheet(3.0, locale)
         axes = figure.subplots()
-        draw_records(axes, [(name, period, each) for name, each in zip(names, ordinates, strict=True)], locale)
+        _draw_records(axes, [(name, period, each) for name, each in zip(names, ordinates, strict=True)], locale)
         frame_logarithmic_spectra(axes, float(period[-1]), locale)
         legend_below(figure, columns=3)
         return figure

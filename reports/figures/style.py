@@ -148,8 +148,8 @@ class _Sheet(Figure):
     def draw(self, renderer: RendererBase) -> None:
         """Lay the figure out and draw it."""
         for axes in self.axes:
-            localise_ticks(axes.xaxis, self.locale)
-            localise_ticks(axes.yaxis, self.locale)
+            _localise_ticks(axes.xaxis, self.locale)
+            _localise_ticks(axes.yaxis, self.locale)
         with report_style():
             super().draw(renderer)
 
@@ -239,7 +239,7 @@ class LogTicks(Formatter):
         return self.locale.number(x, figures=TICK_FIGURES)
 
 
-def localise_ticks(axis: Axis, locale: Locale) -> None:
+def _localise_ticks(axis: Axis, locale: Locale) -> None:
     """Give an axis that matplotlib would number by itself the numbers of a locale; labels that were set stay."""
     given = axis.get_major_formatter()
     if type(given) is ScalarFormatter:
@@ -308,7 +308,7 @@ def write_labels(axes: Axes, labels: Sequence[Label]) -> None:
     leader = {"arrowstyle": "-", "color": MUTED, "linewidth": 0.5, "shrinkA": 0, "shrinkB": 3}
     for label, place in zip(labels, places, strict=True):
         if label.text:
-            box = freest_box(boxes_around(place, text_extent(label.text)), taken, (left, low, right, high), 0.5)
+            box = _freest_box(_boxes_around(place, text_extent(label.text)), taken, (left, low, right, high), 0.5)
             taken.append(box)
             offset = box[0] - place[0], box[1] - place[1]
             axes.annotate(
@@ -332,7 +332,7 @@ def write_tags(axes: Axes, labels: Sequence[Label]) -> None:
     for label in labels:
         (x, y), (wide, high) = label.at, (side + 2 * LABEL_PADDING for side in text_extent(label.text))
         over = (x - 0.5 * wide, y - 0.5 * high, x + 0.5 * wide, y + 0.5 * high)
-        box = freest_box([over, *boxes_around((x, y), (wide, high))], taken, inside, 0.1)
+        box = _freest_box([over, *_boxes_around((x, y), (wide, high))], taken, inside, 0.1)
         taken.append(box)
         middle = 0.5 * (box[0] + box[2]), 0.5 * (box[1] + box[3])
         if box is not over:
@@ -344,7 +344,7 @@ def write_tags(axes: Axes, labels: Sequence[Label]) -> None:
         )
 
 
-def boxes_around(point: tuple[float, float], size: tuple[float, float]) -> list[Box]:
+def _boxes_around(point: tuple[float, float], size: tuple[float, float]) -> list[Box]:
     """Return places for a name of a size beside a point [pt], nearest first."""
     (x, y), (wide, high) = point, size
     made = []
@@ -355,7 +355,7 @@ def boxes_around(point: tuple[float, float], size: tuple[float, float]) -> list[
     return made
 
 
-def freest_box(boxes: Sequence[Box], taken: Sequence[Box], inside: Box, step: float) -> Box:
+def _freest_box(boxes: Sequence[Box], taken: Sequence[Box], inside: Box, step: float) -> Box:
     """Return the box that covers the least area of others and outside the panel; each later one counts `step` more."""
 
     def cost(place: int) -> float:

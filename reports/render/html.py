@@ -98,7 +98,7 @@ def write_html(document: Document, path: Path, *, pictures: Mapping[str, SvgPict
     page = Template(web_resource("page.html")).substitute(
         **{name: elements.text(text) for name, text in FRAME.items()},
         language=markup(document.locale.language),
-        policy=content_security_policy(style=style, script=script),
+        policy=_content_security_policy(style=style, script=script),
         program=elements.text(program_and_stamp(document)),
         title=_short(elements.locale.text(document.title), _LONGEST_TITLE),
         subject=elements.text(document.subject),
@@ -116,7 +116,7 @@ def write_html(document: Document, path: Path, *, pictures: Mapping[str, SvgPict
     return path
 
 
-def content_security_policy(*, style: str, script: str) -> str:
+def _content_security_policy(*, style: str, script: str) -> str:
     """Return the content security policy of a page: this style sheet, this script, and nothing from elsewhere."""
     allowed = f"style-src '{_digest(style)}'; script-src '{_digest(script)}'; img-src data:"
     return f"default-src 'none'; {allowed}; base-uri 'none'; form-action 'none'"

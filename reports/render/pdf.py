@@ -135,7 +135,7 @@ class Story:
             yield PagePart(held)
 
     def _contents(self) -> PagePart:
-        listed = contents_lines(self.headings, self.pages.numbers, self.pages.width)
+        listed = _contents_lines(self.headings, self.pages.numbers, self.pages.width)
         return PagePart([paragraph(self.locale.text(CONTENTS), "heading-1"), listed, Spacer(1, 6)], is_whole=True)
 
     def _title(self) -> Iterator[Flowable]:
@@ -203,12 +203,12 @@ class PageUnlessRoom(CondPageBreak):
         self.flowables = flowables
 
     def wrap(self, aW: float, aH: float) -> tuple[float, float]:
-        self.height = min(self.height, stacked_height(self.flowables, aW, self.height))
+        self.height = min(self.height, _stacked_height(self.flowables, aW, self.height))
         width, height = super().wrap(aW, aH)
         return float(width), float(height)
 
 
-def stacked_height(flowables: Sequence[Flowable], width: float, limit: float) -> float:
+def _stacked_height(flowables: Sequence[Flowable], width: float, limit: float) -> float:
     """Return the height of flowables one below the other [pt]; some value beyond `limit` where it is higher."""
     height = space = 0.0
     for flowable in flowables:
@@ -253,7 +253,7 @@ class PageStart(CondPageBreak):
     def _height(self, width: float, reduction: float, limit: float) -> float:
         """Return the height of all parts [pt] with figures so reduced; some value beyond `limit` where it is higher."""
         self._set(reduction)
-        return stacked_height(self.flowables, width, limit)
+        return _stacked_height(self.flowables, width, limit)
 
     def _set(self, reduction: float) -> None:
         for drawing in self.drawings:
@@ -295,7 +295,7 @@ class ContentsLine(Flowable):
         canvas.drawRightString(self.width, self.height - STYLES[_CONTENTS_STYLE].fontSize, dots + number)
 
 
-def contents_lines(headings: Sequence[Heading], numbers: Mapping[str, int], width: float) -> Flowable:
+def _contents_lines(headings: Sequence[Heading], numbers: Mapping[str, int], width: float) -> Flowable:
     """Return the lines of the chapters and of the mechanisms, in two columns where they are many."""
     entries = [ContentsLine(each, numbers) for each in headings if each.level == 0]
     high = len(entries) if len(entries) <= LINES_IN_COLUMN else ceil(len(entries) / 2)
@@ -314,7 +314,7 @@ _LONGEST, _RUNNING = 90, 40  # letters of a heading in the bookmarks, of each pa
 _RUNNING_SHARE, _HEAD_GAP = 0.6, 12.0  # of the line, beside the title; between them [pt]
 
 
-def pdf_date(date: str) -> str:
+def _pdf_date(date: str) -> str:
     """Return a date like 2026-05-12 as the properties of a PDF have it; empty for one that is not written so."""
     try:
         return f"D:{datetime.date.fromisoformat(date):%Y%m%d}000000Z"
@@ -398,7 +398,7 @@ class Pages(BaseDocTemplate):
 
     def _head_and_foot(self, canvas: Canvas, _: object) -> None:
         assert isinstance(canvas, DeferredCanvas)  # the only one that write_pdf makes
-        made = pdf_date(self.document.date)
+        made = _pdf_date(self.document.date)
         if made:
             canvas.setDateFormatter(lambda *_: made)
         left, right, head = _SIDE, _SIDE + self.width, _BOTTOM + self.height + _HEAD

@@ -123,11 +123,11 @@ class BlockFlowables:
 
     @flowables.register
     def _(self, block: Table) -> list[Flowable]:
-        return [self._caption("Table", block.name, block.caption), table_grid(block, self.locale, self.width)]
+        return [self._caption("Table", block.name, block.caption), _table_grid(block, self.locale, self.width)]
 
     @flowables.register
     def _(self, block: Sheet) -> list[Flowable]:
-        return [self._caption("Sheet", block.name, block.caption), sheet_grid(block, self.locale, self.width)]
+        return [self._caption("Sheet", block.name, block.caption), _sheet_grid(block, self.locale, self.width)]
 
     @flowables.register
     def _(self, block: Figure) -> list[Flowable]:
@@ -191,7 +191,7 @@ class BlockFlowables:
         return [grid]
 
     def _caption(self, kind: Kind, name: str, caption: Text) -> Flowable:
-        return titled_caption(self.locale.title(kind, name), truncate(self.text(caption), _LONGEST_CAPTION))
+        return _titled_caption(self.locale.title(kind, name), truncate(self.text(caption), _LONGEST_CAPTION))
 
     def _figure(self, block: Figure, room: tuple[float, float]) -> list[Flowable]:
         drawing = PlacedFigure(self.drawings[block.name], room)
@@ -269,7 +269,7 @@ class PagedTable(LongTable):
         return list(super().split(aW, aH))
 
 
-def table_grid(table: Table, locale: Locale, width: float) -> PagedTable:
+def _table_grid(table: Table, locale: Locale, width: float) -> PagedTable:
     """Return a table as wide as its cells need, at most `width` [pt]; with the head again on each page."""
     prefix = "small-" if table.small else ""
     columns = [tuple(row[place] for row in table.rows) for place in range(len(table.columns))]
@@ -293,7 +293,7 @@ def table_grid(table: Table, locale: Locale, width: float) -> PagedTable:
     return _grid(made, widths, [*letters, *sides, *_tints(table)])
 
 
-def sheet_grid(sheet: Sheet, locale: Locale, width: float) -> PagedTable:
+def _sheet_grid(sheet: Sheet, locale: Locale, width: float) -> PagedTable:
     """Return a calculation sheet, `width` [pt] wide."""
     heads = [paragraph(locale.text(head), "head") for head in SHEET_HEADS]
     rows = [_step(row) for row in sheet_rows(sheet, locale)]
@@ -558,7 +558,7 @@ def paragraph(text: str, style: str, *, colour: str = "", bullet: str | None = N
     return Paragraph(markup(text), chosen, bulletText=bullet)
 
 
-def titled_caption(title: str, caption: str, style: str = "caption") -> Paragraph:
+def _titled_caption(title: str, caption: str, style: str = "caption") -> Paragraph:
     """Return "Figure 5. What it shows"."""
     return Paragraph(f"<b>{markup(title)}.</b> {markup(caption)}", STYLES[style])
 

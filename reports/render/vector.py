@@ -136,10 +136,10 @@ TracedFigures = Mapping[str, Future[FigureMarks]]
 
 def trace_figures(document: Document, submit: Submit) -> TracedFigures:
     """Trace every figure of the document once, by processes that work on the document; by name."""
-    return {figure.name: submit(trace_figure_at, place) for place, figure in enumerate(document.figures)}
+    return {figure.name: submit(_trace_figure_at, place) for place, figure in enumerate(document.figures)}
 
 
-def trace_figure_at(document: Document, place: int) -> FigureMarks:
+def _trace_figure_at(document: Document, place: int) -> FigureMarks:
     """Return the figure at this place among those of the document as marks."""
     return trace_figure(document.figures[place].draw(document.writer))
 

@@ -278,12 +278,12 @@ def _fragility_notes(mechanism: MechanismFragility) -> Iterator[Message]:
                 grouped.append((one.state, note, measures := []))
             measures.append(measure_name(one.measure))
     for state, note, measures in grouped:
-        yield from locate([note], f"mechanisms.{mechanism.name}, {state_name(state)} by {', '.join(measures)}")
+        yield from locate([note], f"mechanisms.{mechanism.name}, {_state_name(state)} by {', '.join(measures)}")
 
 
 def _curve_row(mechanism: MechanismFragility, curve: FragilityCurve) -> list[str]:
     fitted, unit = curve.lognormal, UNITS[curve.measure.dimension]
-    head = [mechanism.name, state_name(curve.state), measure_name(curve.measure)]
+    head = [mechanism.name, _state_name(curve.state), measure_name(curve.measure)]
     if fitted is None:
         return [*head, "none", *[""] * 3]
     median = f"{fitted.median:.3g}" + ("" if unit == "-" else f" {unit}")
@@ -305,11 +305,11 @@ def _risk_row(mechanism: MechanismFragility, risk: RiskResult) -> list[str]:
     rate, probability = f"{risk.annual_rate:.2g}", f"{100.0 * risk.probability_50_years:.2g} %"
     most = "no bound" if risk.at_most is None else f"{risk.at_most:.2g}"
     wide = "not given" if risk.with_epistemic is None else f"{risk.with_epistemic:.2g}"
-    head = [mechanism.name, state_name(risk.state), risk.curve, rate, most, probability, wide]
+    head = [mechanism.name, _state_name(risk.state), risk.curve, rate, most, probability, wide]
     return [*head, target, RISK_OUTCOMES[risk.outcome]]
 
 
-def state_name(state: StateResult) -> str:
+def _state_name(state: StateResult) -> str:
     """Return a state in words of the project file."""
     return state.name if state.share is None else f"{state.share:g} of overturning"
 

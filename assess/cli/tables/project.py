@@ -65,7 +65,7 @@ def description(
         lines += [*_mechanism(mechanism), ""]
     lines += [*map(_sweep, sweeps), *[""] * bool(sweeps)]
     lines += checklist_lines(project.content)
-    return "\n".join(lines) + "\n" + branches_table(mechanisms) + messages_text(notices)
+    return "\n".join(lines) + "\n" + _branches_table(mechanisms) + messages_text(notices)
 
 
 def sensitivity_text(variables: Sequence[Variable | UnvariedNumber]) -> str:
@@ -203,7 +203,7 @@ def _sweep(sweep: Sweep) -> str:
 
 def _direction(mechanism: MechanismResult) -> list[str]:
     if mechanism.direction_sweep is not None:
-        return [f"  direction   {weakest_text(mechanism.direction_sweep)}"]
+        return [f"  direction   {_weakest_text(mechanism.direction_sweep)}"]
     if mechanism.direction is None:
         return []
     along, across, _ = mechanism.direction
@@ -272,10 +272,10 @@ def _checklist_line(what: str, words: Sequence[str]) -> list[str]:
 
 def parameters_text(mechanisms: tuple[MechanismResult, ...]) -> str:
     """Write the main parameters of each branch, the constants of its linearised equation, and the hinge forces."""
-    return f"{branches_table(mechanisms)}\n{constants_table(mechanisms)}{hinge_forces_table(mechanisms)}"
+    return f"{_branches_table(mechanisms)}\n{_constants_table(mechanisms)}{hinge_forces_table(mechanisms)}"
 
 
-def branches_table(mechanisms: tuple[MechanismResult, ...]) -> str:
+def _branches_table(mechanisms: tuple[MechanismResult, ...]) -> str:
     """Write the main parameters of each branch, rounded, with phi_ov of flexible joints beside the rigid one."""
     pairs = [(mechanism.name, *pair) for mechanism in mechanisms for pair in _branches(mechanism)]
     if all(o.overturning_flexible_rad is None for _, _, o in pairs):
@@ -285,7 +285,7 @@ def branches_table(mechanisms: tuple[MechanismResult, ...]) -> str:
     return text_table((*BRANCH_HEADER[:place], ON_JOINTS, *BRANCH_HEADER[place:]), rows)
 
 
-def constants_table(mechanisms: tuple[MechanismResult, ...]) -> str:
+def _constants_table(mechanisms: tuple[MechanismResult, ...]) -> str:
     """Write I, K, B, M, phi_cr and phi_ov of each linearised branch (thesis 3.4-3.12), rounded."""
     rows = [
         [mechanism.name, branch, *(f"{getattr(o.linearised, field.name):.5g}" for field in fields(LinearisedResult))]
@@ -318,10 +318,10 @@ def _hinge_row(f: HingeForceResult) -> list[str]:
 def directions_text(mechanisms: tuple[MechanismResult, ...]) -> str:
     """Write a line for each mechanism whose direction was searched for."""
     sought = [(m.name, m.direction_sweep) for m in mechanisms if m.direction_sweep is not None]
-    return "".join(f"{escape_text(name)}: {weakest_text(found)}\n" for name, found in sought)
+    return "".join(f"{escape_text(name)}: {_weakest_text(found)}\n" for name, found in sought)
 
 
-def weakest_text(found: DirectionSweep) -> str:
+def _weakest_text(found: DirectionSweep) -> str:
     """Describe the weakest direction and how flat the minimum is."""
     return (
         f"weakest towards {found.weakest_deg:.6g} deg from +x, of {len(found.angle_deg)} directions; the multiplier is "

@@ -250,13 +250,6 @@ def first_mode(*, frequency: float, effective_height: float, damping: float = 0.
     return FirstMode(frequency, effective_height, damping)
 
 
-def _peak_of_motion(record: Record) -> float:
-    """Return the record's peak acceleration [m/s2]; refuse a record without motion."""
-    if not record.pga > 0.0:
-        raise RecordError(f'record "{record.id}": no motion; it cannot be carried up a structure')
-    return record.pga
-
-
 STEPS_PER_PERIOD = 100.0  # of the building: a sine through 100 points, lines between, is at most 0.05 % off
 FADED = 0.01  # of the free vibration after the record is left when the motion ends
 
@@ -305,18 +298,6 @@ def subdivide(
     """Return samples [n] with `parts` - 1 points on the line between every two [(n - 1) parts + 1]."""
     n = acceleration.size
     return np.interp(np.arange((n - 1) * parts + 1) / parts, np.arange(n), acceleration)
-
-
-def _check_first_mode(record: Record, *, frequency: float, shape: float, damping: float) -> None:
-    where = f'record "{record.id}"'
-    if not (np.isfinite(frequency) and frequency > 0.0):
-        raise RecordError(f"{where}: natural frequency {frequency} Hz of the building; it must be positive")
-    if frequency * record.dt > COARSEST:
-        raise RecordError(f"{where}: its step of {record.dt:.6g} s is too coarse for a building of {frequency:.3g} Hz")
-    if not 0.0 < damping < 1.0:
-        raise RecordError(f"{where}: damping ratio {damping} of the building; it must lie between 0 and 1")
-    if not np.isfinite(shape):
-        raise RecordError(f"{where}: first mode counts {shape} at the height; it must be a finite number")
 
 
 ResponseQuantity = Callable[[FloatArray, FloatArray, FloatArray], FloatArray]
@@ -372,59 +353,6 @@ def largest_total(ratio: ArrayLike, *, shape: float, damping: float = 0.05) -> F
     return _largest_response(
         ratio, lambda pulse, u, v: pulse + shape * _relative_acceleration(pulse, u, v, damping), damping=damping
     )
-
-
-def _largest_response(ratio: ArrayLike, quantity: ResponseQuantity, *, damping: float) -> FloatArray:
-    """Return the largest |quantity| at each f_p / f_n, during the pulse and after it."""
-    r = np.asarray(ratio, dtype=np.float64)
-    bad = r[~(np.isfinite(r) & (r > 0.0))]
-    if bad.size:
-        raise ValueError(f"pulse frequency over natural frequency {bad.flat[0]}; it must be positive and finite")
-    if not 0.0 < damping < 1.0:
-        raise ValueError(f"damping ratio {damping}; it must lie between 0 and 1")
-    largest = [
-        max(_parabola_peak(quantity(*response)) for response in _responses(float(each), damping)) for each in r.ravel()
-    ]
-    return np.array(largest).reshape(r.shape)
-
-
-def _responses(r: float, damping: float) -> tuple[tuple[FloatArray, FloatArray, FloatArray], ...]:
-    """Return a_g, u and u' during the pulse, and for two periods after; time in units of 1 / w, so w_p = r."""
-    during = np.linspace(0.0, 2.0 * np.pi / r, int(np.ceil(POINTS_PER_PERIOD * max(1.0, 1.0 / r))) + 1)
-    after = np.linspace(0.0, 4.0 * np.pi, 2 * POINTS_PER_PERIOD + 1)
-    u, v = _forced_vibration(during, r, damping)
-    return (np.sin(r * during), u, v), (np.zeros(after.size), *_free_vibration(after, u[-1], v[-1], damping))
-
-
-def _relative_acceleration(pulse: FloatArray, u: FloatArray, v: FloatArray, damping: float) -> FloatArray:
-    """Return u'', by the equation of motion."""
-    return -pulse - 2.0 * damping * v - u
-
-
-def _forced_vibration(t: FloatArray, r: float, damping: float) -> tuple[FloatArray, FloatArray]:
-    """Return u and u' from rest under -sin(r t): the steady motion, and the free vibration that cancels its start."""
-    D = (1.0 - r**2) ** 2 + (2.0 * damping * r) ** 2
-    S, C = -(1.0 - r**2) / D, 2.0 * damping * r / D
-    u, v = _free_vibration(t, -C, -S * r, damping)
-    return u + S * np.sin(r * t) + C * np.cos(r * t), v + r * (S * np.cos(r * t) - C * np.sin(r * t))
-
-
-def _free_vibration(t: FloatArray, u: float, v: float, damping: float) -> tuple[FloatArray, FloatArray]:
-    """Return the free vibration u and u' from u, v at t = 0."""
-    w_d = np.sqrt(1.0 - damping**2)
-    decay, cosine, sine = np.exp(-damping * t), np.cos(w_d * t), np.sin(w_d * t) / w_d
-    return decay * (u * cosine + (v + damping * u) * sine), decay * (v * cosine - (u + damping * v) * sine)
-
-
-def _parabola_peak(values: FloatArray) -> float:
-    """Return the largest |value| of a smooth curve: the top of the parabola through its largest point."""
-    size = np.abs(values)
-    at = int(np.argmax(size))
-    if not 0 < at < size.size - 1:
-        return float(size[at])
-    before, top, after = size[at - 1 : at + 2]
-    bend = 2.0 * top - before - after
-    return float(top if bend <= 0.0 else top + (after - before) ** 2 / (8.0 * bend))
 
 
 SLICES = 100
@@ -531,6 +459,78 @@ def self_weight_deflection(slices: Slices, *, top_mass: float = 0.0) -> FloatArr
         rotation[i + 1], gained = _slice_deflection(slices, i, h[i], rotation[i], V[i], M[i], w[i])
         u[i + 1] = u[i] + gained
     return np.append(middle, u[-1])
+
+
+def _peak_of_motion(record: Record) -> float:
+    """Return the record's peak acceleration [m/s2]; refuse a record without motion."""
+    if not record.pga > 0.0:
+        raise RecordError(f'record "{record.id}": no motion; it cannot be carried up a structure')
+    return record.pga
+
+
+def _check_first_mode(record: Record, *, frequency: float, shape: float, damping: float) -> None:
+    where = f'record "{record.id}"'
+    if not (np.isfinite(frequency) and frequency > 0.0):
+        raise RecordError(f"{where}: natural frequency {frequency} Hz of the building; it must be positive")
+    if frequency * record.dt > COARSEST:
+        raise RecordError(f"{where}: its step of {record.dt:.6g} s is too coarse for a building of {frequency:.3g} Hz")
+    if not 0.0 < damping < 1.0:
+        raise RecordError(f"{where}: damping ratio {damping} of the building; it must lie between 0 and 1")
+    if not np.isfinite(shape):
+        raise RecordError(f"{where}: first mode counts {shape} at the height; it must be a finite number")
+
+
+def _largest_response(ratio: ArrayLike, quantity: ResponseQuantity, *, damping: float) -> FloatArray:
+    """Return the largest |quantity| at each f_p / f_n, during the pulse and after it."""
+    r = np.asarray(ratio, dtype=np.float64)
+    bad = r[~(np.isfinite(r) & (r > 0.0))]
+    if bad.size:
+        raise ValueError(f"pulse frequency over natural frequency {bad.flat[0]}; it must be positive and finite")
+    if not 0.0 < damping < 1.0:
+        raise ValueError(f"damping ratio {damping}; it must lie between 0 and 1")
+    largest = [
+        max(_parabola_peak(quantity(*response)) for response in _responses(float(each), damping)) for each in r.ravel()
+    ]
+    return np.array(largest).reshape(r.shape)
+
+
+def _responses(r: float, damping: float) -> tuple[tuple[FloatArray, FloatArray, FloatArray], ...]:
+    """Return a_g, u and u' during the pulse, and for two periods after; time in units of 1 / w, so w_p = r."""
+    during = np.linspace(0.0, 2.0 * np.pi / r, int(np.ceil(POINTS_PER_PERIOD * max(1.0, 1.0 / r))) + 1)
+    after = np.linspace(0.0, 4.0 * np.pi, 2 * POINTS_PER_PERIOD + 1)
+    u, v = _forced_vibration(during, r, damping)
+    return (np.sin(r * during), u, v), (np.zeros(after.size), *_free_vibration(after, u[-1], v[-1], damping))
+
+
+def _relative_acceleration(pulse: FloatArray, u: FloatArray, v: FloatArray, damping: float) -> FloatArray:
+    """Return u'', by the equation of motion."""
+    return -pulse - 2.0 * damping * v - u
+
+
+def _forced_vibration(t: FloatArray, r: float, damping: float) -> tuple[FloatArray, FloatArray]:
+    """Return u and u' from rest under -sin(r t): the steady motion, and the free vibration that cancels its start."""
+    D = (1.0 - r**2) ** 2 + (2.0 * damping * r) ** 2
+    S, C = -(1.0 - r**2) / D, 2.0 * damping * r / D
+    u, v = _free_vibration(t, -C, -S * r, damping)
+    return u + S * np.sin(r * t) + C * np.cos(r * t), v + r * (S * np.cos(r * t) - C * np.sin(r * t))
+
+
+def _free_vibration(t: FloatArray, u: float, v: float, damping: float) -> tuple[FloatArray, FloatArray]:
+    """Return the free vibration u and u' from u, v at t = 0."""
+    w_d = np.sqrt(1.0 - damping**2)
+    decay, cosine, sine = np.exp(-damping * t), np.cos(w_d * t), np.sin(w_d * t) / w_d
+    return decay * (u * cosine + (v + damping * u) * sine), decay * (v * cosine - (u + damping * v) * sine)
+
+
+def _parabola_peak(values: FloatArray) -> float:
+    """Return the largest |value| of a smooth curve: the top of the parabola through its largest point."""
+    size = np.abs(values)
+    at = int(np.argmax(size))
+    if not 0 < at < size.size - 1:
+        return float(size[at])
+    before, top, after = size[at - 1 : at + 2]
+    bend = 2.0 * top - before - after
+    return float(top if bend <= 0.0 else top + (after - before) ** 2 / (8.0 * bend))
 
 
 def _slice_deflection(

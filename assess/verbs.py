@@ -41,18 +41,11 @@ if TYPE_CHECKING:
     from spectra.arrays import FloatArray
     from spectra.spectrum import Spectrum
 
+
 PROBES = ("1", "0.01", "100")
 """Numbers of which one at least is within the range of any key, in a unit of its dimension."""
 Tell = Callable[[str], None]
 """Called with a line about what was found."""
-
-
-def _ignore_progress(stage: str, done: int, total: int) -> None:
-    """Show nothing of long work."""
-
-
-def _ignore_line(line: str) -> None:
-    """Drop a line."""
 
 
 def respond(block: Block, record: Record, *, scale: float = 1.0, equation: Equation | None = None) -> RockingResponse:
@@ -320,6 +313,10 @@ def write_report(
         return place / pdf.relative_to(stage)
 
 
+def _ignore_line(line: str) -> None:
+    """Drop a line."""
+
+
 def batch(
     source: str | Path,
     folder: str | Path,
@@ -381,6 +378,47 @@ def batch(
     )
 
 
+def assess_project(job: Job) -> ProjectRow:
+    """Assess one project of a portfolio in this thread, write the outputs that are kept of it, and return its row.
+
+    Raises
+    ------
+    AssessError, RecordError or SpectrumError : something the user can mend
+    """
+    with _locate_in_table(job.task):
+        return _assess_task(job)
+
+
+def unit_fault(path: Path, tables: Mapping[str, Any], column: KeyColumn) -> str:
+    """Return why the unit of a table's column cannot stand at its key of the template; "" if it can.
+
+    Parameters
+    ----------
+    path : of the template
+    tables : of the template
+    column : with a unit
+    """
+    from assess.messages.message import format_key
+    from assess.portfolio.projects import keys_of, with_row
+    from assess.project.project_file import load_tree
+
+    prefix, first = f"{path}: {format_key(keys_of(tables)[column.key])}: ", ""
+    for number in PROBES:
+        try:
+            load_tree(with_row(tables, {column.key: (number, column.unit)}), path, sha256="")
+        except ProjectError as error:
+            if not str(error).startswith(prefix):
+                return ""
+            first = first or str(error).removeprefix(prefix).removeprefix(f'"{number} {column.unit}": ')
+        else:
+            return ""
+    return first
+
+
+def _ignore_progress(stage: str, done: int, total: int) -> None:
+    """Show nothing of long work."""
+
+
 def _check_block(block: Block) -> None:
     """Raise MechanismError for what is no mechanism."""
     from assess.errors import MechanismError
@@ -410,17 +448,6 @@ def _check_site(target: Spectrum, building: Building | None) -> None:
         raise ProcedureError(f"target: {type(target).__name__} given; give a spectrum, as assess.spectrum returns it")
     if building is not None and not isinstance(building, KnownBuilding):
         raise ProcedureError(f"building: {type(building).__name__} given; give what assess.building returns")
-
-
-def assess_project(job: Job) -> ProjectRow:
-    """Assess one project of a portfolio in this thread, write the outputs that are kept of it, and return its row.
-
-    Raises
-    ------
-    AssessError, RecordError or SpectrumError : something the user can mend
-    """
-    with _locate_in_table(job.task):
-        return _assess_task(job)
 
 
 def _assess_task(job: Job) -> ProjectRow:
@@ -453,32 +480,6 @@ def _locate_in_table(task: Task) -> Iterator[None]:
         if task.content is None:
             raise
         raise ProjectError(row_fault(task, str(error))) from None
-
-
-def unit_fault(path: Path, tables: Mapping[str, Any], column: KeyColumn) -> str:
-    """Return why the unit of a table's column cannot stand at its key of the template; "" if it can.
-
-    Parameters
-    ----------
-    path : of the template
-    tables : of the template
-    column : with a unit
-    """
-    from assess.messages.message import format_key
-    from assess.portfolio.projects import keys_of, with_row
-    from assess.project.project_file import load_tree
-
-    prefix, first = f"{path}: {format_key(keys_of(tables)[column.key])}: ", ""
-    for number in PROBES:
-        try:
-            load_tree(with_row(tables, {column.key: (number, column.unit)}), path, sha256="")
-        except ProjectError as error:
-            if not str(error).startswith(prefix):
-                return ""
-            first = first or str(error).removeprefix(prefix).removeprefix(f'"{number} {column.unit}": ')
-        else:
-            return ""
-    return first
 
 
 def _load_task(task: Task) -> Project:

@@ -16,17 +16,6 @@ from typing import Any
 from assess.outputs.signals import ENDING
 
 
-def _end_with_parent() -> None:
-    """Let this process end as soon as its parent has ended, even if that was killed."""
-    threading.Thread(target=_wait_for_parent, daemon=True, name="parent").start()
-
-
-def _wait_for_parent() -> None:
-    if (parent := parent_process()) is not None:
-        parent.join()
-        os._exit(1)
-
-
 def become_worker(keep: Callable[..., None] | None = None, *arguments: Any) -> None:
     """Start as a worker: leave signals to the parent, which ends its workers, and call `keep` with the arguments."""
     for number in ENDING:
@@ -84,17 +73,6 @@ def end_on_error(pool: ProcessPoolExecutor) -> Iterator[None]:
 
 
 @contextmanager
-def _silence_broken_pools() -> Iterator[None]:
-    """Keep a pool whose workers are terminated from reporting futures that were just cancelled."""
-    before = threading.excepthook
-    threading.excepthook = lambda seen: None if seen.exc_type is InvalidStateError else before(seen)
-    try:
-        yield
-    finally:
-        threading.excepthook = before
-
-
-@contextmanager
 def hold_signals() -> Iterator[None]:
     """Block signals within the block, so that processes started there ignore them until they call `_hear_signals`.
 
@@ -109,6 +87,28 @@ def hold_signals() -> Iterator[None]:
         yield
     finally:
         signal.pthread_sigmask(signal.SIG_SETMASK, before)
+
+
+def _end_with_parent() -> None:
+    """Let this process end as soon as its parent has ended, even if that was killed."""
+    threading.Thread(target=_wait_for_parent, daemon=True, name="parent").start()
+
+
+def _wait_for_parent() -> None:
+    if (parent := parent_process()) is not None:
+        parent.join()
+        os._exit(1)
+
+
+@contextmanager
+def _silence_broken_pools() -> Iterator[None]:
+    """Keep a pool whose workers are terminated from reporting futures that were just cancelled."""
+    before = threading.excepthook
+    threading.excepthook = lambda seen: None if seen.exc_type is InvalidStateError else before(seen)
+    try:
+        yield
+    finally:
+        threading.excepthook = before
 
 
 def _hear_signals() -> None:

@@ -139,13 +139,6 @@ def read_candidates(
     )
 
 
-def _describe_file(file: Path, *, overrides: HeaderOverrides) -> tuple[Candidate, ...]:
-    return tuple(
-        describe_record(record, str(file), i, overrides=overrides)
-        for i, record in enumerate(read_with_overrides(file, overrides))
-    )
-
-
 def describe_record(
     record: Record, path: str, position: int = 0, *, overrides: HeaderOverrides = NO_OVERRIDES
 ) -> Candidate:
@@ -176,3 +169,10 @@ def map_files(function: Callable[[T], R], files: Sequence[T], *, executor: Execu
     if executor is None or len(files) <= FEW:
         return map(function, files)
     return executor.map(function, files, chunksize=4)
+
+
+def _describe_file(file: Path, *, overrides: HeaderOverrides) -> tuple[Candidate, ...]:
+    return tuple(
+        describe_record(record, str(file), i, overrides=overrides)
+        for i, record in enumerate(read_with_overrides(file, overrides))
+    )

@@ -194,11 +194,6 @@ def remove_damaged(connection: sqlite3.Connection) -> tuple[str, ...]:
     return tuple(path for _, path in damaged)
 
 
-def _seal_matches(row: Sequence[Any]) -> bool:
-    """Return whether a row still matches its seal, its last value."""
-    return bool(row[-1] == seal(row[:-1]))
-
-
 def catalogue_candidates(connection: sqlite3.Connection) -> tuple[Candidate, ...]:
     """Return every record of the catalogue, by path, described by the flatfile that was stored."""
     overrides = _header_overrides(connection)
@@ -207,34 +202,6 @@ def catalogue_candidates(connection: sqlite3.Connection) -> tuple[Candidate, ...
         if not _seal_matches(row):
             raise _damaged(connection, f"record {row[1]} of {row[0]}")
     return describe_candidates([_candidate(row, overrides) for row in rows], recordings(connection))
-
-
-def _candidate(row: Sequence[Any], overrides: HeaderOverrides) -> Candidate:
-    spectrum = np.frombuffer(row[14], dtype="<f8")
-    measures = dict(zip(MEASURES, row[15:-1], strict=True))
-    return Candidate(
-        **dict(zip(TEXT_COLUMNS, row, strict=False)), measures=measures, spectrum=spectrum, overrides=overrides
-    )
-
-
-def _header_overrides(connection: sqlite3.Connection) -> HeaderOverrides:
-    """Return the header overrides that the files were read with."""
-    row = connection.execute("SELECT unit, step, response, seal FROM stated").fetchone()
-    if row is None:
-        return HeaderOverrides()
-    if not _seal_matches(row):
-        raise _damaged(connection, "what was stated of its files (unit, step, response)")
-    return HeaderOverrides(row[0], row[1], None if row[2] is None else Path(row[2]))
-
-
-def _store_overrides(connection: sqlite3.Connection, overrides: HeaderOverrides) -> None:
-    """Store the header overrides that the files are read with, in place of earlier ones."""
-    response = None if overrides.response is None else str(overrides.response)
-    with connection:
-        connection.execute("DELETE FROM stated")
-        connection.execute(
-            "INSERT INTO stated VALUES (?, ?, ?, ?)", _with_seal((overrides.unit, overrides.step, response))
-        )
 
 
 def store_flatfile(connection: sqlite3.Connection, flatfile: Sequence[FlatfileRow]) -> None:
@@ -284,6 +251,48 @@ def path_inside(folder: Path, path: str) -> Path:
     if PurePosixPath(path).is_absolute() or not file.resolve().is_relative_to(folder.resolve()):
         raise RecordError(f'catalogue: "{path}" leads out of {folder}; delete the catalogue and index again')
     return file
+
+
+def seal(row: Sequence[Any]) -> str:
+    """Return a hash of the values of a row, the same before and after SQLite has kept them."""
+    digest = hashlib.sha256()
+    for value in row:
+        plain = _sealed_bytes(value)
+        digest.update(f"{len(plain)} ".encode() + plain)
+    return digest.hexdigest()[:32]
+
+
+def _seal_matches(row: Sequence[Any]) -> bool:
+    """Return whether a row still matches its seal, its last value."""
+    return bool(row[-1] == seal(row[:-1]))
+
+
+def _candidate(row: Sequence[Any], overrides: HeaderOverrides) -> Candidate:
+    spectrum = np.frombuffer(row[14], dtype="<f8")
+    measures = dict(zip(MEASURES, row[15:-1], strict=True))
+    return Candidate(
+        **dict(zip(TEXT_COLUMNS, row, strict=False)), measures=measures, spectrum=spectrum, overrides=overrides
+    )
+
+
+def _header_overrides(connection: sqlite3.Connection) -> HeaderOverrides:
+    """Return the header overrides that the files were read with."""
+    row = connection.execute("SELECT unit, step, response, seal FROM stated").fetchone()
+    if row is None:
+        return HeaderOverrides()
+    if not _seal_matches(row):
+        raise _damaged(connection, "what was stated of its files (unit, step, response)")
+    return HeaderOverrides(row[0], row[1], None if row[2] is None else Path(row[2]))
+
+
+def _store_overrides(connection: sqlite3.Connection, overrides: HeaderOverrides) -> None:
+    """Store the header overrides that the files are read with, in place of earlier ones."""
+    response = None if overrides.response is None else str(overrides.response)
+    with connection:
+        connection.execute("DELETE FROM stated")
+        connection.execute(
+            "INSERT INTO stated VALUES (?, ?, ?, ?)", _with_seal((overrides.unit, overrides.step, response))
+        )
 
 
 def _unchanged(file: RecordFile, known: tuple[object, ...] | None, read_with: str) -> bool:
@@ -460,15 +469,6 @@ def _legible(text: str) -> str:
 def _with_seal(row: Sequence[Any]) -> tuple[Any, ...]:
     """Return the row with its seal."""
     return (*row, seal(row))
-
-
-def seal(row: Sequence[Any]) -> str:
-    """Return a hash of the values of a row, the same before and after SQLite has kept them."""
-    digest = hashlib.sha256()
-    for value in row:
-        plain = _sealed_bytes(value)
-        digest.update(f"{len(plain)} ".encode() + plain)
-    return digest.hexdigest()[:32]
 
 
 def _sealed_bytes(value: Any) -> bytes:

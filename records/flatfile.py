@@ -118,6 +118,55 @@ def read_flatfile(path: Path) -> Flatfile:
     return Flatfile(found, bad, tuple(key for key in DECIDING if not columns[key]))
 
 
+@dataclass(frozen=True)
+class FlatfileMatch:
+    """How a flatfile matches the records: rows matched and not, records described, bad cells.
+
+    warning : why no row matches, which columns are missing, or how many records have no row; None otherwise
+    """
+
+    matched: int
+    unmatched: int
+    records: int
+    bad: tuple[BadCell, ...]
+    warning: Message | None
+
+
+def describe_candidates(candidates: Sequence[Candidate], recordings: Sequence[FlatfileRow]) -> tuple[Candidate, ...]:
+    """Describe the candidates by a flatfile, whose values replace those of the record files.
+
+    A recording is found by the NGA number in the name of the candidate's file, else by a file name that it alone has.
+
+    Parameters
+    ----------
+    candidates : records of a catalogue or of files [n]
+    recordings : of the flatfile
+
+    Returns
+    -------
+    tuple of Candidate : in the same order [n]
+    """
+    rows = _find_rows(candidates, recordings)
+    return tuple(each if row is None else _describe(each, row) for each, row in zip(candidates, rows, strict=True))
+
+
+def match_flatfile(candidates: Sequence[Candidate], flatfile: Flatfile) -> FlatfileMatch:
+    """Count how many rows of a flatfile and candidates match.
+
+    Parameters
+    ----------
+    candidates : records of a catalogue or of files
+    flatfile : as read, with its bad cells
+    """
+    rows = [row for row in _find_rows(candidates, flatfile.recordings) if row is not None]
+    matched = len({row.nga for row in rows})
+    if rows:
+        message = _columns_missing(flatfile.missing) or _rows_absent(candidates, flatfile.recordings)
+    else:
+        message = _no_match_reason(candidates, flatfile.recordings)
+    return FlatfileMatch(matched, len(flatfile.recordings) - matched, len(rows), flatfile.bad, message)
+
+
 def _plain_label(label: str) -> str:
     """Return the letters and digits of a label, in lower case."""
     return re.sub(r"[^a-z0-9]+", "", label.lower())
@@ -203,55 +252,6 @@ def _bad_cells(table: DataFrame, columns: Mapping[str, list[int]]) -> list[tuple
 def _unknown(cell: str) -> bool:
     value = number(cell)
     return cell.lower() in UNKNOWN_WORDS or (value is not None and value < UNKNOWN)
-
-
-@dataclass(frozen=True)
-class FlatfileMatch:
-    """How a flatfile matches the records: rows matched and not, records described, bad cells.
-
-    warning : why no row matches, which columns are missing, or how many records have no row; None otherwise
-    """
-
-    matched: int
-    unmatched: int
-    records: int
-    bad: tuple[BadCell, ...]
-    warning: Message | None
-
-
-def describe_candidates(candidates: Sequence[Candidate], recordings: Sequence[FlatfileRow]) -> tuple[Candidate, ...]:
-    """Describe the candidates by a flatfile, whose values replace those of the record files.
-
-    A recording is found by the NGA number in the name of the candidate's file, else by a file name that it alone has.
-
-    Parameters
-    ----------
-    candidates : records of a catalogue or of files [n]
-    recordings : of the flatfile
-
-    Returns
-    -------
-    tuple of Candidate : in the same order [n]
-    """
-    rows = _find_rows(candidates, recordings)
-    return tuple(each if row is None else _describe(each, row) for each, row in zip(candidates, rows, strict=True))
-
-
-def match_flatfile(candidates: Sequence[Candidate], flatfile: Flatfile) -> FlatfileMatch:
-    """Count how many rows of a flatfile and candidates match.
-
-    Parameters
-    ----------
-    candidates : records of a catalogue or of files
-    flatfile : as read, with its bad cells
-    """
-    rows = [row for row in _find_rows(candidates, flatfile.recordings) if row is not None]
-    matched = len({row.nga for row in rows})
-    if rows:
-        message = _columns_missing(flatfile.missing) or _rows_absent(candidates, flatfile.recordings)
-    else:
-        message = _no_match_reason(candidates, flatfile.recordings)
-    return FlatfileMatch(matched, len(flatfile.recordings) - matched, len(rows), flatfile.bad, message)
 
 
 def _find_rows(candidates: Sequence[Candidate], recordings: Sequence[FlatfileRow]) -> list[FlatfileRow | None]:

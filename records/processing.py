@@ -94,14 +94,6 @@ def butterworth(record: Record, *, low: float | None = None, high: float | None 
     return _with_acceleration(record, acceleration, step=_filter_step(low, high, order=order))
 
 
-def _filter_step(low: float | None, high: float | None, *, order: int) -> Message:
-    """Return the step of a filter; low, high : its corners [Hz], one at least."""
-    given = {"low": low, "high": high}
-    corners = {name: Quantity(corner, "frequency", 6) for name, corner in given.items() if corner is not None}
-    key = "band-filtered" if len(corners) == 2 else "low-passed" if low is None else "high-passed"
-    return note(key, order=whole_number(order), **corners)
-
-
 def resample(record: Record, *, dt: float) -> Record:
     """Resample the record, band-limited: what the new step cannot represent is filtered off first, without phase.
 
@@ -167,29 +159,6 @@ def trim(record: Record, *, start: float = 0.0, end: float = 1.0) -> Record:
         last=Quantity(last * record.dt, "time", 6),
     )
     return _with_acceleration(record, record.acceleration[first : last + 1], step=step)
-
-
-def _with_acceleration(record: Record, acceleration: FloatArray, *, step: Message, dt: float | None = None) -> Record:
-    """Replace the acceleration, checked as when read, and add `step` to the processing history."""
-    checked = make_record(record.id, acceleration, record.dt if dt is None else dt, path=record.path)
-    return with_step(replace(record, acceleration=checked.acceleration, dt=checked.dt), step)
-
-
-def _corners(low: float | None, high: float | None) -> str:
-    """Return those that are given: "low corner 0.1 Hz, high corner 60 Hz"."""
-    named = {"low": low, "high": high}
-    return ", ".join(f"{name} corner {corner:.6g} Hz" for name, corner in named.items() if corner is not None)
-
-
-def _check_size(size: float, record: Record) -> int:
-    """Return `size` samples, rounded up; refuse too many."""
-    if not size <= LONGEST:
-        raise RecordError(f"{_where(record)}: {size:.3g} samples would be needed; at most {LONGEST:.0e} are allowed")
-    return ceil(size)
-
-
-def _where(record: Record) -> str:
-    return f'record "{record.id}"'
 
 
 ANGLES: FloatArray = np.radians(np.arange(180.0))  # the half turn that is all, since the sign does not count
@@ -262,6 +231,194 @@ def rotd_spectrum(
         for angle in ANGLES
     ]
     return np.asarray(np.percentile(np.array(spectra), percentile, axis=0), dtype=np.float64)
+
+
+ENDINGS = (".csv", ".at2")
+
+
+@dataclass(frozen=True)
+class Processing:
+    """The processing requested; None where a step is not.
+
+    Attributes
+    ----------
+    azimuth : to which two horizontal components are rotated [deg]
+    rotd : percentile of peaks to which they are rotated
+    baseline : degree of the polynomial removed
+    low_cut, high_cut : corners of the filter [Hz]
+    order : of the filter
+    trim : shares of Arias intensity that remain
+    step : to resample to [s]
+    scale : factor
+    """
+
+    azimuth: float | None
+    rotd: float | None
+    baseline: int | None
+    low_cut: float | None
+    high_cut: float | None
+    order: int
+    trim: tuple[float, float] | None
+    step: float | None
+    scale: float | None
+
+    @property
+    def rotates(self) -> bool:
+        """Whether two components are rotated into one."""
+        return self.azimuth is not None or self.rotd is not None
+
+
+def choose_records(records: Sequence[Record], *, component: str | None, rotated: bool) -> tuple[Record, ...]:
+    """Choose the one record to convert, or the two horizontal ones to rotate.
+
+    Parameters
+    ----------
+    records : of the files
+    component : name of the one to convert
+    rotated : whether two are combined into one
+
+    Raises
+    ------
+    RecordError : the choice is not unique; it lists the records there are
+    """
+    names = ", ".join(f'"{record.component}" of {record.id}' for record in records)
+    if rotated:
+        horizontal = tuple(record for record in records if not is_vertical(record.component))
+        if len(horizontal) != 2 or component is not None:
+            raise RecordError(f"two horizontal components are turned, without --component; the files hold {names}")
+        return horizontal
+    kept = tuple(
+        record
+        for record in records
+        if component is None or _normalised_component(record.component) == _normalised_component(component)
+    )
+    if len(kept) != 1:
+        raise RecordError(f"one record is converted, {len(kept)} fit; choose with --component: {names}")
+    return kept
+
+
+def process(records: tuple[Record, ...], processing: Processing) -> Record:
+    """Process records into one: rotated, baseline corrected, filtered, trimmed, resampled and scaled, as requested.
+
+    Parameters
+    ----------
+    records : one record, or the two horizontal ones that are rotated
+    processing : the steps
+    """
+    record = records[0]
+    if processing.azimuth is not None:
+        record = rotate_to_azimuth(*records, azimuth=radians(processing.azimuth))
+    if processing.rotd is not None:
+        record = rotd(*records, percentile=processing.rotd)
+    if processing.baseline is not None:
+        record = correct_baseline(record, degree=processing.baseline)
+    record = butterworth(record, low=processing.low_cut, high=processing.high_cut, order=processing.order)
+    if processing.trim is not None:
+        record = trim(record, start=processing.trim[0], end=processing.trim[1])
+    if processing.step is not None:
+        record = resample(record, dt=processing.step)
+    return record if processing.scale is None else _scale_by_option(record, processing.scale)
+
+
+def record_text(record: Record, path: Path, *, unit: str | None, stamp: str = "") -> str:
+    """Write a record in the format that a file extension names.
+
+    Parameters
+    ----------
+    record : as processed
+    path : ends in .csv or .at2
+    unit : of the accelerations of a CSV, m/s2 if None; AT2 is always in g
+    stamp : written into the header
+
+    Raises
+    ------
+    RecordError : another extension, or a unit that the format does not have
+    """
+    ending = path.suffix.lower()
+    if ending not in ENDINGS:
+        raise RecordError(f"{path}: ends in {path.suffix or 'nothing'}; choose one of {', '.join(ENDINGS)}")
+    if ending == ".at2":
+        if unit not in (None, "g"):
+            raise RecordError(f"--to-unit {unit}: PEER AT2 is in g by its format; leave --to-unit out, or write .csv")
+        return at2_text(record, stamp=stamp)
+    try:
+        return csv_text(record, unit=unit or "m/s2", stamp=stamp)
+    except ColumnError as error:
+        raise RecordError(f"--to-unit: {error}") from None
+
+
+PER_LINE = 5
+LONGEST_LINE = 200
+
+
+def csv_text(record: Record, *, unit: str = "m/s2", stamp: str = "") -> str:
+    """Return times [s] and accelerations at full precision as CSV, below comments that the reader of CSV understands.
+
+    Parameters
+    ----------
+    record : accelerogram
+    unit : of the accelerations
+    stamp : of what the record was made from, a comment of its own
+
+    Raises
+    ------
+    ColumnError : the unit is unknown
+    """
+    a = record.acceleration / factor_of(unit, known=ACCELERATION_UNITS)
+    printed = repr if unit == "m/s2" else "{:.15g}".format  # what was divided has no more digits
+    rows = (f"{i * record.dt:.12g},{printed(value)}\n" for i, value in enumerate(a.tolist()))
+    stamped = f"# stamp: {stamp}\n" if stamp else ""
+    return "".join(comments(record)) + stamped + f"time [s],acceleration [{unit}]\n" + "".join(rows)
+
+
+def at2_text(record: Record, *, stamp: str = "") -> str:
+    """Return the record in PEER AT2: four lines of header, then accelerations in g, five to a line, of eight digits.
+
+    Parameters
+    ----------
+    record : accelerogram
+    stamp : of what the record was made from, at the head of the first line
+    """
+    values = [f"{a / g:15.7E}" for a in record.acceleration.tolist()]
+    lines = ["".join(values[i : i + PER_LINE]) for i in range(0, len(values), PER_LINE)]
+    header = [
+        _on_one_line("; ".join([*([f"stamp {stamp}"] if stamp else []), *map(str, record.processing_history)])),
+        _on_one_line(_at2_title(record)),
+        "ACCELERATION TIME SERIES IN UNITS OF G",
+        f"NPTS= {record.npts:6d}, DT= {record.dt:.10g} SEC",
+    ]
+    return "\n".join([*header, *lines]).encode("ascii", "replace").decode("ascii") + "\n"
+
+
+def _filter_step(low: float | None, high: float | None, *, order: int) -> Message:
+    """Return the step of a filter; low, high : its corners [Hz], one at least."""
+    given = {"low": low, "high": high}
+    corners = {name: Quantity(corner, "frequency", 6) for name, corner in given.items() if corner is not None}
+    key = "band-filtered" if len(corners) == 2 else "low-passed" if low is None else "high-passed"
+    return note(key, order=whole_number(order), **corners)
+
+
+def _with_acceleration(record: Record, acceleration: FloatArray, *, step: Message, dt: float | None = None) -> Record:
+    """Replace the acceleration, checked as when read, and add `step` to the processing history."""
+    checked = make_record(record.id, acceleration, record.dt if dt is None else dt, path=record.path)
+    return with_step(replace(record, acceleration=checked.acceleration, dt=checked.dt), step)
+
+
+def _corners(low: float | None, high: float | None) -> str:
+    """Return those that are given: "low corner 0.1 Hz, high corner 60 Hz"."""
+    named = {"low": low, "high": high}
+    return ", ".join(f"{name} corner {corner:.6g} Hz" for name, corner in named.items() if corner is not None)
+
+
+def _check_size(size: float, record: Record) -> int:
+    """Return `size` samples, rounded up; refuse too many."""
+    if not size <= LONGEST:
+        raise RecordError(f"{_where(record)}: {size:.3g} samples would be needed; at most {LONGEST:.0e} are allowed")
+    return ceil(size)
+
+
+def _where(record: Record) -> str:
+    return f'record "{record.id}"'
 
 
 def _angle(a: FloatArray, b: FloatArray, percentile: float) -> float:
@@ -354,172 +511,15 @@ def _rotated_record(
     return with_step(rotated, step)
 
 
-ENDINGS = (".csv", ".at2")
-
-
-@dataclass(frozen=True)
-class Processing:
-    """The processing requested; None where a step is not.
-
-    Attributes
-    ----------
-    azimuth : to which two horizontal components are rotated [deg]
-    rotd : percentile of peaks to which they are rotated
-    baseline : degree of the polynomial removed
-    low_cut, high_cut : corners of the filter [Hz]
-    order : of the filter
-    trim : shares of Arias intensity that remain
-    step : to resample to [s]
-    scale : factor
-    """
-
-    azimuth: float | None
-    rotd: float | None
-    baseline: int | None
-    low_cut: float | None
-    high_cut: float | None
-    order: int
-    trim: tuple[float, float] | None
-    step: float | None
-    scale: float | None
-
-    @property
-    def rotates(self) -> bool:
-        """Whether two components are rotated into one."""
-        return self.azimuth is not None or self.rotd is not None
-
-
-def choose_records(records: Sequence[Record], *, component: str | None, rotated: bool) -> tuple[Record, ...]:
-    """Choose the one record to convert, or the two horizontal ones to rotate.
-
-    Parameters
-    ----------
-    records : of the files
-    component : name of the one to convert
-    rotated : whether two are combined into one
-
-    Raises
-    ------
-    RecordError : the choice is not unique; it lists the records there are
-    """
-    names = ", ".join(f'"{record.component}" of {record.id}' for record in records)
-    if rotated:
-        horizontal = tuple(record for record in records if not is_vertical(record.component))
-        if len(horizontal) != 2 or component is not None:
-            raise RecordError(f"two horizontal components are turned, without --component; the files hold {names}")
-        return horizontal
-    kept = tuple(
-        record
-        for record in records
-        if component is None or _normalised_component(record.component) == _normalised_component(component)
-    )
-    if len(kept) != 1:
-        raise RecordError(f"one record is converted, {len(kept)} fit; choose with --component: {names}")
-    return kept
-
-
 def _normalised_component(component: str) -> str:
     """Return a component's name in lower case with single spaces."""
     return " ".join(component.casefold().split())
-
-
-def process(records: tuple[Record, ...], processing: Processing) -> Record:
-    """Process records into one: rotated, baseline corrected, filtered, trimmed, resampled and scaled, as requested.
-
-    Parameters
-    ----------
-    records : one record, or the two horizontal ones that are rotated
-    processing : the steps
-    """
-    record = records[0]
-    if processing.azimuth is not None:
-        record = rotate_to_azimuth(*records, azimuth=radians(processing.azimuth))
-    if processing.rotd is not None:
-        record = rotd(*records, percentile=processing.rotd)
-    if processing.baseline is not None:
-        record = correct_baseline(record, degree=processing.baseline)
-    record = butterworth(record, low=processing.low_cut, high=processing.high_cut, order=processing.order)
-    if processing.trim is not None:
-        record = trim(record, start=processing.trim[0], end=processing.trim[1])
-    if processing.step is not None:
-        record = resample(record, dt=processing.step)
-    return record if processing.scale is None else _scale_by_option(record, processing.scale)
 
 
 def _scale_by_option(record: Record, factor: float) -> Record:
     if not isfinite(factor) or factor == 0.0:
         raise RecordError(f"--scale {factor}: it must be a finite number, not zero")
     return scale(record, factor)
-
-
-def record_text(record: Record, path: Path, *, unit: str | None, stamp: str = "") -> str:
-    """Write a record in the format that a file extension names.
-
-    Parameters
-    ----------
-    record : as processed
-    path : ends in .csv or .at2
-    unit : of the accelerations of a CSV, m/s2 if None; AT2 is always in g
-    stamp : written into the header
-
-    Raises
-    ------
-    RecordError : another extension, or a unit that the format does not have
-    """
-    ending = path.suffix.lower()
-    if ending not in ENDINGS:
-        raise RecordError(f"{path}: ends in {path.suffix or 'nothing'}; choose one of {', '.join(ENDINGS)}")
-    if ending == ".at2":
-        if unit not in (None, "g"):
-            raise RecordError(f"--to-unit {unit}: PEER AT2 is in g by its format; leave --to-unit out, or write .csv")
-        return at2_text(record, stamp=stamp)
-    try:
-        return csv_text(record, unit=unit or "m/s2", stamp=stamp)
-    except ColumnError as error:
-        raise RecordError(f"--to-unit: {error}") from None
-
-
-PER_LINE = 5
-LONGEST_LINE = 200
-
-
-def csv_text(record: Record, *, unit: str = "m/s2", stamp: str = "") -> str:
-    """Return times [s] and accelerations at full precision as CSV, below comments that the reader of CSV understands.
-
-    Parameters
-    ----------
-    record : accelerogram
-    unit : of the accelerations
-    stamp : of what the record was made from, a comment of its own
-
-    Raises
-    ------
-    ColumnError : the unit is unknown
-    """
-    a = record.acceleration / factor_of(unit, known=ACCELERATION_UNITS)
-    printed = repr if unit == "m/s2" else "{:.15g}".format  # what was divided has no more digits
-    rows = (f"{i * record.dt:.12g},{printed(value)}\n" for i, value in enumerate(a.tolist()))
-    stamped = f"# stamp: {stamp}\n" if stamp else ""
-    return "".join(comments(record)) + stamped + f"time [s],acceleration [{unit}]\n" + "".join(rows)
-
-
-def at2_text(record: Record, *, stamp: str = "") -> str:
-    """Return the record in PEER AT2: four lines of header, then accelerations in g, five to a line, of eight digits.
-
-    Parameters
-    ----------
-    record : accelerogram
-    stamp : of what the record was made from, at the head of the first line
-    """
-    values = [f"{a / g:15.7E}" for a in record.acceleration.tolist()]
-    lines = ["".join(values[i : i + PER_LINE]) for i in range(0, len(values), PER_LINE)]
-    header = [
-        _on_one_line("; ".join([*([f"stamp {stamp}"] if stamp else []), *map(str, record.processing_history)])),
-        _on_one_line(_at2_title(record)),
-        "ACCELERATION TIME SERIES IN UNITS OF G",
-        f"NPTS= {record.npts:6d}, DT= {record.dt:.10g} SEC",
-    ]
-    return "\n".join([*header, *lines]).encode("ascii", "replace").decode("ascii") + "\n"
 
 
 def _at2_title(record: Record) -> str:

@@ -78,11 +78,6 @@ class GaussianDerivative:
         return np.asarray(scale * _hermite(m, x) * np.exp(-0.5 * x**2), dtype=np.float64)
 
 
-def _hermite(order: int, x: FloatArray) -> FloatArray:
-    """Return the probabilists' Hermite polynomial He_order at x."""
-    return np.asarray(hermeval(x, [0.0] * order + [1.0]), dtype=np.float64)
-
-
 @dataclass(frozen=True)
 class PulseShape:
     """The shape of an acceleration pulse over its phase theta, zero outside [start, end].
@@ -124,20 +119,6 @@ class PulseShape:
         return (self.end - self.start) / (2 * pi * frequency)
 
 
-def _ricker(name: str, *, order: int) -> PulseShape:
-    """Return a Ricker wavelet of dominant frequency f_p, cut where it is below 1e-12.
-
-        order 2, symmetric      u = (1 - 2 b) exp(-b), b = (pi f_p t)^2 = theta^2 / 4, theta = 0 at the peak
-        order 3, antisymmetric  u = x (x^2 - 3) exp(-x^2 / 2) / 1.380, x = theta / sqrt(3) = 2 pi f_p t / sqrt(3)
-
-    Sources: Ricker 1953, Geophysics 18, 10-40; as ground pulses Vassiliou & Makris 2011, BSSA 101, 596-618.
-    """
-    x_peak = {2: 0.0, 3: sqrt(3 - sqrt(6))}[order]  # first zero of He_(order + 1)
-    peak = abs(float(_hermite(order, np.array(x_peak)) * np.exp(-0.5 * x_peak**2)))
-    reach = TAIL * sqrt(order)
-    return PulseShape(name, -reach, reach, GaussianDerivative(order, -1.0 / peak))
-
-
 def mavroeidis_papageorgiou(*, gamma: float = GAMMA, nu: float = NU) -> PulseShape:
     """Return the acceleration of Mavroeidis & Papageorgiou's velocity pulse, of largest absolute value 1.
 
@@ -161,6 +142,25 @@ def mavroeidis_papageorgiou(*, gamma: float = GAMMA, nu: float = NU) -> PulseSha
     )
     amplitude = tuple(a * r / peak for a, r in zip(speed, rate, strict=True))
     return PulseShape("mavroeidis-papageorgiou", -pi * gamma, pi * gamma, Harmonics(amplitude, rate, phase), gamma, nu)
+
+
+def _hermite(order: int, x: FloatArray) -> FloatArray:
+    """Return the probabilists' Hermite polynomial He_order at x."""
+    return np.asarray(hermeval(x, [0.0] * order + [1.0]), dtype=np.float64)
+
+
+def _ricker(name: str, *, order: int) -> PulseShape:
+    """Return a Ricker wavelet of dominant frequency f_p, cut where it is below 1e-12.
+
+        order 2, symmetric      u = (1 - 2 b) exp(-b), b = (pi f_p t)^2 = theta^2 / 4, theta = 0 at the peak
+        order 3, antisymmetric  u = x (x^2 - 3) exp(-x^2 / 2) / 1.380, x = theta / sqrt(3) = 2 pi f_p t / sqrt(3)
+
+    Sources: Ricker 1953, Geophysics 18, 10-40; as ground pulses Vassiliou & Makris 2011, BSSA 101, 596-618.
+    """
+    x_peak = {2: 0.0, 3: sqrt(3 - sqrt(6))}[order]  # first zero of He_(order + 1)
+    peak = abs(float(_hermite(order, np.array(x_peak)) * np.exp(-0.5 * x_peak**2)))
+    reach = TAIL * sqrt(order)
+    return PulseShape(name, -reach, reach, GaussianDerivative(order, -1.0 / peak))
 
 
 def _largest_value(form: Harmonics, *, reach: float) -> float:
@@ -232,20 +232,6 @@ def pulse_record(shape: PulseShape, *, frequency: float, amplitude: float, dt: f
     history = note("pulse", shape=shape.name, frequency=Quantity(frequency, "frequency", 6), amplitude=size)
     acceleration = amplitude * _end_at_zero(shape.value(_phases(shape, step=2 * pi * frequency * dt)))
     return make_record(f"{shape.name}-{frequency:.6g}Hz", acceleration, dt, processing_history=(history,))
-
-
-def _phases(shape: PulseShape, *, step: float) -> FloatArray:
-    """Return phases from start by `step` [rad] to the last one within the shape: its end itself, where they meet it."""
-    steps = (shape.end - shape.start) / step
-    if abs(steps - round(steps)) < 1e-9 * steps:
-        return np.asarray(np.linspace(shape.start, shape.end, round(steps) + 1), dtype=np.float64)
-    return shape.start + step * np.arange(int(steps) + 1, dtype=np.float64)
-
-
-def _end_at_zero(value: FloatArray) -> FloatArray:
-    """Return the samples `value` with a zero at either end, put there where there is none; below 1e-12 is zero."""
-    samples = np.where(np.abs(value) < NIL, 0.0, value)
-    return np.concatenate([[0.0] * bool(samples[0]), samples, [0.0] * bool(samples[-1])])
 
 
 PERIODS: tuple[float, ...] = tuple(float(period) for period in np.geomspace(0.1, 20.0, 61))
@@ -328,6 +314,20 @@ def primary_pulses(
     peaks = np.flatnonzero((share[1:-1] > share[:-2]) & (share[1:-1] >= share[2:]))
     maxima = _best_maxima([coarse[k] for k in peaks], record, shape=shape, grid=T, count=count)
     return tuple(_pulse(fit, shape=shape, energy=energy, grid=T) for fit in maxima)
+
+
+def _phases(shape: PulseShape, *, step: float) -> FloatArray:
+    """Return phases from start by `step` [rad] to the last one within the shape: its end itself, where they meet it."""
+    steps = (shape.end - shape.start) / step
+    if abs(steps - round(steps)) < 1e-9 * steps:
+        return np.asarray(np.linspace(shape.start, shape.end, round(steps) + 1), dtype=np.float64)
+    return shape.start + step * np.arange(int(steps) + 1, dtype=np.float64)
+
+
+def _end_at_zero(value: FloatArray) -> FloatArray:
+    """Return the samples `value` with a zero at either end, put there where there is none; below 1e-12 is zero."""
+    samples = np.where(np.abs(value) < NIL, 0.0, value)
+    return np.concatenate([[0.0] * bool(samples[0]), samples, [0.0] * bool(samples[-1])])
 
 
 def _grid(record: Record, period: ArrayLike, *, shape: PulseShape) -> FloatArray:

@@ -50,13 +50,6 @@ def read_record(
     return records[0] if len(records) == 1 else list(records)
 
 
-def _as_path(path: str | Path) -> Path:
-    """Return a path; raise RecordError for what is none."""
-    if not isinstance(path, str | Path) or "\0" in str(path):
-        raise RecordError(f"{path!r:.60} is no path; give the path of one file")
-    return Path(path)
-
-
 def read_records(
     path: Path, *, unit: str | None = None, step: float | None = None, response: Path | None = None
 ) -> tuple[Record, ...]:
@@ -127,6 +120,56 @@ def recall_records(path: Path, overrides: HeaderOverrides) -> tuple[Record, ...]
     return _recall(path, overrides, content)
 
 
+LARGEST_FILE = 500_000_000  # bytes of one record file
+
+
+@dataclass(frozen=True)
+class RecordFile:
+    """A file below the folder as it is; problem "" where it may be read; stored: its hash when it was last read."""
+
+    path: str
+    size: int
+    mtime: int
+    problem: str = ""
+    stored: str = ""
+
+
+def files_below(folder: Path) -> Iterator[RecordFile]:
+    """Yield every file below `folder` but hidden ones, in a fixed order; links that lead out of it as problems."""
+    if folder.is_file():
+        raise RecordError(f"{folder}: is a file; give the folder that holds it, {folder.parent}")
+    if not folder.is_dir():
+        raise RecordError(f"{folder}: no such folder; give the folder that holds the record files")
+    root = folder.resolve()
+    for place, folders, names in os.walk(folder, onerror=_unreadable):
+        folders[:] = sorted(name for name in folders if not name.startswith("."))
+        for name in sorted(name for name in names if not name.startswith(".")):
+            file = Path(place) / name
+            yield _record_file(file, file.relative_to(folder).as_posix(), root)
+
+
+def relative_path(path: Path, folder: Path) -> str:
+    """Return a path as the project file in a folder would write it: relative to the folder if it lies inside.
+
+    Parameters
+    ----------
+    path : of a file
+    folder : of the project file
+
+    Returns
+    -------
+    the path with slashes
+    """
+    return path.relative_to(folder).as_posix() if path.is_relative_to(folder) else path.as_posix()
+
+
+def _as_path(path: str | Path) -> Path:
+    """Return a path; raise RecordError for what is none."""
+    if not isinstance(path, str | Path) or "\0" in str(path):
+        raise RecordError(f"{path!r:.60} is no path; give the path of one file")
+    return Path(path)
+
+
 @lru_cache(maxsize=FILES_KEPT)
 def _recall(path: Path, overrides: HeaderOverrides, content: bytes) -> tuple[Record, ...]:
     """Read the file of that content."""
@@ -159,34 +202,6 @@ def _format(head: bytes, *, path: Path) -> str:
     return names[0]
 
 
-LARGEST_FILE = 500_000_000  # bytes of one record file
-
-
-@dataclass(frozen=True)
-class RecordFile:
-    """A file below the folder as it is; problem "" where it may be read; stored: its hash when it was last read."""
-
-    path: str
-    size: int
-    mtime: int
-    problem: str = ""
-    stored: str = ""
-
-
-def files_below(folder: Path) -> Iterator[RecordFile]:
-    """Yield every file below `folder` but hidden ones, in a fixed order; links that lead out of it as problems."""
-    if folder.is_file():
-        raise RecordError(f"{folder}: is a file; give the folder that holds it, {folder.parent}")
-    if not folder.is_dir():
-        raise RecordError(f"{folder}: no such folder; give the folder that holds the record files")
-    root = folder.resolve()
-    for place, folders, names in os.walk(folder, onerror=_unreadable):
-        folders[:] = sorted(name for name in folders if not name.startswith("."))
-        for name in sorted(name for name in names if not name.startswith(".")):
-            file = Path(place) / name
-            yield _record_file(file, file.relative_to(folder).as_posix(), root)
-
-
 def _unreadable(error: OSError) -> None:
     raise RecordError(f"{error.filename}: the folder cannot be read: {error.strerror}")
 
@@ -206,18 +221,3 @@ def _record_file(file: Path, path: str, root: Path) -> RecordFile:
         return RecordFile(path, 0, 0, "not a regular file")
     problem = f"{status.st_size} bytes are too many for a record" if status.st_size > LARGEST_FILE else ""
     return RecordFile(path, status.st_size, status.st_mtime_ns, problem)
-
-
-def relative_path(path: Path, folder: Path) -> str:
-    """Return a path as the project file in a folder would write it: relative to the folder if it lies inside.
-
-    Parameters
-    ----------
-    path : of a file
-    folder : of the project file
-
-    Returns
-    -------
-    the path with slashes
-    """
-    return path.relative_to(folder).as_posix() if path.is_relative_to(folder) else path.as_posix()

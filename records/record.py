@@ -221,24 +221,6 @@ def usable_period(low_cut: float | None) -> float | None:
     return 1.0 / (1.25 * low_cut) if low_cut else None
 
 
-def _designation(earthquake: Earthquake) -> str:
-    """Return what an earthquake without a name is called: "2018-01-24 10:51, M6.2, 41.00N 142.50E", as far as known.
-
-    A time alone stays as it is, ISO 8601.
-    """
-    magnitude, north, east = earthquake.magnitude, earthquake.latitude, earthquake.longitude
-    size = "" if magnitude is None else f"M{magnitude:.3g}"
-    place = "" if north is None or east is None else f"{_degrees_towards(north, 'NS')} {_degrees_towards(east, 'EW')}"
-    if not (size or place):
-        return earthquake.time
-    when = earthquake.time[:16].replace("T", " ").removesuffix("Z")
-    return ", ".join(part for part in (when, size, place) if part)
-
-
-def _degrees_towards(degrees: float, sides: str) -> str:
-    return f"{abs(degrees):.2f}{sides[degrees < 0.0]}"
-
-
 COMPASS = {"N": 0.0, "E": 90.0, "S": 180.0, "W": 270.0}
 COMPASS_WORDS = {"NORTH": "N", "EAST": "E", "SOUTH": "S", "WEST": "W", "NS": "N", "SN": "N", "EW": "E", "WE": "E"}
 VERTICAL_NAMES = {"UP", "U", "V", "Z", "UD", "DU", "VERT", "VERTICAL", "DOWN", "DWN", "DN"}
@@ -271,6 +253,24 @@ def azimuth_of(component: str) -> float | None:
 def is_vertical(component: str) -> bool:
     """Return whether `component` is named as a vertical one ("UP", "U-D", "UD2", "HNZ")."""
     return _orientation_name(component) in VERTICAL_NAMES
+
+
+def _designation(earthquake: Earthquake) -> str:
+    """Return what an earthquake without a name is called: "2018-01-24 10:51, M6.2, 41.00N 142.50E", as far as known.
+
+    A time alone stays as it is, ISO 8601.
+    """
+    magnitude, north, east = earthquake.magnitude, earthquake.latitude, earthquake.longitude
+    size = "" if magnitude is None else f"M{magnitude:.3g}"
+    place = "" if north is None or east is None else f"{_degrees_towards(north, 'NS')} {_degrees_towards(east, 'EW')}"
+    if not (size or place):
+        return earthquake.time
+    when = earthquake.time[:16].replace("T", " ").removesuffix("Z")
+    return ", ".join(part for part in (when, size, place) if part)
+
+
+def _degrees_towards(degrees: float, sides: str) -> str:
+    return f"{abs(degrees):.2f}{sides[degrees < 0.0]}"
 
 
 def _orientation_name(component: str) -> str:

@@ -79,12 +79,6 @@ def displacement_spectrum(record: Record, period: ArrayLike, *, damping: float =
     return S_d
 
 
-@lru_cache(maxsize=SPECTRA_KEPT)
-def _peak_displacements(acceleration: bytes, dt: float, period: bytes, damping: float) -> FloatArray:
-    """Return the largest displacements of oscillators [m]; many walls ask for the spectra of one suite."""
-    return peak_displacements(np.frombuffer(acceleration), dt, np.frombuffer(period), damping)
-
-
 LOWEST, HIGHEST = 0.25, 20.0  # Hz, of the mean period
 FINEST = 0.05  # Hz, widest spacing of its frequencies (Rathje et al. 2004)
 HOUSNER_PERIODS: FloatArray = np.linspace(0.1, 2.5, 121)  # s
@@ -221,6 +215,12 @@ def integrate_absolute(record: Record) -> FloatArray:
     total = np.abs(a) + np.abs(b)
     crossing = (a**2 + b**2) / np.where(total > 0.0, total, 1.0)
     return _cumulative_sum(0.5 * record.dt * np.where(a * b < 0.0, crossing, total))
+
+
+@lru_cache(maxsize=SPECTRA_KEPT)
+def _peak_displacements(acceleration: bytes, dt: float, period: bytes, damping: float) -> FloatArray:
+    """Return the largest displacements of oscillators [m]; many walls ask for the spectra of one suite."""
+    return peak_displacements(np.frombuffer(acceleration), dt, np.frombuffer(period), damping)
 
 
 def _cumulative_sum(steps: FloatArray) -> FloatArray:

@@ -178,14 +178,6 @@ def log_ratio(
     return np.asarray(np.log(spectrum.acceleration(T, damping=DAMPING)) - logarithm, dtype=np.float64)
 
 
-def _factor(log_factor: float, record: Record) -> float:
-    if abs(log_factor) > np.log(LARGEST_FACTOR):
-        raise RecordError(
-            f'record "{record.id}": a factor of e^{log_factor:.3g} would bring it to the spectrum; check its unit'
-        )
-    return float(np.exp(log_factor))
-
-
 ROUNDING = 1e-9
 CATALOGUE_STEP = float(np.log(PERIODS[1] / PERIODS[0]))
 
@@ -289,6 +281,14 @@ def truncate_band(band: Band, longest: float) -> Band:
             "fitted at; extend its table"
         )
     return Band(band.period[kept], band.weight[kept], band.nodes)
+
+
+def _factor(log_factor: float, record: Record) -> float:
+    if abs(log_factor) > np.log(LARGEST_FACTOR):
+        raise RecordError(
+            f'record "{record.id}": a factor of e^{log_factor:.3g} would bring it to the spectrum; check its unit'
+        )
+    return float(np.exp(log_factor))
 
 
 def _weight(period: FloatArray, weights: Sequence[tuple[float, float]]) -> FloatArray:

@@ -170,14 +170,6 @@ def select(candidates: Sequence[Candidate], spectrum: Spectrum, criteria: SuiteC
     return Selection(criteria, by_misfit, misfit, greedy_misfit, counted)
 
 
-def _nearest_miss(misfits: Sequence[float], largest: float) -> str:
-    """Return how far the next record is from the limit of its misfit, in words; empty where none is beyond it."""
-    beyond = [sqrt(each) / log(10.0) for each in misfits if each > largest]
-    if not beyond:
-        return ""
-    return f" (the next one is {min(beyond):.3f} off in log10, {sqrt(largest) / log(10.0):.3f} is the limit)"
-
-
 def misfit_of_mean(choices: Sequence[ScaledRecording], spectrum: Spectrum, band: Band) -> float:
     """Return the mean squared difference of logarithms between the mean spectrum of choices and the target [-].
 
@@ -206,6 +198,181 @@ def passes(candidate: Candidate, filters: CandidateFilters) -> bool:
         return False
     name = candidate.event.lower()
     return not filters.events or any(part.lower() in name for part in filters.events)
+
+
+Fit = Literal["suite", "each"]
+COUNTABLE = 20_000  # suites that are all tried
+EXCHANGED = 2_000  # records, those of least misfit, that may be exchanged into a suite
+CHUNK = 1_000
+
+
+@dataclass(frozen=True)
+class Pool:
+    """What suites are made of: scaled spectrum over target [n, k], weights [k] that sum to 1, group and misfit [n]."""
+
+    ratio: FloatArray
+    weight: FloatArray
+    group: IntArray
+    mse: FloatArray
+
+    def misfit(self, mean: FloatArray) -> FloatArray:
+        """Return the misfit of mean spectra over target [..., k]."""
+        return np.asarray(np.log(mean) ** 2 @ self.weight)
+
+
+def best_suite(pool: Pool, count: int) -> tuple[list[int], float]:
+    """Choose the `count` records whose mean fits best; return also the misfit of the greedy suite, its upper bound."""
+    first = greedy_suite(pool, count)
+    before = _misfit_of(pool, first)
+    if comb(pool.mse.size, count) <= COUNTABLE:
+        return exhaustive_suite(pool, count), before
+    starts = (first, _best_each(pool, count)[0])
+    return min((exchanged_suite(pool, start) for start in starts), key=lambda chosen: _misfit_of(pool, chosen)), before
+
+
+def greedy_suite(pool: Pool, count: int) -> list[int]:
+    """Choose record by record, each time the one that makes the mean fit best."""
+    chosen: list[int] = []
+    total = np.zeros(pool.weight.size)
+    free = np.ones(pool.mse.size, dtype=np.bool_)
+    for size in range(1, count + 1):
+        score = np.where(free, pool.misfit((total + pool.ratio) / size), inf)
+        best = int(np.argmin(score))
+        chosen.append(best)
+        total = total + pool.ratio[best]
+        free &= pool.group != pool.group[best]
+    return chosen
+
+
+def exchanged_suite(pool: Pool, start: Sequence[int]) -> list[int]:
+    """Improve a suite by exchanging one record at a time for the best other, until no exchange helps."""
+    chosen, among = list(start), np.argsort(pool.mse, kind="stable")[:EXCHANGED]
+    ratio, group = pool.ratio[among], pool.group[among]
+    least, better = _misfit_of(pool, chosen), True
+    while better:
+        better = False
+        for place in range(len(chosen)):
+            others = [i for k, i in enumerate(chosen) if k != place]
+            free = ~np.isin(group, pool.group[others])
+            score = np.where(free, pool.misfit((pool.ratio[others].sum(axis=0) + ratio) / len(chosen)), inf)
+            best = int(np.argmin(score))
+            if score[best] < least * (1 - 1e-9):
+                chosen[place], least, better = int(among[best]), float(score[best]), True
+    return chosen
+
+
+def exhaustive_suite(pool: Pool, count: int) -> list[int]:
+    """Choose the best of all suites."""
+    best, least = greedy_suite(pool, count), inf
+    for suites in _chunks(combinations(range(pool.mse.size), count)):
+        group = np.sort(pool.group[suites], axis=1)
+        allowed: BoolArray = np.all(np.diff(group, axis=1) > 0, axis=1)
+        if not allowed.any():
+            continue
+        score = pool.misfit(pool.ratio[suites[allowed]].mean(axis=1))
+        if score.min() < least:
+            least, best = float(score.min()), suites[allowed][int(np.argmin(score))].tolist()
+    return best
+
+
+def _best_each(pool: Pool, count: int) -> tuple[list[int], None]:
+    """Choose the `count` records of least misfit, the best of each group."""
+    chosen: list[int] = []
+    taken: set[int] = set()
+    for i in np.argsort(pool.mse, kind="stable").tolist():
+        if pool.group[i] not in taken and len(chosen) < count:
+            chosen.append(i)
+            taken.add(int(pool.group[i]))
+    return chosen, None
+
+
+def _chunks(suites: Iterator[tuple[int, ...]]) -> Iterator[IntArray]:
+    while part := list(islice(suites, CHUNK)):
+        yield np.array(part, dtype=np.int64)
+
+
+def _misfit_of(pool: Pool, chosen: Sequence[int]) -> float:
+    return float(pool.misfit(pool.ratio[list(chosen)].mean(axis=0)))
+
+
+FITS: Mapping[Fit, Callable[[Pool, int], tuple[list[int], float | None]]] = {"suite": best_suite, "each": _best_each}
+
+Recording = tuple[Candidate, ...]  # the components of one recording that are chosen together
+SAME_SHAPE = 0.01  # largest difference of the logarithms of two spectra of one motion; digits differ between files
+COARSE = 8  # of how many ordinates one is compared first
+
+
+def event_groups(recordings: Sequence[Recording], *, one_per_event: bool) -> IntArray:
+    """Number the groups of recordings [n] of which a suite may have only one.
+
+    Recordings of one motion are one group, and with `one_per_event` also those of one earthquake. Where a motion is in
+    two files of which only one names its earthquake, both are of that earthquake.
+    """
+    pairs = [same_motion(recordings)]
+    if one_per_event:
+        pairs.append(_same_earthquake(recordings))
+    first, second = np.concatenate(pairs).T
+    graph = coo_array((np.ones(first.size), (first, second)), shape=(len(recordings), len(recordings)))
+    return np.asarray(connected_components(graph, directed=False)[1], dtype=np.int64)
+
+
+def same_motion(recordings: Sequence[Recording]) -> IntArray:
+    """Pair recordings [m, 2] with a component whose spectrum has the same shape, to one percent."""
+    recording_of = np.array([index for index, components in enumerate(recordings) for _ in components], dtype=np.int64)
+    spectra = [component.spectrum for components in recordings for component in components]
+    if not spectra:
+        return np.empty((0, 2), dtype=np.int64)
+    log = np.log(np.maximum(spectra, 1e-300))
+    shape = log - log.max(axis=1, keepdims=True)
+    near = KDTree(shape[:, ::COARSE]).query_pairs(SAME_SHAPE, p=np.inf, output_type="ndarray").reshape(-1, 2)
+    alike = np.abs(shape[near[:, 0]] - shape[near[:, 1]]).max(axis=1) <= SAME_SHAPE
+    return np.asarray(recording_of[near[alike]], dtype=np.int64)
+
+
+SHAPE_FIGURES = 6  # of an ordinate over the peak ground acceleration
+SAMPLE_STEP = 1e-4  # m/s2, to which samples are rounded
+SAME_PGA = 1e-9  # relative difference of peak ground accelerations that are one
+
+
+@dataclass(frozen=True)
+class TargetMark:
+    """What tells one target spectrum from another.
+
+    code : as in the project file
+    pga : peak ground acceleration [m/s2]
+    sha256 : of the shape, the 5 % ordinates over the peak ground acceleration
+    """
+
+    code: str
+    pga: float
+    sha256: str
+
+    def is_of(self, spectrum: Spectrum) -> bool:
+        """Return whether a spectrum has this shape and this peak ground acceleration."""
+        other = target_mark(spectrum)
+        return other.sha256 == self.sha256 and isclose(other.pga, self.pga, rel_tol=SAME_PGA)
+
+
+def target_mark(spectrum: Spectrum) -> TargetMark:
+    """Return what tells a target spectrum from others."""
+    period = PERIODS[spectrum.longest_period >= PERIODS]
+    shape = spectrum.acceleration(period, damping=DAMPING) / spectrum.pga
+    text = " ".join(f"{each:.{SHAPE_FIGURES}g}" for each in shape.tolist())
+    return TargetMark(spectrum.code, spectrum.pga, hashlib.sha256(text.encode()).hexdigest())
+
+
+def samples_sha256(record: Record) -> str:
+    """Return the SHA-256 of the step and the samples of a record, rounded to 1e-4 m/s2."""
+    rounded = np.round(record.acceleration / SAMPLE_STEP).astype("<i8")
+    return hashlib.sha256(f"{record.dt:.9g} ".encode() + rounded.tobytes()).hexdigest()
+
+
+def _nearest_miss(misfits: Sequence[float], largest: float) -> str:
+    """Return how far the next record is from the limit of its misfit, in words; empty where none is beyond it."""
+    beyond = [sqrt(each) / log(10.0) for each in misfits if each > largest]
+    if not beyond:
+        return ""
+    return f" (the next one is {min(beyond):.3f} off in log10, {sqrt(largest) / log(10.0):.3f} is the limit)"
 
 
 def _of_known_metadata(
@@ -284,175 +451,8 @@ def _pool(choices: Sequence[ScaledRecording], log_ratio: FloatArray, band: Band,
     return Pool(_ratios(choices, log_ratio), band.weight / band.weight.sum(), group, mse)
 
 
-Fit = Literal["suite", "each"]
-COUNTABLE = 20_000  # suites that are all tried
-EXCHANGED = 2_000  # records, those of least misfit, that may be exchanged into a suite
-CHUNK = 1_000
-
-
-@dataclass(frozen=True)
-class Pool:
-    """What suites are made of: scaled spectrum over target [n, k], weights [k] that sum to 1, group and misfit [n]."""
-
-    ratio: FloatArray
-    weight: FloatArray
-    group: IntArray
-    mse: FloatArray
-
-    def misfit(self, mean: FloatArray) -> FloatArray:
-        """Return the misfit of mean spectra over target [..., k]."""
-        return np.asarray(np.log(mean) ** 2 @ self.weight)
-
-
-def _best_each(pool: Pool, count: int) -> tuple[list[int], None]:
-    """Choose the `count` records of least misfit, the best of each group."""
-    chosen: list[int] = []
-    taken: set[int] = set()
-    for i in np.argsort(pool.mse, kind="stable").tolist():
-        if pool.group[i] not in taken and len(chosen) < count:
-            chosen.append(i)
-            taken.add(int(pool.group[i]))
-    return chosen, None
-
-
-def best_suite(pool: Pool, count: int) -> tuple[list[int], float]:
-    """Choose the `count` records whose mean fits best; return also the misfit of the greedy suite, its upper bound."""
-    first = greedy_suite(pool, count)
-    before = _misfit_of(pool, first)
-    if comb(pool.mse.size, count) <= COUNTABLE:
-        return exhaustive_suite(pool, count), before
-    starts = (first, _best_each(pool, count)[0])
-    return min((exchanged_suite(pool, start) for start in starts), key=lambda chosen: _misfit_of(pool, chosen)), before
-
-
-def greedy_suite(pool: Pool, count: int) -> list[int]:
-    """Choose record by record, each time the one that makes the mean fit best."""
-    chosen: list[int] = []
-    total = np.zeros(pool.weight.size)
-    free = np.ones(pool.mse.size, dtype=np.bool_)
-    for size in range(1, count + 1):
-        score = np.where(free, pool.misfit((total + pool.ratio) / size), inf)
-        best = int(np.argmin(score))
-        chosen.append(best)
-        total = total + pool.ratio[best]
-        free &= pool.group != pool.group[best]
-    return chosen
-
-
-def exchanged_suite(pool: Pool, start: Sequence[int]) -> list[int]:
-    """Improve a suite by exchanging one record at a time for the best other, until no exchange helps."""
-    chosen, among = list(start), np.argsort(pool.mse, kind="stable")[:EXCHANGED]
-    ratio, group = pool.ratio[among], pool.group[among]
-    least, better = _misfit_of(pool, chosen), True
-    while better:
-        better = False
-        for place in range(len(chosen)):
-            others = [i for k, i in enumerate(chosen) if k != place]
-            free = ~np.isin(group, pool.group[others])
-            score = np.where(free, pool.misfit((pool.ratio[others].sum(axis=0) + ratio) / len(chosen)), inf)
-            best = int(np.argmin(score))
-            if score[best] < least * (1 - 1e-9):
-                chosen[place], least, better = int(among[best]), float(score[best]), True
-    return chosen
-
-
-def exhaustive_suite(pool: Pool, count: int) -> list[int]:
-    """Choose the best of all suites."""
-    best, least = greedy_suite(pool, count), inf
-    for suites in _chunks(combinations(range(pool.mse.size), count)):
-        group = np.sort(pool.group[suites], axis=1)
-        allowed: BoolArray = np.all(np.diff(group, axis=1) > 0, axis=1)
-        if not allowed.any():
-            continue
-        score = pool.misfit(pool.ratio[suites[allowed]].mean(axis=1))
-        if score.min() < least:
-            least, best = float(score.min()), suites[allowed][int(np.argmin(score))].tolist()
-    return best
-
-
-def _chunks(suites: Iterator[tuple[int, ...]]) -> Iterator[IntArray]:
-    while part := list(islice(suites, CHUNK)):
-        yield np.array(part, dtype=np.int64)
-
-
-def _misfit_of(pool: Pool, chosen: Sequence[int]) -> float:
-    return float(pool.misfit(pool.ratio[list(chosen)].mean(axis=0)))
-
-
-FITS: Mapping[Fit, Callable[[Pool, int], tuple[list[int], float | None]]] = {"suite": best_suite, "each": _best_each}
-
-Recording = tuple[Candidate, ...]  # the components of one recording that are chosen together
-SAME_SHAPE = 0.01  # largest difference of the logarithms of two spectra of one motion; digits differ between files
-COARSE = 8  # of how many ordinates one is compared first
-
-
-def event_groups(recordings: Sequence[Recording], *, one_per_event: bool) -> IntArray:
-    """Number the groups of recordings [n] of which a suite may have only one.
-
-    Recordings of one motion are one group, and with `one_per_event` also those of one earthquake. Where a motion is in
-    two files of which only one names its earthquake, both are of that earthquake.
-    """
-    pairs = [same_motion(recordings)]
-    if one_per_event:
-        pairs.append(_same_earthquake(recordings))
-    first, second = np.concatenate(pairs).T
-    graph = coo_array((np.ones(first.size), (first, second)), shape=(len(recordings), len(recordings)))
-    return np.asarray(connected_components(graph, directed=False)[1], dtype=np.int64)
-
-
 def _same_earthquake(recordings: Sequence[Recording]) -> IntArray:
     """Pair each recording with the first of its earthquake [m, 2]."""
     first: dict[str, int] = {}
     pairs = [(first.setdefault(components[0].earthquake, index), index) for index, components in enumerate(recordings)]
     return np.array(pairs, dtype=np.int64).reshape(-1, 2)
-
-
-def same_motion(recordings: Sequence[Recording]) -> IntArray:
-    """Pair recordings [m, 2] with a component whose spectrum has the same shape, to one percent."""
-    recording_of = np.array([index for index, components in enumerate(recordings) for _ in components], dtype=np.int64)
-    spectra = [component.spectrum for components in recordings for component in components]
-    if not spectra:
-        return np.empty((0, 2), dtype=np.int64)
-    log = np.log(np.maximum(spectra, 1e-300))
-    shape = log - log.max(axis=1, keepdims=True)
-    near = KDTree(shape[:, ::COARSE]).query_pairs(SAME_SHAPE, p=np.inf, output_type="ndarray").reshape(-1, 2)
-    alike = np.abs(shape[near[:, 0]] - shape[near[:, 1]]).max(axis=1) <= SAME_SHAPE
-    return np.asarray(recording_of[near[alike]], dtype=np.int64)
-
-
-SHAPE_FIGURES = 6  # of an ordinate over the peak ground acceleration
-SAMPLE_STEP = 1e-4  # m/s2, to which samples are rounded
-SAME_PGA = 1e-9  # relative difference of peak ground accelerations that are one
-
-
-@dataclass(frozen=True)
-class TargetMark:
-    """What tells one target spectrum from another.
-
-    code : as in the project file
-    pga : peak ground acceleration [m/s2]
-    sha256 : of the shape, the 5 % ordinates over the peak ground acceleration
-    """
-
-    code: str
-    pga: float
-    sha256: str
-
-    def is_of(self, spectrum: Spectrum) -> bool:
-        """Return whether a spectrum has this shape and this peak ground acceleration."""
-        other = target_mark(spectrum)
-        return other.sha256 == self.sha256 and isclose(other.pga, self.pga, rel_tol=SAME_PGA)
-
-
-def target_mark(spectrum: Spectrum) -> TargetMark:
-    """Return what tells a target spectrum from others."""
-    period = PERIODS[spectrum.longest_period >= PERIODS]
-    shape = spectrum.acceleration(period, damping=DAMPING) / spectrum.pga
-    text = " ".join(f"{each:.{SHAPE_FIGURES}g}" for each in shape.tolist())
-    return TargetMark(spectrum.code, spectrum.pga, hashlib.sha256(text.encode()).hexdigest())
-
-
-def samples_sha256(record: Record) -> str:
-    """Return the SHA-256 of the step and the samples of a record, rounded to 1e-4 m/s2."""
-    rounded = np.round(record.acceleration / SAMPLE_STEP).astype("<i8")
-    return hashlib.sha256(f"{record.dt:.9g} ".encode() + rounded.tobytes()).hexdigest()

@@ -139,21 +139,6 @@ def write_pages(document: Document, folder: Path, *, name: str, jobs: int = 0) -
     return path
 
 
-def _write_tables(document: Document, folder: Path) -> None:
-    write_csv(document, folder / "tables")
-    write_xlsx(document, folder / "tables.xlsx")
-
-
-def _places(document: Document, forms: Sequence[Form]) -> range:
-    """Return the places of the figures of which there is to be a PNG file."""
-    return range(len(document.figures) if "png" in forms else 0)
-
-
-def _write_png(document: Document, place: int, folder: Path, creator: str) -> None:
-    figure = document.figures[place]
-    write_png(figure.draw(document.writer), folder / f"{figure.name}.png", creator)
-
-
 Detail = Literal["main", "full"]
 
 
@@ -179,42 +164,6 @@ def assessment(results: Results, *, detail: Detail | None = None) -> Document:
 def is_full(results: Results, detail: Detail | None) -> bool:
     """Return whether the report has annexes."""
     return (detail or project_text(results, "report.detail")) == "full"
-
-
-def _main_sections(results: Results) -> Iterator[Section]:
-    """Yield the sections that are signed."""
-    yield from verdict.sections(results)
-    building = building_of(results)
-    yield from key_plan.sections(results, building)
-    yield from scope.sections(results)
-    yield from assumptions.sections(results)
-    yield from site.sections(results)
-    for place, each in enumerate(results.mechanisms, start=1):
-        yield from mechanism_page.sections(results, each, file_stem(each.name, place), building)
-    yield from comparison.sections(results)
-    yield from sensitivity.sections(results)
-    yield from uncertainty.sections(results)
-    yield from recommendations.sections(results)
-    yield from declaration.sections(results)
-    yield from declaration.signature_sections(results)
-
-
-def _annex_sections(results: Results) -> Iterator[Section]:
-    """Yield what a reviewer needs to redo the calculation."""
-    yield from annex_sheets.sections(results)
-    yield from sensitivity.annex_sections(results)
-    yield from uncertainty.annex_sections(results)
-    yield from annex_histories.sections(results)
-    yield from annex_envelopes.sections(results)
-    yield from suite.sections(results)
-    yield from annex_inputs.sections(results)
-
-
-def _numbered(sections: list[Section]) -> tuple[Section, ...]:
-    """Return the sections with the number of each chapter that has no mark of its own, as annexes and mechanisms do."""
-    numbers = map(str, count(1))
-    bare = (section.level == 0 and not section.mark for section in sections)
-    return tuple(replace(each, mark=next(numbers)) if own else each for each, own in zip(sections, bare, strict=True))
 
 
 def envelope_report(results: Results) -> Document:
@@ -336,3 +285,54 @@ def figure_names(document: Document, results: Results, mechanism: str | None) ->
     if mechanism is None:
         found |= {each.name: each.name for each in document.figures if each.name not in own}
     return found
+
+
+def _write_tables(document: Document, folder: Path) -> None:
+    write_csv(document, folder / "tables")
+    write_xlsx(document, folder / "tables.xlsx")
+
+
+def _places(document: Document, forms: Sequence[Form]) -> range:
+    """Return the places of the figures of which there is to be a PNG file."""
+    return range(len(document.figures) if "png" in forms else 0)
+
+
+def _write_png(document: Document, place: int, folder: Path, creator: str) -> None:
+    figure = document.figures[place]
+    write_png(figure.draw(document.writer), folder / f"{figure.name}.png", creator)
+
+
+def _main_sections(results: Results) -> Iterator[Section]:
+    """Yield the sections that are signed."""
+    yield from verdict.sections(results)
+    building = building_of(results)
+    yield from key_plan.sections(results, building)
+    yield from scope.sections(results)
+    yield from assumptions.sections(results)
+    yield from site.sections(results)
+    for place, each in enumerate(results.mechanisms, start=1):
+        yield from mechanism_page.sections(results, each, file_stem(each.name, place), building)
+    yield from comparison.sections(results)
+    yield from sensitivity.sections(results)
+    yield from uncertainty.sections(results)
+    yield from recommendations.sections(results)
+    yield from declaration.sections(results)
+    yield from declaration.signature_sections(results)
+
+
+def _annex_sections(results: Results) -> Iterator[Section]:
+    """Yield what a reviewer needs to redo the calculation."""
+    yield from annex_sheets.sections(results)
+    yield from sensitivity.annex_sections(results)
+    yield from uncertainty.annex_sections(results)
+    yield from annex_histories.sections(results)
+    yield from annex_envelopes.sections(results)
+    yield from suite.sections(results)
+    yield from annex_inputs.sections(results)
+
+
+def _numbered(sections: list[Section]) -> tuple[Section, ...]:
+    """Return the sections with the number of each chapter that has no mark of its own, as annexes and mechanisms do."""
+    numbers = map(str, count(1))
+    bare = (section.level == 0 and not section.mark for section in sections)
+    return tuple(replace(each, mark=next(numbers)) if own else each for each, own in zip(sections, bare, strict=True))

@@ -111,12 +111,6 @@ def check_of(results: Results, row: ComparisonRow) -> Check | None:
     return worst_check(tuple(check for check in checks if check.procedure == row.procedure))
 
 
-def _collapse_checks(checks: tuple[Check, ...]) -> tuple[Check, ...]:
-    """Return the checks without those of damage (SLD), which comes before collapse, where a procedure has others."""
-    ultimate = {check.procedure for check in checks if check.limit_state != DAMAGE}
-    return tuple(check for check in checks if check.limit_state != DAMAGE or check.procedure not in ultimate)
-
-
 def capacities(checks: tuple[Check, ...]) -> dict[str, float]:
     """Return the least PGA at capacity [g] of each procedure that applies, of its limit states of collapse."""
     found: dict[str, float] = {}
@@ -130,3 +124,9 @@ def group_by_procedure(checks: tuple[Check, ...]) -> dict[str, tuple[Check, ...]
     """Group the checks by procedure, in order of appearance."""
     names = dict.fromkeys(check.procedure for check in checks)
     return {name: tuple(check for check in checks if check.procedure == name) for name in names}
+
+
+def _collapse_checks(checks: tuple[Check, ...]) -> tuple[Check, ...]:
+    """Return the checks without those of damage (SLD), which comes before collapse, where a procedure has others."""
+    ultimate = {check.procedure for check in checks if check.limit_state != DAMAGE}
+    return tuple(check for check in checks if check.limit_state != DAMAGE or check.procedure not in ultimate)

@@ -40,14 +40,6 @@ def measure_text(measure: MeasureResult) -> Text:
     return say("{measure} at the base", measure=_symbol(measure)) if measure.at == "base" else _symbol(measure)
 
 
-def _symbol(measure: MeasureResult) -> Text:
-    if measure.key == "sa" and measure.periods_s:
-        return say("Sa({period})", period=quantity(measure.periods_s[0], "time"))
-    if measure.key == "sa-average":
-        return say("averaged Sa")
-    return Verbatim(SYMBOLS.get(measure.key, measure.key))
-
-
 def state_text(state: StateResult) -> Text:
     """Return a state: "rocking", "50 % of the rotation that overturns", "overturning"."""
     if state.share is None:
@@ -101,11 +93,6 @@ def measures_of(mechanism: MechanismFragility) -> tuple[MeasureResult, ...]:
     return mechanism.measures or tuple(dict.fromkeys(curve.measure for curve in mechanism.curves))
 
 
-def _states_of(mechanism: MechanismFragility) -> tuple[StateResult, ...]:
-    """Return the states of a mechanism, in the order of its curves."""
-    return tuple(dict.fromkeys(curve.state for curve in mechanism.curves))
-
-
 def first_measure(mechanism: MechanismFragility) -> MeasureResult | None:
     """Return the measure that the report shows first: that of the hazard, else the first of the project."""
     found = [risk.measure for risk in mechanism.risks] or list(measures_of(mechanism))
@@ -148,3 +135,16 @@ def unit_intensity(mechanism: MechanismFragility, measure: MeasureResult, run: R
     """Return the intensity of a record at scale 1 by a measure; None where it is not known."""
     known = dict(zip(measures_of(mechanism), run.intensity, strict=False))
     return known.get(measure)
+
+
+def _symbol(measure: MeasureResult) -> Text:
+    if measure.key == "sa" and measure.periods_s:
+        return say("Sa({period})", period=quantity(measure.periods_s[0], "time"))
+    if measure.key == "sa-average":
+        return say("averaged Sa")
+    return Verbatim(SYMBOLS.get(measure.key, measure.key))
+
+
+def _states_of(mechanism: MechanismFragility) -> tuple[StateResult, ...]:
+    """Return the states of a mechanism, in the order of its curves."""
+    return tuple(dict.fromkeys(curve.state for curve in mechanism.curves))

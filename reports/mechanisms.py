@@ -51,13 +51,6 @@ def short_check_title(check: Check, among: tuple[Check, ...]) -> Text:
     return _with_state(short_title(check.procedure), check, among)
 
 
-def _with_state(title: Text, check: Check, among: tuple[Check, ...]) -> Text:
-    states = {other.limit_state for other in among if other.procedure == check.procedure}
-    if len(states) < 2:
-        return title
-    return say("{procedure}, {limit_state}", procedure=title, limit_state=Verbatim(check.limit_state))
-
-
 def file_stem(name: str, place: int) -> str:
     """Return a unique and safe beginning for the file names of a mechanism: its place and its name in plain letters."""
     plain = re.sub(r"[^a-z0-9]+", "-", name.lower()).strip("-")[:40].strip("-")
@@ -74,23 +67,6 @@ def mechanism_list(results: Results, names: Iterable[str]) -> Text:
         return say("all mechanisms")
     numbers = [mechanism_number(results, results.mechanisms[place].name) for place in places]
     return listing(text for run in _neighbours(places, numbers) for text in _range_texts(run))
-
-
-def _neighbours(places: list[int], numbers: list[str]) -> list[list[str]]:
-    """Return the numbers in groups of neighbours."""
-    runs: list[list[str]] = []
-    for index, (place, number) in enumerate(zip(places, numbers, strict=True)):
-        if index and place == places[index - 1] + 1:
-            runs[-1].append(number)
-        else:
-            runs.append([number])
-    return runs
-
-
-def _range_texts(run: list[str]) -> list[Text]:
-    if len(run) < SHORTEST_RANGE:
-        return [Verbatim(number) for number in run]
-    return [say("{first} to {last}", first=Verbatim(run[0]), last=Verbatim(run[-1]))]
 
 
 JOINT_MODELS: Mapping[str, Phrase] = {
@@ -160,6 +136,30 @@ def group_variants(results: Results) -> list[tuple[MechanismResult, ...]]:
     for mechanism in results.mechanisms:
         found.setdefault(_definition_without_joints(results, mechanism), []).append(mechanism)
     return [tuple(sorted(group, key=lambda each: bool(deformable_joints(each)))) for group in found.values()]
+
+
+def _with_state(title: Text, check: Check, among: tuple[Check, ...]) -> Text:
+    states = {other.limit_state for other in among if other.procedure == check.procedure}
+    if len(states) < 2:
+        return title
+    return say("{procedure}, {limit_state}", procedure=title, limit_state=Verbatim(check.limit_state))
+
+
+def _neighbours(places: list[int], numbers: list[str]) -> list[list[str]]:
+    """Return the numbers in groups of neighbours."""
+    runs: list[list[str]] = []
+    for index, (place, number) in enumerate(zip(places, numbers, strict=True)):
+        if index and place == places[index - 1] + 1:
+            runs[-1].append(number)
+        else:
+            runs.append([number])
+    return runs
+
+
+def _range_texts(run: list[str]) -> list[Text]:
+    if len(run) < SHORTEST_RANGE:
+        return [Verbatim(number) for number in run]
+    return [say("{first} to {last}", first=Verbatim(run[0]), last=Verbatim(run[-1]))]
 
 
 def _definition_without_joints(results: Results, mechanism: MechanismResult) -> frozenset[tuple[str, str]]:

@@ -69,6 +69,24 @@ def project_values(key: str, resolved: ResolvedValue) -> Iterator[ProjectValue]:
     yield from _values_below(key, resolved.value, "", resolved.dimensions)
 
 
+MECHANISMS = "mechanisms."
+
+
+def split_key(results: Results, key: str) -> tuple[str, str]:
+    """Return the mechanism that a key belongs to and its key in there; empty and the whole key for no one's."""
+    rest = key.removeprefix(MECHANISMS) if key.startswith(MECHANISMS) else ""
+    names = [each.name for each in results.mechanisms]
+    found = [name for name in names if rest == name or rest.startswith((f"{name}.", f"{name}["))]
+    owner = max(found, key=len, default="")
+    return (owner, rest.removeprefix(owner).removeprefix(".")) if owner else ("", key)
+
+
+def starred_key(results: Results, key: str) -> tuple[str, str]:
+    """Return the mechanism that a key belongs to, and the key with * in its place; empty and the key for no one's."""
+    owner, rest = split_key(results, key)
+    return (owner, f"{MECHANISMS}*.{rest}".removesuffix(".")) if owner else ("", key)
+
+
 def _values_below(key: str, value: object, path: str, kinds: Mapping[str, str]) -> Iterator[ProjectValue]:
     if isinstance(value, Mapping):
         for name, below in value.items():
@@ -96,21 +114,3 @@ def _text(value: object, kind: str) -> Quantity | Verbatim:
         return Verbatim(str(value))
     number = value / g if kind == "acceleration" else float(value)
     return Quantity(number, KIND_DIMENSIONS.get(kind, "ratio"), _FIGURES)
-
-
-MECHANISMS = "mechanisms."
-
-
-def split_key(results: Results, key: str) -> tuple[str, str]:
-    """Return the mechanism that a key belongs to and its key in there; empty and the whole key for no one's."""
-    rest = key.removeprefix(MECHANISMS) if key.startswith(MECHANISMS) else ""
-    names = [each.name for each in results.mechanisms]
-    found = [name for name in names if rest == name or rest.startswith((f"{name}.", f"{name}["))]
-    owner = max(found, key=len, default="")
-    return (owner, rest.removeprefix(owner).removeprefix(".")) if owner else ("", key)
-
-
-def starred_key(results: Results, key: str) -> tuple[str, str]:
-    """Return the mechanism that a key belongs to, and the key with * in its place; empty and the key for no one's."""
-    owner, rest = split_key(results, key)
-    return (owner, f"{MECHANISMS}*.{rest}".removesuffix(".")) if owner else ("", key)

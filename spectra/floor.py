@@ -24,33 +24,6 @@ NZS_LOW = 12.0  # m: height below which 1 + h/6 applies
 NZS_SHARE = 0.2  # of the building's height, where 1 + 10 h/H ends
 
 
-def _ec8_floor_factors(
-    period_ratio: ArrayLike, *, height: float, building_height: float, soil_factor: float = 1.0
-) -> FloatArray:
-    """Return S [3 (1 + z/H) / (1 + (1 - T_a/T_1)^2) - 0.5], at least S [-]: the coefficient S_a over alpha.
-
-    Parameters
-    ----------
-    period_ratio : T_a / T_1, of the part to the building [any shape] [-]
-    height : z, above the base of the building [m]
-    building_height : H [m]
-    soil_factor : S [-]; 1 where the ground motion is already that of the surface
-
-    Returns
-    -------
-    array [shape of period_ratio] [-]
-
-    Raises
-    ------
-    SpectrumError : the height is outside 0 <= z <= H
-
-    Source: EN 1998-1:2004, 4.3.5.2, eq. (4.25); not checked against the printed standard.
-    """
-    ratio = height_ratio(height, building_height, clause="EN 1998-1, 4.3.5.2")
-    detuned = (1.0 - np.asarray(period_ratio, dtype=np.float64)) ** 2
-    return np.asarray(soil_factor * np.maximum(1.0, 3.0 * (1.0 + ratio) / (1.0 + detuned) - 0.5))
-
-
 def ec8_floor_factor(height: float, *, building_height: float, period_ratio: float, soil_factor: float = 1.0) -> float:
     """Return `_ec8_floor_factors` of one part [-].
 
@@ -200,18 +173,6 @@ def part_action(coefficient: ArrayLike, *, ductility: float = 1.0, risk_factor: 
     """
     action = np.asarray(coefficient, dtype=np.float64) * part_response_factor(ductility) * risk_factor
     return np.asarray(np.minimum(action, LARGEST_PART_COEFFICIENT * g))
-
-
-def _period_array(period: ArrayLike) -> FloatArray:
-    """Return periods [s] as an array; refuse periods that are negative or not numbers."""
-    return check_periods(np.asarray(period, dtype=np.float64))
-
-
-def _first_period(building_period: float, *, clause: str) -> float:
-    """Return T_1 of the building [s]; refuse one that is not positive, citing the clause."""
-    if not building_period > 0.0:
-        raise SpectrumError(f"period of the building {building_period} s; {clause} needs one that is positive")
-    return building_period
 
 
 COUPLING = (0.4, 0.5)  # beta of C7.2.4
@@ -374,15 +335,6 @@ def part_amplification(period_ratio: ArrayLike, damping: float, *, beta: float) 
     return np.asarray(((2.0 * xi * r) ** 2 + (1.0 - r**2) ** 2) ** -beta)
 
 
-def _resonance_factor(mode: Mode, damping: float) -> float:
-    """Return a = 1.1 xi_k^-0.5 eta(xi) [-], at least 1, with xi_k as a ratio. Source: Circolare 7/2019, C7.2.6."""
-    return _resonance(mode.damping, damping)
-
-
-def _resonance(mode_damping: float, damping: float) -> float:
-    return float(max(1.1 * mode_damping**-0.5 * ec8_eta(damping), 1.0))
-
-
 def circolare2019_frame(
     period: ArrayLike, *, ground: float, height: float, building_height: float, building_period: float
 ) -> FloatArray:
@@ -403,6 +355,54 @@ def circolare2019_frame(
     below, above = np.maximum(1.0 - T_a / (frame.a * T_1), 0.0), np.maximum(T_a / (frame.b * T_1) - 1.0, 0.0)
     resonance = frame.a_p / (1.0 + (frame.a_p - 1.0) * (below**2 + above**2))
     return np.asarray(ground * np.maximum(1.0, (1.0 + ratio) * resonance))
+
+
+def _ec8_floor_factors(
+    period_ratio: ArrayLike, *, height: float, building_height: float, soil_factor: float = 1.0
+) -> FloatArray:
+    """Return S [3 (1 + z/H) / (1 + (1 - T_a/T_1)^2) - 0.5], at least S [-]: the coefficient S_a over alpha.
+
+    Parameters
+    ----------
+    period_ratio : T_a / T_1, of the part to the building [any shape] [-]
+    height : z, above the base of the building [m]
+    building_height : H [m]
+    soil_factor : S [-]; 1 where the ground motion is already that of the surface
+
+    Returns
+    -------
+    array [shape of period_ratio] [-]
+
+    Raises
+    ------
+    SpectrumError : the height is outside 0 <= z <= H
+
+    Source: EN 1998-1:2004, 4.3.5.2, eq. (4.25); not checked against the printed standard.
+    """
+    ratio = height_ratio(height, building_height, clause="EN 1998-1, 4.3.5.2")
+    detuned = (1.0 - np.asarray(period_ratio, dtype=np.float64)) ** 2
+    return np.asarray(soil_factor * np.maximum(1.0, 3.0 * (1.0 + ratio) / (1.0 + detuned) - 0.5))
+
+
+def _period_array(period: ArrayLike) -> FloatArray:
+    """Return periods [s] as an array; refuse periods that are negative or not numbers."""
+    return check_periods(np.asarray(period, dtype=np.float64))
+
+
+def _first_period(building_period: float, *, clause: str) -> float:
+    """Return T_1 of the building [s]; refuse one that is not positive, citing the clause."""
+    if not building_period > 0.0:
+        raise SpectrumError(f"period of the building {building_period} s; {clause} needs one that is positive")
+    return building_period
+
+
+def _resonance_factor(mode: Mode, damping: float) -> float:
+    """Return a = 1.1 xi_k^-0.5 eta(xi) [-], at least 1, with xi_k as a ratio. Source: Circolare 7/2019, C7.2.6."""
+    return _resonance(mode.damping, damping)
+
+
+def _resonance(mode_damping: float, damping: float) -> float:
+    return float(max(1.1 * mode_damping**-0.5 * ec8_eta(damping), 1.0))
 
 
 def _modal_peak(spectrum: Spectrum, mode: Mode) -> float:

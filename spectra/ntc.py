@@ -171,11 +171,6 @@ def soil_factor(hazard: Hazard, soil: str) -> float:
     return min(max(row.constant - row.slope * hazard.f_0 * hazard.a_g / g, row.least), row.most)
 
 
-def _period_coefficient(hazard: Hazard, soil: str) -> float:
-    """Return C_C [-]. Source: NTC 2018 Table 3.2.IV (2008: 3.2.V)."""
-    return float(SOILS[soil].factor * hazard.t_c_star ** SOILS[soil].power)
-
-
 def topographic_factor(place: SoilAndTopography) -> float:
     """Return S_T [-]: that of the category at the top of the relief, falling to 1 at its base.
 
@@ -250,6 +245,11 @@ def limit_state_hazard(
     """
     life = reference_life(nominal_life, use_class=use_class)
     return hazard_at(table, return_period=return_period(limit_state, reference_life=life))
+
+
+def _period_coefficient(hazard: Hazard, soil: str) -> float:
+    """Return C_C [-]. Source: NTC 2018 Table 3.2.IV (2008: 3.2.V)."""
+    return float(SOILS[soil].factor * hazard.t_c_star ** SOILS[soil].power)
 
 
 def _check(hazard: Hazard, place: SoilAndTopography, code: str) -> str:

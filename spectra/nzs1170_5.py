@@ -141,14 +141,6 @@ def vertical_spectrum(*, subsoil: str, z: float, r: float, near_fault_distance: 
     )
 
 
-def _cap_warning(z: float, r: float) -> tuple[Message, ...]:
-    """Return a warning where Z R is more than the standard asks for."""
-    if z * r <= LARGEST_ZR:
-        return ()
-    values = {"z": Quantity(z), "r": Quantity(r), "product": Quantity(z * r), "most": Quantity(LARGEST_ZR)}
-    return (warning("site-factors-capped", **values),)
-
-
 def return_period_factor(years: float) -> float:
     """Return R [-] for a return period of 20 to 2500 years, linear between the rows.
 
@@ -168,6 +160,14 @@ def near_fault_factor(period: ArrayLike, *, distance: float, r: float) -> FloatA
     N_max = np.interp(np.asarray(period, dtype=np.float64), NEAR_FAULT_PERIODS, NEAR_FAULT_FACTORS)
     share = 0.0 if r <= FREQUENT else float(np.clip((FAR - distance) / (FAR - NEAR), 0.0, 1.0))
     return np.asarray(1.0 + share * (N_max - 1.0))
+
+
+def _cap_warning(z: float, r: float) -> tuple[Message, ...]:
+    """Return a warning where Z R is more than the standard asks for."""
+    if z * r <= LARGEST_ZR:
+        return ()
+    values = {"z": Quantity(z), "r": Quantity(r), "product": Quantity(z * r), "most": Quantity(LARGEST_ZR)}
+    return (warning("site-factors-capped", **values),)
 
 
 def _subsoil(name: str) -> Subsoil:

@@ -81,16 +81,6 @@ def read_table(path: Path, *, damping: float = 0.05, pga: float | None = None) -
         raise SpectrumError(f"{path}: the file cannot be read: {error.strerror}") from None
 
 
-def _naming(path: Path, text: str) -> str:
-    return text if text.startswith(str(path)) else f"{path}: {text}"
-
-
-def _factor(unit: str | None, column: str, *, known: Mapping[str, float]) -> float:
-    if unit is None:
-        raise ColumnError(f"the header gives no unit for the {column}; write it like: period [s], acceleration [g]")
-    return factor_of(unit, known=known)
-
-
 @dataclass(frozen=True)
 class _Points:
     """Points of a spectrum from T = 0: period [n] [s], acceleration [n] [m/s2]."""
@@ -114,6 +104,16 @@ class _Points:
         amplification = np.max(self.acceleration) / self.acceleration[0]
         tau = np.minimum(T / T_B, 1.0) if T_B > 0.0 else (T > 0.0).astype(np.float64)
         return np.asarray((1.0 + tau * (amplification * eta - 1.0)) / (1.0 + tau * (amplification - 1.0)))
+
+
+def _naming(path: Path, text: str) -> str:
+    return text if text.startswith(str(path)) else f"{path}: {text}"
+
+
+def _factor(unit: str | None, column: str, *, known: Mapping[str, float]) -> float:
+    if unit is None:
+        raise ColumnError(f"the header gives no unit for the {column}; write it like: period [s], acceleration [g]")
+    return factor_of(unit, known=known)
 
 
 def _check_points(period: ArrayLike, acceleration: ArrayLike) -> tuple[FloatArray, FloatArray]:

@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from assess.portfolio.tasks import Keep
     from assess.results import Results
 
+
 FORMATS = ("nrml", "pelicun", "csv")
 """The keys of `EXPORT_FORMATS`, whose module takes a second to import."""
 
@@ -48,39 +49,6 @@ def run(
     print(run_text(results), end="")
     print(path)
     raise typer.Exit(exit_code(results))
-
-
-def _run_project(project: Path, output: Path | None, jobs: int | None, *, report: bool) -> tuple[Results, Path]:
-    """Run the study and write its files; return the results and the path of the report, or of results.json."""
-    from assess.project.project_file import load
-
-    loaded = load(project)  # before the physics is imported, which takes seconds, so that an error is reported at once
-    from assess.outputs.manifest import REPORT, RESULTS
-    from assess.outputs.writing import output_folder
-    from assess.project.build import build
-    from assess.results.json import dumps
-    from assess.study.run import run_study
-    from assess.workers import available_cores, process_pool
-
-    folder = output or loaded.folder / f"{loaded.path.stem}-results"
-    expected = (RESULTS, *(REPORT if report else ()))
-    with (
-        output_folder(folder, command="assess run", expected=expected, tell=print_message) as stage,
-        on_interruption(f"nothing was written into {folder}"),
-        progress() as shown,
-    ):
-        with process_pool(jobs) as executor:
-            study = build(loaded, executor=executor)
-        results = run_study(study, jobs=jobs or available_cores(), progress=shown.count)
-        for record in results.records:
-            print_detail(f"record {record.path or record.id}, factor {record.scale_factor:.4g}")
-        main_file = stage / RESULTS
-        main_file.write_bytes(dumps(results).encode())
-        if report:
-            from reports.assessment import write_all
-
-            main_file = write_all(results, stage, jobs=jobs or 0, progress=shown.step)
-    return results, folder / main_file.relative_to(stage)
 
 
 def batch(
@@ -152,21 +120,6 @@ def batch(
     raise typer.Exit(found.exit_code)
 
 
-def _portfolio_text(found: Portfolio) -> str:
-    """Write how many projects came to what, and where the table is."""
-    counts = found.count()
-    parts = [
-        f"{counts[name]} {name}" for name in ("fail", "incomplete", "pass", "no verdict", "broken") if counts[name]
-    ]
-    number = len(found.rows)
-    lines = [f"{number} project{'' if number == 1 else 's'}{': ' if parts else ''}{', '.join(parts)}"]
-    if found.table is None:
-        lines.append(f"{found.left} of other shares are not done; the last share to end writes the ranked table")
-    else:
-        lines.append(str(found.table))
-    return "".join(f"{line}\n" for line in lines)
-
-
 def envelope(
     project: ProjectPath,
     output: Annotated[
@@ -208,20 +161,6 @@ def envelope(
     print((dumps_envelopes if as_json else envelopes_csv if as_csv else envelopes_table)(results), end="")
     if output is not None and not (as_json or as_csv):
         print(output / "envelopes.pdf")
-
-
-def _check_formats(text: str | None) -> str | None:
-    """Return the formats of an export, separated by commas; raise BadParameter for one that is not known."""
-    for name in [] if text is None else text.split(","):
-        if name not in FORMATS:
-            raise typer.BadParameter(f'"{name}" is no format of exports; write of {",".join(FORMATS)}')
-    return text
-
-
-def _complete_formats(incomplete: str) -> Sequence[str]:
-    """Complete the last of the formats of an export, which stand between commas."""
-    before, comma, last = incomplete.rpartition(",")
-    return [f"{before}{comma}{name}" for name in FORMATS if name.startswith(last) and name not in before.split(",")]
 
 
 def fragility(
@@ -286,3 +225,65 @@ def fragility(
     )
     if output is not None and not (as_json or as_csv):
         print(output / "fragility.pdf")
+
+
+def _run_project(project: Path, output: Path | None, jobs: int | None, *, report: bool) -> tuple[Results, Path]:
+    """Run the study and write its files; return the results and the path of the report, or of results.json."""
+    from assess.project.project_file import load
+
+    loaded = load(project)  # before the physics is imported, which takes seconds, so that an error is reported at once
+    from assess.outputs.manifest import REPORT, RESULTS
+    from assess.outputs.writing import output_folder
+    from assess.project.build import build
+    from assess.results.json import dumps
+    from assess.study.run import run_study
+    from assess.workers import available_cores, process_pool
+
+    folder = output or loaded.folder / f"{loaded.path.stem}-results"
+    expected = (RESULTS, *(REPORT if report else ()))
+    with (
+        output_folder(folder, command="assess run", expected=expected, tell=print_message) as stage,
+        on_interruption(f"nothing was written into {folder}"),
+        progress() as shown,
+    ):
+        with process_pool(jobs) as executor:
+            study = build(loaded, executor=executor)
+        results = run_study(study, jobs=jobs or available_cores(), progress=shown.count)
+        for record in results.records:
+            print_detail(f"record {record.path or record.id}, factor {record.scale_factor:.4g}")
+        main_file = stage / RESULTS
+        main_file.write_bytes(dumps(results).encode())
+        if report:
+            from reports.assessment import write_all
+
+            main_file = write_all(results, stage, jobs=jobs or 0, progress=shown.step)
+    return results, folder / main_file.relative_to(stage)
+
+
+def _portfolio_text(found: Portfolio) -> str:
+    """Write how many projects came to what, and where the table is."""
+    counts = found.count()
+    parts = [
+        f"{counts[name]} {name}" for name in ("fail", "incomplete", "pass", "no verdict", "broken") if counts[name]
+    ]
+    number = len(found.rows)
+    lines = [f"{number} project{'' if number == 1 else 's'}{': ' if parts else ''}{', '.join(parts)}"]
+    if found.table is None:
+        lines.append(f"{found.left} of other shares are not done; the last share to end writes the ranked table")
+    else:
+        lines.append(str(found.table))
+    return "".join(f"{line}\n" for line in lines)
+
+
+def _check_formats(text: str | None) -> str | None:
+    """Return the formats of an export, separated by commas; raise BadParameter for one that is not known."""
+    for name in [] if text is None else text.split(","):
+        if name not in FORMATS:
+            raise typer.BadParameter(f'"{name}" is no format of exports; write of {",".join(FORMATS)}')
+    return text
+
+
+def _complete_formats(incomplete: str) -> Sequence[str]:
+    """Complete the last of the formats of an export, which stand between commas."""
+    before, comma, last = incomplete.rpartition(",")
+    return [f"{before}{comma}{name}" for name in FORMATS if name.startswith(last) and name not in before.split(",")]

@@ -13,12 +13,6 @@ from assess.cli.options import ProjectPath, refuse_two_formats
 from assess.cli.stderr import print_messages, progress
 
 
-def _complete_examples(incomplete: str) -> Sequence[str]:
-    """Complete the name of an example, by the folders that are shipped."""
-    folders = (Path(__file__).parents[1] / "examples" / "projects").iterdir()
-    return sorted(each.name for each in folders if each.is_dir() and each.name.startswith(incomplete))
-
-
 def new(
     folder: Annotated[
         Path | None, typer.Argument(metavar="DIR", help="Folder to create; it must be empty or not exist yet.")
@@ -114,6 +108,12 @@ def schema(
     with replace_file(output, command="assess schema", is_replaceable=_is_schema) as made:
         made.write_text(schema_text(), encoding="utf-8", newline="\n")
     print(output)
+
+
+def _complete_examples(incomplete: str) -> Sequence[str]:
+    """Complete the name of an example, by the folders that are shipped."""
+    folders = (Path(__file__).parents[1] / "examples" / "projects").iterdir()
+    return sorted(each.name for each in folders if each.is_dir() and each.name.startswith(incomplete))
 
 
 def _is_schema(path: Path) -> bool:

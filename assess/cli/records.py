@@ -35,28 +35,6 @@ if TYPE_CHECKING:
     from assess.project.suites import ScaledSuite
 
 
-def _list_records(
-    files: Files,
-    unit: UnitOption = None,
-    step: StepOption = None,
-    response: Response = None,
-    as_json: Annotated[
-        bool, typer.Option("--json", help="Print the records as in results.json, with their measures.")
-    ] = False,
-    as_csv: Annotated[bool, typer.Option("--csv", help="Print the table as CSV at full precision.")] = False,
-) -> None:
-    """Print time step, samples, peaks, intensities and durations of each record."""
-    refuse_two_formats(as_json=as_json, as_csv=as_csv)
-    from assess.cli.tables.records import records_csv, records_json, records_table
-    from records.plausibility import record_warning, warnings_among
-    from records.reading import read_records
-
-    found = [record for file in files for record in read_records(file, unit=unit, step=step, response=response)]
-    print_warnings([*map(record_warning, found), *map(str, warnings_among(found))])
-    text = records_json if as_json else records_csv if as_csv else records_table
-    print(text(found), end="")
-
-
 Folder = Annotated[Path, typer.Argument(metavar="FOLDER", help="Folder of record files, with its subfolders.")]
 
 
@@ -213,29 +191,6 @@ def convert(
     stamp = stamp_of_files("records convert", files, processing, component, unit, step, to_unit)
     _write_record(record_text(record, output, unit=to_unit, stamp=stamp), output, inputs=files)
     print(f"{output}: {record.npts} samples at {record.dt:.6g} s; {'; '.join(map(str, record.processing_history))}")
-
-
-def _write_record(text: str, path: Path, *, inputs: Sequence[Path]) -> None:
-    """Write a file completely or not at all; refuse one that is read."""
-    from assess.errors import OutputError
-    from assess.outputs.writing import write_file
-
-    if path.is_dir() or any(path.exists() and path.samefile(each) for each in inputs):
-        raise OutputError(f"{path}: is a folder or an input file; give another name with -o")
-    with write_file(path, command="assess records convert") as made:
-        made.write_text(text, encoding="utf-8", newline="\n")
-
-
-NOT_CRITERIA = ("places", "jobs", "as_json", "as_csv", "output", "target", "lock")
-
-OPTION_NAMES = {"code": "for"}
-"""Options that are not named after their argument."""
-Span = tuple[float, float] | None
-
-
-def _span_option(words: str) -> typer.models.OptionInfo:
-    option: typer.models.OptionInfo = typer.Option(metavar="FROM TO", help=words, show_default=False)
-    return option
 
 
 def select(
@@ -412,6 +367,51 @@ def scale(
                 name = "".join(c if c.isascii() and (c.isalnum() or c in "-._") else "-" for c in motion.record.id)
                 (stage / f"{number:02d}-{name[:60]}.csv").write_text(text, encoding="utf-8")
     print((suite_json if as_json else suite_csv if as_csv else suite_table)(suite), end="")
+
+
+def _list_records(
+    files: Files,
+    unit: UnitOption = None,
+    step: StepOption = None,
+    response: Response = None,
+    as_json: Annotated[
+        bool, typer.Option("--json", help="Print the records as in results.json, with their measures.")
+    ] = False,
+    as_csv: Annotated[bool, typer.Option("--csv", help="Print the table as CSV at full precision.")] = False,
+) -> None:
+    """Print time step, samples, peaks, intensities and durations of each record."""
+    refuse_two_formats(as_json=as_json, as_csv=as_csv)
+    from assess.cli.tables.records import records_csv, records_json, records_table
+    from records.plausibility import record_warning, warnings_among
+    from records.reading import read_records
+
+    found = [record for file in files for record in read_records(file, unit=unit, step=step, response=response)]
+    print_warnings([*map(record_warning, found), *map(str, warnings_among(found))])
+    text = records_json if as_json else records_csv if as_csv else records_table
+    print(text(found), end="")
+
+
+def _write_record(text: str, path: Path, *, inputs: Sequence[Path]) -> None:
+    """Write a file completely or not at all; refuse one that is read."""
+    from assess.errors import OutputError
+    from assess.outputs.writing import write_file
+
+    if path.is_dir() or any(path.exists() and path.samefile(each) for each in inputs):
+        raise OutputError(f"{path}: is a folder or an input file; give another name with -o")
+    with write_file(path, command="assess records convert") as made:
+        made.write_text(text, encoding="utf-8", newline="\n")
+
+
+NOT_CRITERIA = ("places", "jobs", "as_json", "as_csv", "output", "target", "lock")
+
+OPTION_NAMES = {"code": "for"}
+"""Options that are not named after their argument."""
+Span = tuple[float, float] | None
+
+
+def _span_option(words: str) -> typer.models.OptionInfo:
+    option: typer.models.OptionInfo = typer.Option(metavar="FROM TO", help=words, show_default=False)
+    return option
 
 
 def _refuse_without_target(context: typer.Context, target: Path | None, places: Sequence[Path]) -> None:

@@ -82,57 +82,6 @@ def report(
     print(folder / pdf.relative_to(stage))
 
 
-def _report_fragility(path: Path, folder: Path, *, png: bool, language: Language | None) -> None:
-    """Rewrite the report of `assess fragility` from its results at `path`."""
-    from assess.outputs.manifest import FRAGILITY
-    from assess.results.json import open_fragility
-    from reports.assessment import fragility_report, locale_of, results_without_mechanisms, write_document
-
-    found = open_fragility(path, tell=print_message)
-    plain = results_without_mechanisms(found)
-    chosen = language or _language_of(plain, source=path)
-    with _output(folder, source=path, owner=FRAGILITY, stem="fragility") as (stage, shown):
-        document = replace(fragility_report(found), locale=locale_of(plain, chosen))
-        pdf = write_document(document, stage, name="fragility.pdf", figures=_forms(png), progress=shown.step)
-    print(folder / pdf.relative_to(stage))
-
-
-@contextmanager
-def _output(folder: Path, *, source: Path, owner: str, stem: str) -> Iterator[tuple[Path, ProgressDisplay]]:
-    """Give a temporary folder for a report, and its progress; results from elsewhere are copied beside it."""
-    from assess.outputs.writing import output_folder
-
-    copied = (owner,) if folder.resolve() != source.parent.resolve() else ()
-    expected = (f"{stem}.pdf", f"{stem}.html", "tables.xlsx", *copied)
-    with (
-        output_folder(folder, command="assess report", owner=owner, expected=expected, tell=print_message) as stage,
-        on_interruption(f"nothing was written into {folder}"),
-        progress() as shown,
-    ):
-        yield stage, shown
-        for copy in copied:
-            (stage / copy).write_bytes(source.read_bytes())
-
-
-def _forms(png: bool) -> tuple[Form, ...]:
-    return ("svg", "png") if png else ("svg",)
-
-
-def _language_of(results: Results, *, source: Path) -> str:
-    """Return the language of results, English by default; raise ResultsError for one without a catalogue."""
-    from assess.errors import ResultsError
-    from reports.language.locale import ENGLISH, languages
-    from reports.project_values import project_text
-
-    language = project_text(results, "report.language")
-    if language in ("", *languages()):
-        return language or ENGLISH
-    known, named = " or ".join(f'"{each}"' for each in languages()), json.dumps(language)[:40]
-    raise ResultsError(
-        f"{source}: project.report.language: {named}: no such language; write {known}, or give --language"
-    )
-
-
 def summary(
     runs: Annotated[
         list[Path], typer.Argument(metavar="RUN…", help="results.json of each run, or its folder, or its project's.")
@@ -195,3 +144,54 @@ def diff(
         text = (changes_json if as_json else changes_csv if as_csv else changes_text)(found)
     print(text, end="")
     raise typer.Exit(1 if exit_code and found else 0)
+
+
+def _report_fragility(path: Path, folder: Path, *, png: bool, language: Language | None) -> None:
+    """Rewrite the report of `assess fragility` from its results at `path`."""
+    from assess.outputs.manifest import FRAGILITY
+    from assess.results.json import open_fragility
+    from reports.assessment import fragility_report, locale_of, results_without_mechanisms, write_document
+
+    found = open_fragility(path, tell=print_message)
+    plain = results_without_mechanisms(found)
+    chosen = language or _language_of(plain, source=path)
+    with _output(folder, source=path, owner=FRAGILITY, stem="fragility") as (stage, shown):
+        document = replace(fragility_report(found), locale=locale_of(plain, chosen))
+        pdf = write_document(document, stage, name="fragility.pdf", figures=_forms(png), progress=shown.step)
+    print(folder / pdf.relative_to(stage))
+
+
+@contextmanager
+def _output(folder: Path, *, source: Path, owner: str, stem: str) -> Iterator[tuple[Path, ProgressDisplay]]:
+    """Give a temporary folder for a report, and its progress; results from elsewhere are copied beside it."""
+    from assess.outputs.writing import output_folder
+
+    copied = (owner,) if folder.resolve() != source.parent.resolve() else ()
+    expected = (f"{stem}.pdf", f"{stem}.html", "tables.xlsx", *copied)
+    with (
+        output_folder(folder, command="assess report", owner=owner, expected=expected, tell=print_message) as stage,
+        on_interruption(f"nothing was written into {folder}"),
+        progress() as shown,
+    ):
+        yield stage, shown
+        for copy in copied:
+            (stage / copy).write_bytes(source.read_bytes())
+
+
+def _forms(png: bool) -> tuple[Form, ...]:
+    return ("svg", "png") if png else ("svg",)
+
+
+def _language_of(results: Results, *, source: Path) -> str:
+    """Return the language of results, English by default; raise ResultsError for one without a catalogue."""
+    from assess.errors import ResultsError
+    from reports.language.locale import ENGLISH, languages
+    from reports.project_values import project_text
+
+    language = project_text(results, "report.language")
+    if language in ("", *languages()):
+        return language or ENGLISH
+    known, named = " or ".join(f'"{each}"' for each in languages()), json.dumps(language)[:40]
+    raise ResultsError(
+        f"{source}: project.report.language: {named}: no such language; write {known}, or give --language"
+    )

@@ -17,24 +17,11 @@ if TYPE_CHECKING:
     from reports.language.texts import Phrase, Verbatim
     from spectra.spectrum import Spectrum
 
+
 NOT_KEYS = ("project", "vertical", "as_json", "as_csv", "output")
 """Parameters of the command that are not keys of a spectrum."""
 ROUND_PERIODS = (0.0, 0.05, 0.1, 0.15, 0.2, 0.3, 0.4, 0.5, 0.6, 0.8, 1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0)  # s
 HAZARDS = complete_words("design", "mce")
-
-
-def _key_option(name: str, metavar: str, words: str, complete: Completion | None = None) -> typer.models.OptionInfo:
-    option: typer.models.OptionInfo = typer.Option(
-        f"--{name}", metavar=metavar, help=words, show_default=False, autocompletion=complete
-    )
-    return option
-
-
-def _complete_codes(incomplete: str) -> Sequence[str]:
-    """Complete the name of a design spectrum."""
-    from spectra.registry import SPECTRA
-
-    return [name for name in SPECTRA if name.startswith(incomplete)]
 
 
 def spectrum(
@@ -132,6 +119,28 @@ def spectrum(
     print((_spectrum_json if as_json else _spectrum_csv if as_csv else _spectrum_table)(found), end="")
 
 
+def periods_of(spectrum: Spectrum) -> list[float]:
+    """Return round periods and the spectrum's corners [s], ascending, as far as the spectrum extends."""
+    from reports.language.value_names import corners
+
+    periods = {*ROUND_PERIODS, *corners(spectrum.parameters)}
+    return sorted(period for period in periods if period <= min(spectrum.longest_period, max(ROUND_PERIODS)))
+
+
+def _key_option(name: str, metavar: str, words: str, complete: Completion | None = None) -> typer.models.OptionInfo:
+    option: typer.models.OptionInfo = typer.Option(
+        f"--{name}", metavar=metavar, help=words, show_default=False, autocompletion=complete
+    )
+    return option
+
+
+def _complete_codes(incomplete: str) -> Sequence[str]:
+    """Complete the name of a design spectrum."""
+    from spectra.registry import SPECTRA
+
+    return [name for name in SPECTRA if name.startswith(incomplete)]
+
+
 def _check_options(
     project: Path | None, options: dict[str, str], *, as_json: bool, as_csv: bool, output: Path | None
 ) -> None:
@@ -165,14 +174,6 @@ def _spectrum_table(spectrum: Spectrum) -> str:
             text_table(["T [s]", "S_a [g]", "S_d [mm]"], ordinates),
         )
     )
-
-
-def periods_of(spectrum: Spectrum) -> list[float]:
-    """Return round periods and the spectrum's corners [s], ascending, as far as the spectrum extends."""
-    from reports.language.value_names import corners
-
-    periods = {*ROUND_PERIODS, *corners(spectrum.parameters)}
-    return sorted(period for period in periods if period <= min(spectrum.longest_period, max(ROUND_PERIODS)))
 
 
 def _spectrum_csv(spectrum: Spectrum) -> str:

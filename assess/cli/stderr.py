@@ -64,16 +64,6 @@ def print_detail(text: str) -> None:
     LOG.debug("assess: %s", escape_text(text))
 
 
-def _is_verbose() -> bool:
-    """Whether --verbose was given."""
-    return LOG.isEnabledFor(VERBOSE)
-
-
-def _is_quiet() -> bool:
-    """Whether --quiet was given."""
-    return not LOG.isEnabledFor(USUAL)
-
-
 @contextmanager
 def on_interruption(what_stands: str) -> Iterator[None]:
     """Add to an interruption of the block what then stands."""
@@ -131,6 +121,16 @@ def progress() -> Iterator[ProgressDisplay]:
     else:
         with _progress_bar() as bar:
             yield bar
+
+
+def _is_verbose() -> bool:
+    """Whether --verbose was given."""
+    return LOG.isEnabledFor(VERBOSE)
+
+
+def _is_quiet() -> bool:
+    """Whether --quiet was given."""
+    return not LOG.isEnabledFor(USUAL)
 
 
 @contextmanager

@@ -20,17 +20,10 @@ if TYPE_CHECKING:
     from assess.results.verification import CaseResult, Spread, ValueResult, VerificationResults
     from assess.verification.case_files import CaseFile
 
+
 WIDEST = 160  # characters of a line
 MOST_FAILURES = 5  # values that fail, of one case
 DIGITS, MOST_DIGITS = 6, 17  # of a value; with the latter every number differs from every other
-
-
-def _complete_cases(incomplete: str) -> Sequence[str]:
-    """Complete the key of a solved case, or of all cases of one source."""
-    from assess.results.verification import exercised_by_case
-
-    keys = set(exercised_by_case())
-    return [key for key in sorted(keys | {key.partition("/")[0] for key in keys}) if key.startswith(incomplete)]
 
 
 def verify(
@@ -105,6 +98,27 @@ def verify(
     raise typer.Exit(1 if results.failures else 0)
 
 
+def verification_text(results: VerificationResults, *, seconds: float) -> str:
+    """Write a line for each case, what is wrong with those that fail, and the totals.
+
+    Parameters
+    ----------
+    results : of `assess verify`
+    seconds : that it took
+    """
+    return "".join(
+        f"{on_one_line(line, WIDEST)}\n" for line in (*_case_lines(results), *_total_lines(results, seconds))
+    )
+
+
+def _complete_cases(incomplete: str) -> Sequence[str]:
+    """Complete the key of a solved case, or of all cases of one source."""
+    from assess.results.verification import exercised_by_case
+
+    keys = set(exercised_by_case())
+    return [key for key in sorted(keys | {key.partition("/")[0] for key in keys}) if key.startswith(incomplete)]
+
+
 def _load_project(path: Path) -> tuple[Project, tuple[str, ...]]:
     """Return a project as read, and what it uses."""
     from assess.project.project_file import load
@@ -163,19 +177,6 @@ def _list_cases(cases: tuple[CaseFile, ...]) -> str:
     if not text:
         sys.stderr.write("assess: note: no case\n")
     return text
-
-
-def verification_text(results: VerificationResults, *, seconds: float) -> str:
-    """Write a line for each case, what is wrong with those that fail, and the totals.
-
-    Parameters
-    ----------
-    results : of `assess verify`
-    seconds : that it took
-    """
-    return "".join(
-        f"{on_one_line(line, WIDEST)}\n" for line in (*_case_lines(results), *_total_lines(results, seconds))
-    )
 
 
 def _case_lines(results: VerificationResults) -> Iterator[str]:

@@ -74,6 +74,103 @@ def assess_slenderness(oscillator: Oscillator, context: Context, *, options: Asc
     return check_worst_branch(oscillator, context.levels, one)
 
 
+def s_x1_over_pga(context: Context, options: Asce41Options) -> float:
+    """Return S_X1 over the PGA of the same level [-]."""
+    pga = context.spectrum.pga
+    if options.s_x1 is not None:
+        return options.s_x1 * g / pga
+    return float(context.spectrum.acceleration(PERIOD, damping=DAMPING)) / pga
+
+
+PERMITTED: Mapping[Position | Seismicity, str] = {
+    "one-storey": "the permissible h/t (wall of a one-storey building)",
+    "first-storey": "the permissible h/t (first-storey wall of a multistorey building)",
+    "top-storey": "the permissible h/t (wall in the top storey of a multistorey building)",
+    "other": "the permissible h/t (all other walls)",
+    "moderate": "the permissible h/t of parapets in moderate seismicity",
+    "high": "the permissible h/t of parapets in high seismicity",
+}
+SEISMICITY: Mapping[Seismicity, str] = {"moderate": "moderate seismicity, given", "high": "high seismicity, given"}
+PLACES: Mapping[Position, str] = {
+    "one-storey": "wall of a one-storey building",
+    "first-storey": "first-storey wall of a multistorey building",
+    "top-storey": "wall in the top storey of a multistorey building",
+    "other": "all other walls",
+}
+BOUNDS = (0.24, 0.37)  # g: S_X1 up to which the first and the second column hold
+PERMISSIBLE: Mapping[Position, tuple[float, float, float]] = {  # h/t [-], Table 11-5
+    "one-storey": (20.0, 16.0, 13.0),
+    "first-storey": (20.0, 18.0, 15.0),
+    "top-storey": (14.0, 14.0, 9.0),
+    "other": (20.0, 16.0, 13.0),
+}
+PARAPET: Mapping[Seismicity, float] = {"moderate": 2.5, "high": 1.5}  # h/t [-]
+NEAR_ROOF = 0.5  # m: what stands free no lower than this under the top of the building stands on it
+
+
+def permissible_slenderness(position: Position, s_x1: float) -> float:
+    """Return the largest permissible h/t of a wall (Table 11-5).
+
+    Parameters
+    ----------
+    position : row of the table
+    s_x1 : S_X1 [g]
+
+    Returns
+    -------
+    float [-]
+    """
+    return PERMISSIBLE[position][sum(s_x1 > bound for bound in BOUNDS)]
+
+
+def permitted_s_x1(position: Position, slenderness: float) -> float | None:
+    """Return the S_X1 up to which a wall is permitted (Table 11-5).
+
+    Parameters
+    ----------
+    position : row of the table
+    slenderness : h/t [-]
+
+    Returns
+    -------
+    float or None
+        S_X1 [g]; 0 where the wall never is, None where it always is.
+    """
+    within = [slenderness <= most for most in PERMISSIBLE[position]]
+    return None if all(within) else (0.0, *BOUNDS)[sum(within)]
+
+
+def position_of(wall: Wall, elevation: float, building: Building | None) -> Position | None:
+    """Return the row of Table 11-5 of a wall; None where the building's storeys are not known.
+
+    A wall whose top is within half a storey of the building's is in the top storey, the stricter row.
+
+    Parameters
+    ----------
+    wall : its size
+    elevation : of its base above the ground [m]
+    building : the structure it belongs to
+
+    Returns
+    -------
+    Position or None
+    """
+    if building is None or building.storeys is None:
+        return None
+    if building.storeys == 1:
+        return "one-storey"
+    storey = building.height / building.storeys
+    if elevation + wall.height >= building.height - storey / 2.0:
+        return "top-storey"
+    return "first-storey" if elevation <= PLINTH else "other"
+
+
+def is_parapet(context: Context) -> bool:
+    """Return whether the masonry stands free on top of a building whose height is known."""
+    building = context.building
+    return context.support == "free" and building is not None and context.elevation >= building.height - NEAR_ROOF
+
+
 ASCE41_13_SLENDERNESS = CodeProcedure(
     name="asce41-13-ht",
     family=Family.TABLE,
@@ -171,14 +268,6 @@ def _in_row(check: Check, wall: Wall, context: Context, options: Asce41Options, 
     )  # fmt: skip
 
 
-def s_x1_over_pga(context: Context, options: Asce41Options) -> float:
-    """Return S_X1 over the PGA of the same level [-]."""
-    pga = context.spectrum.pga
-    if options.s_x1 is not None:
-        return options.s_x1 * g / pga
-    return float(context.spectrum.acceleration(PERIOD, damping=DAMPING)) / pga
-
-
 def _answered(check: Check, slenderness: float, most: float, permitted: str) -> Check:
     verdict = Outcome.PASS if slenderness <= most else Outcome.FAIL
     reason = reason_message(Reason.WITHIN if verdict == Outcome.PASS else Reason.BEYOND, capacity=Term(permitted))
@@ -205,92 +294,3 @@ def _size_steps(wall: Wall) -> tuple[Step, ...]:
 def _ratio_step(slenderness: float, most: float) -> Step:
     given = {"h/t": slenderness, "max h/t": most}
     return step("D/C", "ratio", CLAUSE, "h/t / max h/t", slenderness / most, given=given)
-
-
-PERMITTED: Mapping[Position | Seismicity, str] = {
-    "one-storey": "the permissible h/t (wall of a one-storey building)",
-    "first-storey": "the permissible h/t (first-storey wall of a multistorey building)",
-    "top-storey": "the permissible h/t (wall in the top storey of a multistorey building)",
-    "other": "the permissible h/t (all other walls)",
-    "moderate": "the permissible h/t of parapets in moderate seismicity",
-    "high": "the permissible h/t of parapets in high seismicity",
-}
-SEISMICITY: Mapping[Seismicity, str] = {"moderate": "moderate seismicity, given", "high": "high seismicity, given"}
-PLACES: Mapping[Position, str] = {
-    "one-storey": "wall of a one-storey building",
-    "first-storey": "first-storey wall of a multistorey building",
-    "top-storey": "wall in the top storey of a multistorey building",
-    "other": "all other walls",
-}
-BOUNDS = (0.24, 0.37)  # g: S_X1 up to which the first and the second column hold
-PERMISSIBLE: Mapping[Position, tuple[float, float, float]] = {  # h/t [-], Table 11-5
-    "one-storey": (20.0, 16.0, 13.0),
-    "first-storey": (20.0, 18.0, 15.0),
-    "top-storey": (14.0, 14.0, 9.0),
-    "other": (20.0, 16.0, 13.0),
-}
-PARAPET: Mapping[Seismicity, float] = {"moderate": 2.5, "high": 1.5}  # h/t [-]
-NEAR_ROOF = 0.5  # m: what stands free no lower than this under the top of the building stands on it
-
-
-def permissible_slenderness(position: Position, s_x1: float) -> float:
-    """Return the largest permissible h/t of a wall (Table 11-5).
-
-    Parameters
-    ----------
-    position : row of the table
-    s_x1 : S_X1 [g]
-
-    Returns
-    -------
-    float [-]
-    """
-    return PERMISSIBLE[position][sum(s_x1 > bound for bound in BOUNDS)]
-
-
-def permitted_s_x1(position: Position, slenderness: float) -> float | None:
-    """Return the S_X1 up to which a wall is permitted (Table 11-5).
-
-    Parameters
-    ----------
-    position : row of the table
-    slenderness : h/t [-]
-
-    Returns
-    -------
-    float or None
-        S_X1 [g]; 0 where the wall never is, None where it always is.
-    """
-    within = [slenderness <= most for most in PERMISSIBLE[position]]
-    return None if all(within) else (0.0, *BOUNDS)[sum(within)]
-
-
-def position_of(wall: Wall, elevation: float, building: Building | None) -> Position | None:
-    """Return the row of Table 11-5 of a wall; None where the building's storeys are not known.
-
-    A wall whose top is within half a storey of the building's is in the top storey, the stricter row.
-
-    Parameters
-    ----------
-    wall : its size
-    elevation : of its base above the ground [m]
-    building : the structure it belongs to
-
-    Returns
-    -------
-    Position or None
-    """
-    if building is None or building.storeys is None:
-        return None
-    if building.storeys == 1:
-        return "one-storey"
-    storey = building.height / building.storeys
-    if elevation + wall.height >= building.height - storey / 2.0:
-        return "top-storey"
-    return "first-storey" if elevation <= PLINTH else "other"
-
-
-def is_parapet(context: Context) -> bool:
-    """Return whether the masonry stands free on top of a building whose height is known."""
-    building = context.building
-    return context.support == "free" and building is not None and context.elevation >= building.height - NEAR_ROOF

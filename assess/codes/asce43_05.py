@@ -230,6 +230,184 @@ def thesis_reading(branch: Branch, context: Context, *, f_v: float, mass: float)
     )
 
 
+def warn_at_height(checks: tuple[Check, ...], *, context: Context) -> tuple[Check, ...]:
+    """Add a warning and a line of the sheet to checks by the ground's motion of a mechanism above the ground."""
+    return tuple(_with_height(check, context.support_height) for check in checks) if context.above_ground else checks
+
+
+def vertical_factor(a: float, ratio: float) -> float:
+    """Return F_V = sqrt(1 + (a S_aV/S_aH)^2), the probabilistic combination with vertical motion (Eq. A-5(b)).
+
+    Parameters
+    ----------
+    a : multiplier at uplift, tan(alpha) of a block [-]
+    ratio : S_aV / S_aH [-]
+
+    Returns
+    -------
+    float
+        F_V, at least 1 [-].
+    """
+    return float(np.hypot(1.0, a * ratio))
+
+
+def stored_work(branch: Branch, rotation: FloatArray) -> FloatArray:
+    """Return f1(theta) = E(theta) / (g B0); cos(theta) + a sin(theta) - 1 of a block (Eq. A-5(a)).
+
+    Parameters
+    ----------
+    branch : the direction of rocking
+    rotation : theta [n] [rad]
+
+    Returns
+    -------
+    array [n] [-]
+    """
+    return energy(branch, rotation) / float(g * branch.excitation[0])
+
+
+def capacity_acceleration(branch: Branch, rotation: FloatArray, *, f_v: float) -> FloatArray:
+    """Return SA_H,CAP = 2 g f1 / (F_V F_H theta) (Eq. A-5); F_H = 1, because B0 counts every mass that shakes.
+
+    Parameters
+    ----------
+    branch : the direction of rocking
+    rotation : theta > 0 [n] [rad]
+    f_v : factor of vertical motion [-]
+
+    Returns
+    -------
+    array [n] [m/s2]
+    """
+    return 2 * g * stored_work(branch, rotation) / (f_v * rotation)
+
+
+def effective_frequency(branch: Branch, rotation: FloatArray) -> FloatArray:
+    """Return f_e of the linear oscillator that stores the same work: omega_e^2 = 2 E / (I0 theta^2) (A.2, step 2).
+
+    Parameters
+    ----------
+    branch : the direction of rocking
+    rotation : theta > 0 [n] [rad]
+
+    Returns
+    -------
+    array [n] [Hz]
+    """
+    omega = np.sqrt(2 * energy(branch, rotation) / float(branch.inertia[0])) / rotation
+    return np.asarray(omega / (2 * np.pi))
+
+
+def effective_damping(restitution: float) -> float:
+    """Return beta_e = gamma / sqrt(4 pi^2 + gamma^2), gamma = -2 ln C_R, of two impacts in a cycle (A.2, step 2).
+
+    An impact onto a nearer hinge may leave more velocity, though never more energy: C_R >= 1 then gives no damping.
+
+    Parameters
+    ----------
+    restitution : C_R, velocity after over velocity before an impact [-]
+
+    Returns
+    -------
+    float
+        beta_e, 1 without rebound [-].
+    """
+    if restitution == 0.0:
+        return 1.0
+    gamma = -2 * np.log(min(restitution, 1.0))
+    return float(gamma / np.hypot(2 * np.pi, gamma))
+
+
+def thesis_limit_ratio(block: RockingBlock) -> float:
+    """Return theta_lim / alpha = k alpha / sin(2 alpha) [-], the limit of rotation in the thesis (8.3.2).
+
+    Empirical: no derivation is known; it fits the thesis' Table 8.5 within rounding for all eight walls.
+    """
+    return float(inertia_ratio(block) * block.slenderness / np.sin(2 * block.slenderness))
+
+
+def inertia_ratio(block: RockingBlock) -> float:
+    """Return k = I_O / (M R^2) = g / (p^2 R) [-]."""
+    return block.inertia / (block.mass * block.radius**2)
+
+
+def thesis_limit(branch: Branch, *, mass: float) -> float:
+    """Return the limit of rotation theta_lim on a flexible joint.
+
+    It is where theta equals the ratio of `thesis_limit_ratio` times alpha, both of the equivalent block at theta.
+
+    Parameters
+    ----------
+    branch : the direction of rocking
+    mass : total moved mass [kg]
+
+    Returns
+    -------
+    float
+        theta_lim [rad]; the overturning rotation where no such theta exists, because the formula is out of its range.
+    """
+
+    def excess(rotation: float) -> float:
+        block = block_at(branch, rotation, mass=mass)
+        return rotation - thesis_limit_ratio(block) * block.slenderness
+
+    low, high = 1e-3 * branch.unstable, branch.unstable
+    return float(brentq(excess, low, high, xtol=1e-12)) if excess(low) < 0.0 < excess(high) else high
+
+
+def spectral_pga_rotation(
+    branch: Branch, spectrum: Spectrum, *, damping: float, f_v: float, uplift: float
+) -> PgaRotation:
+    """Return PGA(theta), at which SA_H,CAP equals the spectrum's ordinate at f_e, the spectrum scaled with its PGA.
+
+    Parameters
+    ----------
+    branch : the direction of rocking
+    spectrum : of the ground
+    damping : of the demand [-]
+    f_v : factor of vertical motion [-]
+    uplift : PGA below which nothing rocks [m/s2]
+
+    Returns
+    -------
+    PgaRotation
+    """
+    return pga_rotation(
+        _pga_of(branch, spectrum, damping=damping, f_v=f_v, pga=spectrum.pga),
+        overturning=branch.unstable,
+        uplift=uplift,
+        period_of=_period_of(branch),
+        longest_period=spectrum.longest_period,
+    )
+
+
+def floor_spectral_pga_rotation(
+    branch: Branch, floor: Spectrum, *, damping: float, f_v: float, uplift: float, pga: float
+) -> PgaRotation:
+    """Return PGA(theta) of the ground where the demand is the spectrum of a floor.
+
+    Parameters
+    ----------
+    branch : the direction of rocking
+    floor : spectrum of the floor
+    damping : of the demand [-]
+    f_v : factor of vertical motion [-]
+    uplift : peak acceleration of the floor below which nothing rocks [m/s2]
+    pga : peak acceleration of the ground that belongs to `floor` [m/s2]
+
+    Returns
+    -------
+    PgaRotation
+    """
+    return floor_pga_rotation(
+        _pga_of(branch, floor, damping=damping, f_v=f_v, pga=pga),
+        overturning=branch.unstable,
+        uplift=uplift * pga / floor.pga,
+        period_of=_period_of(branch),
+        longest_period=floor.longest_period,
+    )
+
+
 def _effective_damping_steps(restitution: float, damping: float) -> tuple[Step, ...]:
     if restitution == 0.0:
         return (step("β_e", "effective damping", A2, "1", damping, remark="no rebound", at={"C_R": restitution}),)
@@ -416,11 +594,6 @@ def _rotation_steps(
     )  # fmt: skip
 
 
-def warn_at_height(checks: tuple[Check, ...], *, context: Context) -> tuple[Check, ...]:
-    """Add a warning and a line of the sheet to checks by the ground's motion of a mechanism above the ground."""
-    return tuple(_with_height(check, context.support_height) for check in checks) if context.above_ground else checks
-
-
 def _with_height(check: Check, height: float) -> Check:
     if check.input_at != "ground":
         return check
@@ -428,179 +601,6 @@ def _with_height(check: Check, height: float) -> Check:
     line = step("z", words, "geometry", "z_base − z_ground", height, "m")
     remark = message("ground-motion", severity=Severity.WARNING)
     return replace(check, remarks=(*check.remarks, remark), steps=(line, *check.steps))
-
-
-def vertical_factor(a: float, ratio: float) -> float:
-    """Return F_V = sqrt(1 + (a S_aV/S_aH)^2), the probabilistic combination with vertical motion (Eq. A-5(b)).
-
-    Parameters
-    ----------
-    a : multiplier at uplift, tan(alpha) of a block [-]
-    ratio : S_aV / S_aH [-]
-
-    Returns
-    -------
-    float
-        F_V, at least 1 [-].
-    """
-    return float(np.hypot(1.0, a * ratio))
-
-
-def stored_work(branch: Branch, rotation: FloatArray) -> FloatArray:
-    """Return f1(theta) = E(theta) / (g B0); cos(theta) + a sin(theta) - 1 of a block (Eq. A-5(a)).
-
-    Parameters
-    ----------
-    branch : the direction of rocking
-    rotation : theta [n] [rad]
-
-    Returns
-    -------
-    array [n] [-]
-    """
-    return energy(branch, rotation) / float(g * branch.excitation[0])
-
-
-def capacity_acceleration(branch: Branch, rotation: FloatArray, *, f_v: float) -> FloatArray:
-    """Return SA_H,CAP = 2 g f1 / (F_V F_H theta) (Eq. A-5); F_H = 1, because B0 counts every mass that shakes.
-
-    Parameters
-    ----------
-    branch : the direction of rocking
-    rotation : theta > 0 [n] [rad]
-    f_v : factor of vertical motion [-]
-
-    Returns
-    -------
-    array [n] [m/s2]
-    """
-    return 2 * g * stored_work(branch, rotation) / (f_v * rotation)
-
-
-def effective_frequency(branch: Branch, rotation: FloatArray) -> FloatArray:
-    """Return f_e of the linear oscillator that stores the same work: omega_e^2 = 2 E / (I0 theta^2) (A.2, step 2).
-
-    Parameters
-    ----------
-    branch : the direction of rocking
-    rotation : theta > 0 [n] [rad]
-
-    Returns
-    -------
-    array [n] [Hz]
-    """
-    omega = np.sqrt(2 * energy(branch, rotation) / float(branch.inertia[0])) / rotation
-    return np.asarray(omega / (2 * np.pi))
-
-
-def effective_damping(restitution: float) -> float:
-    """Return beta_e = gamma / sqrt(4 pi^2 + gamma^2), gamma = -2 ln C_R, of two impacts in a cycle (A.2, step 2).
-
-    An impact onto a nearer hinge may leave more velocity, though never more energy: C_R >= 1 then gives no damping.
-
-    Parameters
-    ----------
-    restitution : C_R, velocity after over velocity before an impact [-]
-
-    Returns
-    -------
-    float
-        beta_e, 1 without rebound [-].
-    """
-    if restitution == 0.0:
-        return 1.0
-    gamma = -2 * np.log(min(restitution, 1.0))
-    return float(gamma / np.hypot(2 * np.pi, gamma))
-
-
-def thesis_limit_ratio(block: RockingBlock) -> float:
-    """Return theta_lim / alpha = k alpha / sin(2 alpha) [-], the limit of rotation in the thesis (8.3.2).
-
-    Empirical: no derivation is known; it fits the thesis' Table 8.5 within rounding for all eight walls.
-    """
-    return float(inertia_ratio(block) * block.slenderness / np.sin(2 * block.slenderness))
-
-
-def inertia_ratio(block: RockingBlock) -> float:
-    """Return k = I_O / (M R^2) = g / (p^2 R) [-]."""
-    return block.inertia / (block.mass * block.radius**2)
-
-
-def thesis_limit(branch: Branch, *, mass: float) -> float:
-    """Return the limit of rotation theta_lim on a flexible joint.
-
-    It is where theta equals the ratio of `thesis_limit_ratio` times alpha, both of the equivalent block at theta.
-
-    Parameters
-    ----------
-    branch : the direction of rocking
-    mass : total moved mass [kg]
-
-    Returns
-    -------
-    float
-        theta_lim [rad]; the overturning rotation where no such theta exists, because the formula is out of its range.
-    """
-
-    def excess(rotation: float) -> float:
-        block = block_at(branch, rotation, mass=mass)
-        return rotation - thesis_limit_ratio(block) * block.slenderness
-
-    low, high = 1e-3 * branch.unstable, branch.unstable
-    return float(brentq(excess, low, high, xtol=1e-12)) if excess(low) < 0.0 < excess(high) else high
-
-
-def spectral_pga_rotation(
-    branch: Branch, spectrum: Spectrum, *, damping: float, f_v: float, uplift: float
-) -> PgaRotation:
-    """Return PGA(theta), at which SA_H,CAP equals the spectrum's ordinate at f_e, the spectrum scaled with its PGA.
-
-    Parameters
-    ----------
-    branch : the direction of rocking
-    spectrum : of the ground
-    damping : of the demand [-]
-    f_v : factor of vertical motion [-]
-    uplift : PGA below which nothing rocks [m/s2]
-
-    Returns
-    -------
-    PgaRotation
-    """
-    return pga_rotation(
-        _pga_of(branch, spectrum, damping=damping, f_v=f_v, pga=spectrum.pga),
-        overturning=branch.unstable,
-        uplift=uplift,
-        period_of=_period_of(branch),
-        longest_period=spectrum.longest_period,
-    )
-
-
-def floor_spectral_pga_rotation(
-    branch: Branch, floor: Spectrum, *, damping: float, f_v: float, uplift: float, pga: float
-) -> PgaRotation:
-    """Return PGA(theta) of the ground where the demand is the spectrum of a floor.
-
-    Parameters
-    ----------
-    branch : the direction of rocking
-    floor : spectrum of the floor
-    damping : of the demand [-]
-    f_v : factor of vertical motion [-]
-    uplift : peak acceleration of the floor below which nothing rocks [m/s2]
-    pga : peak acceleration of the ground that belongs to `floor` [m/s2]
-
-    Returns
-    -------
-    PgaRotation
-    """
-    return floor_pga_rotation(
-        _pga_of(branch, floor, damping=damping, f_v=f_v, pga=pga),
-        overturning=branch.unstable,
-        uplift=uplift * pga / floor.pga,
-        period_of=_period_of(branch),
-        longest_period=floor.longest_period,
-    )
 
 
 def _period_of(branch: Branch) -> PgaOf:

@@ -100,6 +100,13 @@ class ScanResult:
     uplift: float | None
 
 
+def mean_share(suite: SuiteResponse, oscillator: Oscillator) -> float | None:
+    """Return the mean of the shares [-]; None where a record overturned, or where there is none."""
+    found = _rotation_shares(suite, oscillator)
+    standing = [share for share in found if share is not None]
+    return sum(standing) / len(standing) if len(standing) == len(found) > 0 else None
+
+
 def _check(
     oscillator: Oscillator, suite: SuiteResponse, context: Context, scanned: ScanResult, spread: NumericalSpread | None
 ) -> Check:
@@ -179,13 +186,6 @@ def _rotation_shares(suite: SuiteResponse, oscillator: Oscillator) -> tuple[floa
         None if ratio is None else ratio * branch.overturning / branch.unstable
         for ratio, branch in zip(suite.ratio, branches, strict=True)
     )
-
-
-def mean_share(suite: SuiteResponse, oscillator: Oscillator) -> float | None:
-    """Return the mean of the shares [-]; None where a record overturned, or where there is none."""
-    found = _rotation_shares(suite, oscillator)
-    standing = [share for share in found if share is not None]
-    return sum(standing) / len(standing) if len(standing) == len(found) > 0 else None
 
 
 def _steps(

@@ -172,24 +172,6 @@ def values_text(inputs: tuple[SymbolValue, ...], write: NumberWriter = write_pla
     return ", ".join(f"{each.symbol} = {write(each.value)}" for each in inputs)
 
 
-def _operand(found: re.Match[str], number: str) -> str:
-    """Return a number for a symbol; a negative one in brackets, unless it opens the formula or a bracket."""
-    before, after = found.string[: found.start()], found.string[found.end() :]
-    opens = before in ("", "(") or before.endswith(("(", "|"))
-    unbracketed = opens and not after.startswith(("²", "³", "^"))
-    return number if number[:1] not in "-−" or unbracketed else f"({number})"
-
-
-def _pattern(symbols: list[str]) -> re.Pattern[str]:
-    longest = sorted(map(re.escape, symbols), key=len, reverse=True)
-    return re.compile(rf"(?<!{_PART})({'|'.join(longest)})(?!{_PART})")
-
-
-def _symbol_value(symbol: str, given: float | tuple[float, str]) -> SymbolValue:
-    value, unit = given if isinstance(given, tuple) else (given, "-")
-    return SymbolValue(symbol, float(value), DIMENSIONS.get(unit, unit))
-
-
 def multiplier_step(symbol: str, description: str, clause: str, branch: Branch) -> Step:
     """Write the multiplier at rest, or on flexible joints the largest of the curve [-].
 
@@ -349,6 +331,24 @@ def neighbours(column: TableColumn, rotation: float) -> tuple[Point, Point]:
     high = int(np.clip(np.searchsorted(nodes, rotation, side="left"), 1, nodes.size - 1))
     first, last = ((float(nodes[at]), float(column.values[at])) for at in (high - 1, high))
     return first, last
+
+
+def _operand(found: re.Match[str], number: str) -> str:
+    """Return a number for a symbol; a negative one in brackets, unless it opens the formula or a bracket."""
+    before, after = found.string[: found.start()], found.string[found.end() :]
+    opens = before in ("", "(") or before.endswith(("(", "|"))
+    unbracketed = opens and not after.startswith(("²", "³", "^"))
+    return number if number[:1] not in "-−" or unbracketed else f"({number})"
+
+
+def _pattern(symbols: list[str]) -> re.Pattern[str]:
+    longest = sorted(map(re.escape, symbols), key=len, reverse=True)
+    return re.compile(rf"(?<!{_PART})({'|'.join(longest)})(?!{_PART})")
+
+
+def _symbol_value(symbol: str, given: float | tuple[float, str]) -> SymbolValue:
+    value, unit = given if isinstance(given, tuple) else (given, "-")
+    return SymbolValue(symbol, float(value), DIMENSIONS.get(unit, unit))
 
 
 def _neighbour_values(column: TableColumn, rotation: float) -> dict[str, float | tuple[float, str]]:

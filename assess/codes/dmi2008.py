@@ -82,41 +82,6 @@ def assess_linear(oscillator: Oscillator, context: Context, *, options: ItalianO
     )
 
 
-DMI2008_LINEAR = CodeProcedure(
-    name="dmi2008-linear",
-    family=Family.LINEAR,
-    assess=assess_linear,
-    title=Term("DMI 2008, linear"),
-    short_title=Term("DMI 2008 linear"),
-    work="dmi2008",
-    options="dmi2008",
-    limit_states=("SLD", "SLV"),
-    default_run=DefaultRun(except_spectra=("ntc2018",)),
-)
-
-
-def _linear_check(case: LimitStateCase, options: ItalianOptions) -> Check:
-    FC, context, branch = case.confidence.factor, case.context, case.curves.starting
-    q = options.behaviour_factor if case.state == "SLV" else 1.0
-    demands = acceleration_demands(context, pga=case.pga, q=q)
-    a0 = kinematic.activation(branch, mass=case.curves.mass, confidence_factor=FC)
-    return kinematic.acceleration_check(
-        case,
-        EDITION,
-        procedure=DMI2008_LINEAR.name,
-        capacity=a0,
-        demands=demands,
-        period_needed=Term("T1 of the building"),
-        uplift_pga=uplift_on_floor(branch, context, confidence_factor=FC),
-        damping=DAMPING,
-        steps=(
-            *kinematic.activation_steps(case, EDITION),
-            *_acceleration_demand_steps(case, demands, q=q),
-            *kinematic.acceleration_ratio_steps(LINEAR_CLAUSE, demands, capacity=a0),
-        ),
-    )
-
-
 def acceleration_demands(context: Context, *, pga: float, q: float) -> Demands | None:
     """Return the accelerations that ground and floor demand, over q.
 
@@ -139,20 +104,6 @@ def acceleration_demands(context: Context, *, pga: float, q: float) -> Demands |
     return Demands(1.0, floor_acceleration(context, floor) / context.spectrum.pga).scale(pga / q)
 
 
-def _acceleration_demand_steps(case: LimitStateCase, demands: Demands | None, *, q: float) -> tuple[Step, ...]:
-    if demands is None:
-        return ()
-    floor, spectrum = floor_of(case.context), case.context.spectrum
-    given: Given = {"PGA": (case.pga, "m/s2"), "q": q}
-    ground = step("a_g S / q", "demand of the ground", LINEAR_CLAUSE, "PGA / q", demands.ground, "m/s2", given=given)
-    if floor is None:
-        return (ground,)
-    spectral = float(spectrum.acceleration(floor.T1, damping=DAMPING)) * case.pga / spectrum.pga
-    shape: Given = {"S_e(T1)": (spectral, "m/s2"), "ψ": floor.psi, "γ": floor.gamma, "q": q}
-    words, formula = "demand of the floor, ψ = Z / H, γ = 3 N / (2 N + 1)", "S_e(T1) · ψ · γ / q"
-    return ground, step(formula, words, LINEAR_CLAUSE, formula, demands.floor, "m/s2", given=shape)
-
-
 NONLINEAR_CLAUSE = "C8A.4.2.2"
 
 
@@ -165,48 +116,6 @@ def assess_nonlinear(oscillator: Oscillator, context: Context, *, options: Itali
         options,
         known=DMI2008_NONLINEAR.limit_states,
         one=lambda case: _nonlinear_check(case.at_ultimate),
-    )
-
-
-DMI2008_NONLINEAR = CodeProcedure(
-    name="dmi2008-nonlinear",
-    family=Family.DISPLACEMENT,
-    assess=assess_nonlinear,
-    title=Term("DMI 2008, capacity spectrum"),
-    short_title=Term("DMI 2008 spectrum"),
-    work="dmi2008",
-    options="dmi2008",
-    limit_states=("SLV",),
-    default_run=DefaultRun(except_spectra=("ntc2018",)),
-)
-
-
-def _nonlinear_check(case: LimitStateCase) -> Check:
-    FC, context = case.confidence.factor, case.context
-    cap = capacity_of(case.curves, confidence_factor=FC)
-    lifts = uplift_on_floor(case.curves.starting, context, confidence_factor=FC)
-    analysis = kinematic.DisplacementAnalysis(
-        ultimate_displacement=cap.du,
-        symbol="d_u*",
-        collapse_displacement=cap.d0,
-        participation_ratio=cap.e,
-        period_needed=message("period-or-building", {"symbol": "T_s", "period": Quantity(cap.Ts, "time")}),
-        demand_per_pga=displacement_demands(context, cap.Ts),
-        activation_pga=lifts or 0.0,
-        elastic_displacement_per_pga=0.0,
-        uplift_pga=lifts,
-        conditions=(
-            *kinematic.break_conditions(case.curves),
-            *kinematic.seat_conditions(context, case.curves, case.state, cap.du),
-        ),
-    )
-    steps = (
-        *kinematic.activation_steps(case, EDITION),
-        *_capacity_steps(case, cap),
-        *_displacement_demand_steps(case, cap, analysis),
-    )
-    return kinematic.displacement_check(
-        case, analysis, EDITION, procedure=DMI2008_NONLINEAR.name, damping=DAMPING, rule="", steps=steps
     )
 
 
@@ -228,48 +137,6 @@ def displacement_demands(context: Context, Ts: float) -> Demands | None:
         return None
     at_floor = 0.0 if floor is None else floor_displacement(context, floor, Ts)
     return Demands(ground_displacement(context, Ts) / context.spectrum.pga, at_floor / context.spectrum.pga)
-
-
-def _capacity_steps(case: LimitStateCase, cap: Dmi2008Capacity) -> tuple[Step, ...]:
-    of_ds: Given = {"k": ULTIMATE, "d_u*": (cap.du, "m")}
-    of_Ts = {"d_s*": (cap.ds, "m"), "a_s*": (cap.as_, "m/s2")}
-    return (
-        *kinematic.displacement_capacity_steps(case.curves, cap.displacements, DISPLACEMENT_LIMIT, "d_u*",
-                                     "ultimate displacement"),
-        step("d_s*", "secant displacement, k = 0.4", NONLINEAR_CLAUSE, "k · d_u*", cap.ds, "m", given=of_ds),
-        *kinematic.curve_steps(case, NONLINEAR_CLAUSE, "a_s*", "acceleration at d_s*, with actions that have not ended",
-                     moved=cap.ds, argument="d_s*"),
-        step("T_s", "secant period", NONLINEAR_CLAUSE, "2 · π · √(d_s* / a_s*)", cap.Ts, "s", given=of_Ts),
-    )  # fmt: skip
-
-
-def _displacement_demand_steps(
-    case: LimitStateCase, cap: Dmi2008Capacity, analysis: kinematic.DisplacementAnalysis
-) -> tuple[Step, ...]:
-    per_pga, demand, spectrum = analysis.demand_per_pga, analysis.demand(case.pga), case.context.spectrum
-    if per_pga is None or demand is None:
-        return ()
-    scale = case.pga / spectrum.pga
-    spectral = float(spectrum.acceleration(cap.Ts, damping=DAMPING)) * scale
-    at: Given = {"T_s": (cap.Ts, "s"), "ξ": DAMPING, "PGA": (case.pga, "m/s2")}
-    words = "elastic spectrum, 5 %"
-    steps = [
-        step("S_e(T_s)", words, spectrum.clause, "S_e(T, 5 %)", spectral, "m/s2", at=at),
-        kinematic.ground_step(
-            case, NONLINEAR_CLAUSE, "T_s", cap.Ts, ordinate=spectral, moved=per_pga.ground * case.pga
-        ),
-    ]
-    floor = floor_of(case.context)
-    if floor is not None:
-        first = ground_displacement(case.context, floor.T1) * scale
-        shape = {"T_s": (cap.Ts, "s"), "T1": (floor.T1, "s")}
-        given: Given = {"S_De(T1)": (first, "m"), "ψ": floor.psi, "γ": floor.gamma, "r": cap.Ts / floor.T1}
-        formula = "S_De(T1) · ψ · γ · (r)² / √((1 − r)² + 0.02 · r)"
-        steps += [
-            step("r", "period over the first mode's", "C8A.4.2.3", "T_s / T1", cap.Ts / floor.T1, given=shape),
-            step("Δ_d(Z)", "demand at the floor", "C8A.4.2.3", formula, per_pga.floor * case.pga, "m", given=given),
-        ]
-    return (*steps, kinematic.displacement_ratio_step(analysis, NONLINEAR_CLAUSE, demand=demand))
 
 
 @dataclass(frozen=True)
@@ -502,6 +369,139 @@ def thesis_pga_rotation(branch: Branch, context: Context, *, mass: float) -> Pga
         period_of=period_of,
         longest_period=context.spectrum.longest_period,
     )
+
+
+DMI2008_LINEAR = CodeProcedure(
+    name="dmi2008-linear",
+    family=Family.LINEAR,
+    assess=assess_linear,
+    title=Term("DMI 2008, linear"),
+    short_title=Term("DMI 2008 linear"),
+    work="dmi2008",
+    options="dmi2008",
+    limit_states=("SLD", "SLV"),
+    default_run=DefaultRun(except_spectra=("ntc2018",)),
+)
+
+
+def _linear_check(case: LimitStateCase, options: ItalianOptions) -> Check:
+    FC, context, branch = case.confidence.factor, case.context, case.curves.starting
+    q = options.behaviour_factor if case.state == "SLV" else 1.0
+    demands = acceleration_demands(context, pga=case.pga, q=q)
+    a0 = kinematic.activation(branch, mass=case.curves.mass, confidence_factor=FC)
+    return kinematic.acceleration_check(
+        case,
+        EDITION,
+        procedure=DMI2008_LINEAR.name,
+        capacity=a0,
+        demands=demands,
+        period_needed=Term("T1 of the building"),
+        uplift_pga=uplift_on_floor(branch, context, confidence_factor=FC),
+        damping=DAMPING,
+        steps=(
+            *kinematic.activation_steps(case, EDITION),
+            *_acceleration_demand_steps(case, demands, q=q),
+            *kinematic.acceleration_ratio_steps(LINEAR_CLAUSE, demands, capacity=a0),
+        ),
+    )
+
+
+def _acceleration_demand_steps(case: LimitStateCase, demands: Demands | None, *, q: float) -> tuple[Step, ...]:
+    if demands is None:
+        return ()
+    floor, spectrum = floor_of(case.context), case.context.spectrum
+    given: Given = {"PGA": (case.pga, "m/s2"), "q": q}
+    ground = step("a_g S / q", "demand of the ground", LINEAR_CLAUSE, "PGA / q", demands.ground, "m/s2", given=given)
+    if floor is None:
+        return (ground,)
+    spectral = float(spectrum.acceleration(floor.T1, damping=DAMPING)) * case.pga / spectrum.pga
+    shape: Given = {"S_e(T1)": (spectral, "m/s2"), "ψ": floor.psi, "γ": floor.gamma, "q": q}
+    words, formula = "demand of the floor, ψ = Z / H, γ = 3 N / (2 N + 1)", "S_e(T1) · ψ · γ / q"
+    return ground, step(formula, words, LINEAR_CLAUSE, formula, demands.floor, "m/s2", given=shape)
+
+
+DMI2008_NONLINEAR = CodeProcedure(
+    name="dmi2008-nonlinear",
+    family=Family.DISPLACEMENT,
+    assess=assess_nonlinear,
+    title=Term("DMI 2008, capacity spectrum"),
+    short_title=Term("DMI 2008 spectrum"),
+    work="dmi2008",
+    options="dmi2008",
+    limit_states=("SLV",),
+    default_run=DefaultRun(except_spectra=("ntc2018",)),
+)
+
+
+def _nonlinear_check(case: LimitStateCase) -> Check:
+    FC, context = case.confidence.factor, case.context
+    cap = capacity_of(case.curves, confidence_factor=FC)
+    lifts = uplift_on_floor(case.curves.starting, context, confidence_factor=FC)
+    analysis = kinematic.DisplacementAnalysis(
+        ultimate_displacement=cap.du,
+        symbol="d_u*",
+        collapse_displacement=cap.d0,
+        participation_ratio=cap.e,
+        period_needed=message("period-or-building", {"symbol": "T_s", "period": Quantity(cap.Ts, "time")}),
+        demand_per_pga=displacement_demands(context, cap.Ts),
+        activation_pga=lifts or 0.0,
+        elastic_displacement_per_pga=0.0,
+        uplift_pga=lifts,
+        conditions=(
+            *kinematic.break_conditions(case.curves),
+            *kinematic.seat_conditions(context, case.curves, case.state, cap.du),
+        ),
+    )
+    steps = (
+        *kinematic.activation_steps(case, EDITION),
+        *_capacity_steps(case, cap),
+        *_displacement_demand_steps(case, cap, analysis),
+    )
+    return kinematic.displacement_check(
+        case, analysis, EDITION, procedure=DMI2008_NONLINEAR.name, damping=DAMPING, rule="", steps=steps
+    )
+
+
+def _capacity_steps(case: LimitStateCase, cap: Dmi2008Capacity) -> tuple[Step, ...]:
+    of_ds: Given = {"k": ULTIMATE, "d_u*": (cap.du, "m")}
+    of_Ts = {"d_s*": (cap.ds, "m"), "a_s*": (cap.as_, "m/s2")}
+    return (
+        *kinematic.displacement_capacity_steps(case.curves, cap.displacements, DISPLACEMENT_LIMIT, "d_u*",
+                                     "ultimate displacement"),
+        step("d_s*", "secant displacement, k = 0.4", NONLINEAR_CLAUSE, "k · d_u*", cap.ds, "m", given=of_ds),
+        *kinematic.curve_steps(case, NONLINEAR_CLAUSE, "a_s*", "acceleration at d_s*, with actions that have not ended",
+                     moved=cap.ds, argument="d_s*"),
+        step("T_s", "secant period", NONLINEAR_CLAUSE, "2 · π · √(d_s* / a_s*)", cap.Ts, "s", given=of_Ts),
+    )  # fmt: skip
+
+
+def _displacement_demand_steps(
+    case: LimitStateCase, cap: Dmi2008Capacity, analysis: kinematic.DisplacementAnalysis
+) -> tuple[Step, ...]:
+    per_pga, demand, spectrum = analysis.demand_per_pga, analysis.demand(case.pga), case.context.spectrum
+    if per_pga is None or demand is None:
+        return ()
+    scale = case.pga / spectrum.pga
+    spectral = float(spectrum.acceleration(cap.Ts, damping=DAMPING)) * scale
+    at: Given = {"T_s": (cap.Ts, "s"), "ξ": DAMPING, "PGA": (case.pga, "m/s2")}
+    words = "elastic spectrum, 5 %"
+    steps = [
+        step("S_e(T_s)", words, spectrum.clause, "S_e(T, 5 %)", spectral, "m/s2", at=at),
+        kinematic.ground_step(
+            case, NONLINEAR_CLAUSE, "T_s", cap.Ts, ordinate=spectral, moved=per_pga.ground * case.pga
+        ),
+    ]
+    floor = floor_of(case.context)
+    if floor is not None:
+        first = ground_displacement(case.context, floor.T1) * scale
+        shape = {"T_s": (cap.Ts, "s"), "T1": (floor.T1, "s")}
+        given: Given = {"S_De(T1)": (first, "m"), "ψ": floor.psi, "γ": floor.gamma, "r": cap.Ts / floor.T1}
+        formula = "S_De(T1) · ψ · γ · (r)² / √((1 − r)² + 0.02 · r)"
+        steps += [
+            step("r", "period over the first mode's", "C8A.4.2.3", "T_s / T1", cap.Ts / floor.T1, given=shape),
+            step("Δ_d(Z)", "demand at the floor", "C8A.4.2.3", formula, per_pga.floor * case.pga, "m", given=given),
+        ]
+    return (*steps, kinematic.displacement_ratio_step(analysis, NONLINEAR_CLAUSE, demand=demand))
 
 
 def _thesis_steps(

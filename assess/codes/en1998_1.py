@@ -127,74 +127,6 @@ def element_demand(branch: Branch, context: Context, options: Ec8Options, level:
     return ElementDemand(alpha_s, surface, ratio, amplified, q_a, gamma_a, force)
 
 
-def _check(branch: Branch, name: BranchName, context: Context, options: Ec8Options, level: float) -> Check:
-    demand, resistance = element_demand(branch, context, options, level), linear_multiplier(branch)
-    lifts, ratio = uplift_pga(branch, demand.surface * demand.amplified), demand.force / resistance
-    verdict = Outcome.FAIL if ratio > 1.0 else Outcome.PASS
-    return Check(
-        procedure=EC8_ELEMENT.name,
-        edition=EDITION,
-        branch=name,
-        limit_state="element",
-        level_pga_g=level / g,
-        input_at="mechanism base" if context.above_ground else "ground",
-        damping=None,
-        quantity="force over weight",
-        unit="-",
-        demand=demand.force,
-        capacity=resistance,
-        ratio=ratio,
-        verdict=verdict,
-        reason=reason_message(
-            Reason.WITHIN if verdict == Outcome.PASS else Reason.BEYOND, capacity=Term("what the weight resists")
-        ),
-        capacity_pga_g=level * resistance / demand.force / g,
-        uplift_pga_g=None if lifts is None else lifts / g,
-        steps=_steps(branch, context, demand),
-        **caveats_of(CAVEAT, *EC8_ELEMENT.spectrum_caveats(context.spectrum.code)),
-    )
-
-
-def _steps(branch: Branch, context: Context, demand: ElementDemand) -> tuple[Step, ...]:
-    resistance, raised = linear_multiplier(branch), height_ratio(context)
-    S_a = demand.alpha_s * demand.amplified
-    given = {"α S": demand.alpha_s, "z/H": raised, "T_a/T_1": demand.ratio}
-    forced = {"S_a": S_a, "γ_a": demand.gamma_a, "q_a": demand.q_a}
-    held = {"F_a/W_a": demand.force, "λ": resistance}
-    return (
-        _period_step(branch, context, demand.ratio),
-        _height_step(context),
-        step("S_a", "seismic coefficient", CLAUSE, "α S max(1, 3 (1 + z/H) / (1 + (1 − T_a/T_1)²) − 0.5)", S_a,
-             given=given),
-        step("q_a", "behaviour factor", TABLE, "given", demand.q_a, remark=ELEMENTS[context.support]),
-        step("γ_a", "importance factor", "EN 1998-1, 4.3.5.3", "given", demand.gamma_a),
-        step("F_a/W_a", "force over weight", FORCE, "S_a γ_a / q_a", demand.force, given=forced),
-        multiplier_step("λ", "multiplier resisted by the weight", "statics", branch),
-        step("D/C", "ratio", FORCE, "F_a/W_a / λ", demand.force / resistance, given=held),
-    )  # fmt: skip
-
-
-def _period_step(branch: Branch, context: Context, ratio: float) -> Step:
-    words, T_a = "period of the element over the building's", element_period(branch)
-    if context.building is None:
-        remark = (
-            "the worst case, as the building is not known"
-            if ratio
-            else "an element that does not move before uplift has no period"
-        )
-        return step("T_a/T_1", words, CLAUSE, "1 at worst, 0 for what is rigid", ratio, remark=remark)
-    given = {"T_a": (T_a, "s"), "T_1": (context.building.period, "s")}
-    return step("T_a/T_1", words, CLAUSE, "T_a / T_1", ratio, given=given)
-
-
-def _height_step(context: Context) -> Step:
-    words, z = "height of the supports", context.support_height
-    if context.building is None:
-        return step("z/H", words, CLAUSE, "0: the building is not known", 0.0, at={"z": (z, "m")})
-    given = {"z": (z, "m"), "H": (context.building.height, "m")}
-    return step("z/H", words, CLAUSE, "min(z / H, 1)", height_ratio(context), given=given)
-
-
 def element_period(branch: Branch) -> float:
     """Return T_a [s]: 0 for an element that does not move before uplift, else of small motions on its joints."""
     frequency = elastic_frequency(branch)
@@ -265,3 +197,71 @@ def uplift_pga(branch: Branch, amplified: float) -> float | None:
     """
     at_rest = threshold(branch)
     return None if at_rest is None else at_rest * g / amplified
+
+
+def _check(branch: Branch, name: BranchName, context: Context, options: Ec8Options, level: float) -> Check:
+    demand, resistance = element_demand(branch, context, options, level), linear_multiplier(branch)
+    lifts, ratio = uplift_pga(branch, demand.surface * demand.amplified), demand.force / resistance
+    verdict = Outcome.FAIL if ratio > 1.0 else Outcome.PASS
+    return Check(
+        procedure=EC8_ELEMENT.name,
+        edition=EDITION,
+        branch=name,
+        limit_state="element",
+        level_pga_g=level / g,
+        input_at="mechanism base" if context.above_ground else "ground",
+        damping=None,
+        quantity="force over weight",
+        unit="-",
+        demand=demand.force,
+        capacity=resistance,
+        ratio=ratio,
+        verdict=verdict,
+        reason=reason_message(
+            Reason.WITHIN if verdict == Outcome.PASS else Reason.BEYOND, capacity=Term("what the weight resists")
+        ),
+        capacity_pga_g=level * resistance / demand.force / g,
+        uplift_pga_g=None if lifts is None else lifts / g,
+        steps=_steps(branch, context, demand),
+        **caveats_of(CAVEAT, *EC8_ELEMENT.spectrum_caveats(context.spectrum.code)),
+    )
+
+
+def _steps(branch: Branch, context: Context, demand: ElementDemand) -> tuple[Step, ...]:
+    resistance, raised = linear_multiplier(branch), height_ratio(context)
+    S_a = demand.alpha_s * demand.amplified
+    given = {"α S": demand.alpha_s, "z/H": raised, "T_a/T_1": demand.ratio}
+    forced = {"S_a": S_a, "γ_a": demand.gamma_a, "q_a": demand.q_a}
+    held = {"F_a/W_a": demand.force, "λ": resistance}
+    return (
+        _period_step(branch, context, demand.ratio),
+        _height_step(context),
+        step("S_a", "seismic coefficient", CLAUSE, "α S max(1, 3 (1 + z/H) / (1 + (1 − T_a/T_1)²) − 0.5)", S_a,
+             given=given),
+        step("q_a", "behaviour factor", TABLE, "given", demand.q_a, remark=ELEMENTS[context.support]),
+        step("γ_a", "importance factor", "EN 1998-1, 4.3.5.3", "given", demand.gamma_a),
+        step("F_a/W_a", "force over weight", FORCE, "S_a γ_a / q_a", demand.force, given=forced),
+        multiplier_step("λ", "multiplier resisted by the weight", "statics", branch),
+        step("D/C", "ratio", FORCE, "F_a/W_a / λ", demand.force / resistance, given=held),
+    )  # fmt: skip
+
+
+def _period_step(branch: Branch, context: Context, ratio: float) -> Step:
+    words, T_a = "period of the element over the building's", element_period(branch)
+    if context.building is None:
+        remark = (
+            "the worst case, as the building is not known"
+            if ratio
+            else "an element that does not move before uplift has no period"
+        )
+        return step("T_a/T_1", words, CLAUSE, "1 at worst, 0 for what is rigid", ratio, remark=remark)
+    given = {"T_a": (T_a, "s"), "T_1": (context.building.period, "s")}
+    return step("T_a/T_1", words, CLAUSE, "T_a / T_1", ratio, given=given)
+
+
+def _height_step(context: Context) -> Step:
+    words, z = "height of the supports", context.support_height
+    if context.building is None:
+        return step("z/H", words, CLAUSE, "0: the building is not known", 0.0, at={"z": (z, "m")})
+    given = {"z": (z, "m"), "H": (context.building.height, "m")}
+    return step("z/H", words, CLAUSE, "min(z / H, 1)", height_ratio(context), given=given)

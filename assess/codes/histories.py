@@ -122,35 +122,6 @@ def pga_curve(incremental: Sequence[SuiteResponse]) -> PgaCurve:
     return PgaCurve(tuple(ratio for ratio, _ in standing), tuple(pga for _, pga in standing))
 
 
-def _pga_before_failure(
-    incremental: Sequence[SuiteResponse], passes: Callable[[SuiteResponse], bool], *, least_records: int
-) -> float | None:
-    """Return the PGA of the last suite before the first that fails.
-
-    Responses are not monotone in PGA: a suite beyond the first failure may pass again and does not count, so that a
-    level can pass above this PGA.
-
-    Parameters
-    ----------
-    incremental : suites at rising PGA
-    passes : whether a suite passes
-    least_records : that a suite must have
-
-    Returns
-    -------
-    float or None
-        PGA [g]; None if none failed, with too few records, or without a scan.
-    """
-    last: float | None = None
-    for suite in incremental:
-        if len(suite.ratio) < least_records:
-            return None
-        if not passes(suite):
-            return last
-        last = suite.pga / g
-    return None
-
-
 def fails_below(at_collapse: float | None, level: float) -> tuple[Message, ...]:
     """Return a message where a level passes above the least PGA at which the scan fails, both in g."""
     if at_collapse is None or level <= at_collapse * (1.0 + ROUNDING):
@@ -275,10 +246,6 @@ def numerical_spread(
     return NumericalSpread(suite.twins.ratio.shape[0], DRAWS, SEED, float(holds.mean()), low, high, half, least)
 
 
-def _finite_or_none(value: float) -> float | None:
-    return None if isinf(value) else float(value)
-
-
 def with_spread(
     verdict: Outcome, reason: Message, spread: NumericalSpread | None
 ) -> tuple[Outcome, Message, tuple[Message, ...]]:
@@ -368,12 +335,6 @@ def side_figures(value: float, figures: int, *, limit: float = 1.0) -> int:
     )
 
 
-def _side_of_limit(value: float, limit: float, figures: int = 12) -> int:
-    """Return -1, 0 or 1 for a number, written to some figures, that is below, at or above a limit."""
-    shown, of = float(f"{value:.{figures}g}"), float(f"{limit:.12g}")
-    return (shown > of) - (shown < of)
-
-
 def margin_figures(margin: float, most: float | None) -> int:
     """Return to how many figures the factor on the action is written up to which a mechanism holds.
 
@@ -398,6 +359,12 @@ def interval_figures(low: float, high: float, *, most: int = 3, limit: float | N
     return figures if limit is None else max(side_figures(each, figures, limit=limit) for each in (low, high))
 
 
+def _side_of_limit(value: float, limit: float, figures: int = 12) -> int:
+    """Return -1, 0 or 1 for a number, written to some figures, that is below, at or above a limit."""
+    shown, of = float(f"{value:.{figures}g}"), float(f"{limit:.12g}")
+    return (shown > of) - (shown < of)
+
+
 def standing_figures(value: float, others: Iterable[float | None], *, most: int = FIGURES) -> int:
     """Return to how many significant figures a number stands: all its runs are within half a unit of the last one.
 
@@ -417,3 +384,36 @@ def standing_figures(value: float, others: Iterable[float | None], *, most: int 
         return most if far == 0.0 else 0
     place = floor(log10(abs(value)))
     return next((figures for figures in range(most, 0, -1) if far <= 0.5 * 10.0 ** (place - figures + 1)), 0)
+
+
+def _pga_before_failure(
+    incremental: Sequence[SuiteResponse], passes: Callable[[SuiteResponse], bool], *, least_records: int
+) -> float | None:
+    """Return the PGA of the last suite before the first that fails.
+
+    Responses are not monotone in PGA: a suite beyond the first failure may pass again and does not count, so that a
+    level can pass above this PGA.
+
+    Parameters
+    ----------
+    incremental : suites at rising PGA
+    passes : whether a suite passes
+    least_records : that a suite must have
+
+    Returns
+    -------
+    float or None
+        PGA [g]; None if none failed, with too few records, or without a scan.
+    """
+    last: float | None = None
+    for suite in incremental:
+        if len(suite.ratio) < least_records:
+            return None
+        if not passes(suite):
+            return last
+        last = suite.pga / g
+    return None
+
+
+def _finite_or_none(value: float) -> float | None:
+    return None if isinf(value) else float(value)

@@ -105,24 +105,6 @@ def assess_histories(
     return tuple(add_safety_index(check, context) for check in checks)
 
 
-def _capacities(oscillator: Oscillator, context: Context, limit: DisplacementLimit) -> Capacities:
-    """Return the PGA of the motion, FC included, up to which the rule holds."""
-
-    def succeeds(suite: SuiteResponse) -> bool:
-        return _passes_rule(
-            SuiteDisplacements(suite, suite.pga, _displacement_ratios(oscillator, context, suite, limit))
-        )
-
-    suites, measure = _scan_suites(context), measure_of(oscillator, context, limit)
-    return capacities_by_share(suites, measure, succeeds, least_records=LEAST_RECORDS)
-
-
-def _suite_at(context: Context, pga: float) -> SuiteResponse | None:
-    """Return the suite that was run at a PGA [m/s2]; None where there is none."""
-    suites = (*context.suites, *context.extra_suites)
-    return next((suite for suite in suites if isclose(suite.pga, pga, rel_tol=1e-9)), None)
-
-
 def required_pga(
     levels: Sequence[float],
     hazard: SiteHazard | None,
@@ -153,6 +135,82 @@ def required_pga(
     factors = confidence_factors(options, crushing=crushing, level=knowledge.get(rule.edition.code))
     shares = [pga_ratio(hazard, spectrum, state) * each.factor for each in factors for state in states]
     return tuple(level * each for each in shares for level in levels)
+
+
+RECORDS_FOR_MEAN = 7  # NTC 7.3.5
+SIDES: tuple[BranchName, BranchName] = ("positive", "negative")
+
+
+@dataclass(frozen=True)
+class DisplacementRatios:
+    """One record: d*/d0* and d*/d_LS [-] of the branch of its maximum; None where the body overturned."""
+
+    of_collapse: float | None
+    of_limit: float | None
+
+
+@dataclass(frozen=True)
+class SuiteDisplacements:
+    """The results of the records at one level of one limit state.
+
+    suite : run at FC times `pga`, the PGA of the limit state [m/s2]; displacements [n]: of each record
+    """
+
+    suite: SuiteResponse
+    pga: float
+    displacements: tuple[DisplacementRatios, ...]
+
+    @property
+    def limit_ratios(self) -> tuple[float, ...]:
+        """d*/d_LS of the records that leave the body standing [-]."""
+        return tuple(each.of_limit for each in self.displacements if each.of_limit is not None)
+
+    @property
+    def largest_collapse_ratio(self) -> float | None:
+        """The largest d*/d0* of those [-]; None where all overturn it."""
+        return max((each.of_collapse for each in self.displacements if each.of_collapse is not None), default=None)
+
+    @property
+    def uses_largest(self) -> bool:
+        """Whether the largest is compared, not the mean: few records, or one that passes d0*."""
+        return len(self.displacements) < RECORDS_FOR_MEAN or (self.largest_collapse_ratio or 0.0) > 1.0
+
+    @property
+    def governing_ratio(self) -> float | None:
+        """The d*/d_LS that is compared with 1 [-]; None where a record overturned."""
+        if len(self.limit_ratios) < len(self.displacements) or not self.limit_ratios:
+            return None
+        return max(self.limit_ratios) if self.uses_largest else sum(self.limit_ratios) / len(self.limit_ratios)
+
+
+def measure_of(oscillator: Oscillator, context: Context, limit: DisplacementLimit) -> DisplacementMeasure:
+    """Return the governing ratio and the rule in every draw, as functions of a suite."""
+
+    def measure(suite: SuiteResponse) -> tuple[FloatArray, BoolArray]:
+        collapse, near = (draw_values(each) for each in _run_ratios(oscillator, context, suite, limit))
+        few = near.shape[1] < RECORDS_FOR_MEAN
+        ratio = near.max(axis=1) if few else near.mean(axis=1)
+        return ratio, (ratio <= 1.0) & (collapse <= 1.0).all(axis=1)
+
+    return measure
+
+
+def _capacities(oscillator: Oscillator, context: Context, limit: DisplacementLimit) -> Capacities:
+    """Return the PGA of the motion, FC included, up to which the rule holds."""
+
+    def succeeds(suite: SuiteResponse) -> bool:
+        return _passes_rule(
+            SuiteDisplacements(suite, suite.pga, _displacement_ratios(oscillator, context, suite, limit))
+        )
+
+    suites, measure = _scan_suites(context), measure_of(oscillator, context, limit)
+    return capacities_by_share(suites, measure, succeeds, least_records=LEAST_RECORDS)
+
+
+def _suite_at(context: Context, pga: float) -> SuiteResponse | None:
+    """Return the suite that was run at a PGA [m/s2]; None where there is none."""
+    suites = (*context.suites, *context.extra_suites)
+    return next((suite for suite in suites if isclose(suite.pga, pga, rel_tol=1e-9)), None)
 
 
 def _scan_suites(context: Context) -> tuple[SuiteResponse, ...]:
@@ -295,52 +353,6 @@ def _governing_step(found: SuiteDisplacements, rule: HistoryRule, symbol: str) -
     return step(symbol, words, rule.clause, formula, found.governing_ratio, given=near)
 
 
-RECORDS_FOR_MEAN = 7  # NTC 7.3.5
-SIDES: tuple[BranchName, BranchName] = ("positive", "negative")
-
-
-@dataclass(frozen=True)
-class DisplacementRatios:
-    """One record: d*/d0* and d*/d_LS [-] of the branch of its maximum; None where the body overturned."""
-
-    of_collapse: float | None
-    of_limit: float | None
-
-
-@dataclass(frozen=True)
-class SuiteDisplacements:
-    """The results of the records at one level of one limit state.
-
-    suite : run at FC times `pga`, the PGA of the limit state [m/s2]; displacements [n]: of each record
-    """
-
-    suite: SuiteResponse
-    pga: float
-    displacements: tuple[DisplacementRatios, ...]
-
-    @property
-    def limit_ratios(self) -> tuple[float, ...]:
-        """d*/d_LS of the records that leave the body standing [-]."""
-        return tuple(each.of_limit for each in self.displacements if each.of_limit is not None)
-
-    @property
-    def largest_collapse_ratio(self) -> float | None:
-        """The largest d*/d0* of those [-]; None where all overturn it."""
-        return max((each.of_collapse for each in self.displacements if each.of_collapse is not None), default=None)
-
-    @property
-    def uses_largest(self) -> bool:
-        """Whether the largest is compared, not the mean: few records, or one that passes d0*."""
-        return len(self.displacements) < RECORDS_FOR_MEAN or (self.largest_collapse_ratio or 0.0) > 1.0
-
-    @property
-    def governing_ratio(self) -> float | None:
-        """The d*/d_LS that is compared with 1 [-]; None where a record overturned."""
-        if len(self.limit_ratios) < len(self.displacements) or not self.limit_ratios:
-            return None
-        return max(self.limit_ratios) if self.uses_largest else sum(self.limit_ratios) / len(self.limit_ratios)
-
-
 def _displacement_ratios(
     oscillator: Oscillator, context: Context, suite: SuiteResponse, limit: DisplacementLimit
 ) -> tuple[DisplacementRatios, ...]:
@@ -379,15 +391,3 @@ def _passes_rule(found: SuiteDisplacements) -> bool:
 def _beyond_collapse(found: SuiteDisplacements) -> int:
     """Return how many records move beyond d0* without overturning."""
     return sum(1 for each in found.displacements if each.of_collapse is not None and each.of_collapse > 1.0)
-
-
-def measure_of(oscillator: Oscillator, context: Context, limit: DisplacementLimit) -> DisplacementMeasure:
-    """Return the governing ratio and the rule in every draw, as functions of a suite."""
-
-    def measure(suite: SuiteResponse) -> tuple[FloatArray, BoolArray]:
-        collapse, near = (draw_values(each) for each in _run_ratios(oscillator, context, suite, limit))
-        few = near.shape[1] < RECORDS_FOR_MEAN
-        ratio = near.max(axis=1) if few else near.mean(axis=1)
-        return ratio, (ratio <= 1.0) & (collapse <= 1.0).all(axis=1)
-
-    return measure

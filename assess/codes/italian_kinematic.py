@@ -101,23 +101,6 @@ def acceleration_check(
     )
 
 
-def _acceleration_conditions(case: LimitStateCase) -> tuple[Message, ...]:
-    """Return the condition of a pass where the multiplier counts actions that are not shown to last."""
-    if linear_multiplier(case.curves.starting) <= linear_multiplier(case.curves.lasting) * (1.0 + 1e-9):
-        return ()
-    return (message("counts-at-rest", severity=Severity.WARNING),)
-
-
-def _acceleration_outcome(
-    case: LimitStateCase, demand: float | None, capacity: float, *, period_needed: Term
-) -> tuple[Outcome, Message]:
-    if demand is None:
-        end = Quantity(case.context.spectrum.longest_period, "time")
-        return Outcome.NOT_ANSWERED, reason_message(Reason.SPECTRUM_TOO_SHORT, period=period_needed, end=end)
-    verdict = outcome_of(demand / capacity)
-    return verdict, reason_message(Reason.WITHIN if verdict == Outcome.PASS else Reason.BEYOND, capacity="a0*")
-
-
 def acceleration_ratio_steps(clause: str, demands: Demands | None, *, capacity: float) -> tuple[Step, ...]:
     """Write the last line of the sheet."""
     if demands is None:
@@ -235,32 +218,6 @@ def displacement_ratio_step(analysis: DisplacementAnalysis, clause: str, *, dema
     return step(symbol, "ratio", clause, symbol, demand / analysis.ultimate_displacement, given=given, remark=remark)
 
 
-def _displacement_pga_curve(case: LimitStateCase, analysis: DisplacementAnalysis) -> PgaCurve:
-    """Return PGA over rotation: the demand is proportional to PGA, as the period does not change with it."""
-    per_pga, branch = analysis.demand_per_pga, case.curves.lasting
-    if per_pga is None:
-        return PgaCurve((), ())
-
-    def pga_of(rotation: FloatArray) -> FloatArray:
-        return displacement(branch, rotation, mass=case.curves.mass) / (analysis.participation_ratio * per_pga.largest)
-
-    return to_pga_curve(pga_rotation(pga_of, overturning=branch.unstable, uplift=analysis.activation_pga), branch)
-
-
-def _displacement_outcome(
-    case: LimitStateCase, analysis: DisplacementAnalysis, demand: float | None
-) -> tuple[Outcome, Message]:
-    if demand is None:
-        end = Quantity(case.context.spectrum.longest_period, "time")
-        return Outcome.NOT_ANSWERED, reason_message(Reason.SPECTRUM_TOO_SHORT, period=analysis.period_needed, end=end)
-    if demand == 0.0:
-        return Outcome.PASS, reason_message(Reason.NO_ROCKING)
-    verdict = outcome_of(demand / analysis.ultimate_displacement)
-    return verdict, reason_message(
-        Reason.WITHIN if verdict == Outcome.PASS else Reason.BEYOND, capacity=analysis.symbol
-    )
-
-
 LOSS = 0.5  # of the largest acceleration capacity
 
 
@@ -309,25 +266,6 @@ def displacement_capacity(curves: BranchCurves, limit: DisplacementLimit) -> Dis
     return DisplacementCapacity(min([limit.share * collapse, *(each.displacement for each in found)]), collapse, found)
 
 
-def _local_displacements(curves: BranchCurves, limit: DisplacementLimit) -> Iterator[LocalDisplacement]:
-    for local in curves.limits:
-        displacement = displacement_at(curves.lasting, local.rotation, mass=curves.mass)
-        if local.kind == "seat":
-            yield LocalDisplacement(local, displacement)
-        elif limit.breaks:
-            after, largest = _multipliers_at_break(curves.breaking, local.rotation)
-            if after < LOSS * largest:
-                yield LocalDisplacement(local, displacement, after, largest)
-
-
-def _multipliers_at_break(branch: Branch, rotation: float) -> tuple[float, float]:
-    """Return lambda just after a rotation [rad], 0 beyond the end of the table, and the largest of the curve [-]."""
-    standing = branch.rotation <= branch.unstable
-    beyond = rotation * (1.0 + BEFORE_BREAK)
-    after = 0.0 if beyond > branch.rotation[-1] else multiplier_at(branch, beyond)
-    return after, float(multiplier(branch)[standing].max())
-
-
 def displacement_capacity_steps(
     curves: BranchCurves, capacity: DisplacementCapacity, limit: DisplacementLimit, symbol: str, words: str
 ) -> tuple[Step, ...]:
@@ -341,19 +279,6 @@ def displacement_capacity_steps(
         given[name] = (each.displacement, "m")
     formula = terms[0] if len(terms) == 1 else f"min({', '.join(terms)})"
     return *steps, step(symbol, words, limit.clause, formula, capacity.displacement, "m", given=given)
-
-
-def _local_steps(curves: BranchCurves, each: LocalDisplacement, name: str, clause: str) -> Iterator[Step]:
-    seat, what, upper = each.limit.kind == "seat", each.limit.what, f"φ_{name[2:]}"
-    words = "displacement at which the seat is lost" if seat else "displacement at which the action ends"
-    yield from displacement_steps(
-        name, words, clause, curves.lasting, mass=curves.mass, rotation=each.limit.rotation, upper=upper, subject=what
-    )
-    if seat:
-        return
-    words = "acceleration just after the action ends over the largest; it limits below one half"
-    given = {"λ": each.after, "λ_max": each.largest}
-    yield step("λ / λ_max", words, clause, "λ / λ_max", each.after / each.largest, given=given, subject=what)
 
 
 def break_conditions(curves: BranchCurves) -> tuple[Message, ...]:
@@ -576,3 +501,78 @@ def curve_steps(
         step("λ", "multiplier there", clause, "R / (g · B)", lam, given=ratio),
         step(symbol, words, clause, "λ · g / (e* · FC)", a, "m/s2", given=given),
     )
+
+
+def _acceleration_conditions(case: LimitStateCase) -> tuple[Message, ...]:
+    """Return the condition of a pass where the multiplier counts actions that are not shown to last."""
+    if linear_multiplier(case.curves.starting) <= linear_multiplier(case.curves.lasting) * (1.0 + 1e-9):
+        return ()
+    return (message("counts-at-rest", severity=Severity.WARNING),)
+
+
+def _acceleration_outcome(
+    case: LimitStateCase, demand: float | None, capacity: float, *, period_needed: Term
+) -> tuple[Outcome, Message]:
+    if demand is None:
+        end = Quantity(case.context.spectrum.longest_period, "time")
+        return Outcome.NOT_ANSWERED, reason_message(Reason.SPECTRUM_TOO_SHORT, period=period_needed, end=end)
+    verdict = outcome_of(demand / capacity)
+    return verdict, reason_message(Reason.WITHIN if verdict == Outcome.PASS else Reason.BEYOND, capacity="a0*")
+
+
+def _displacement_pga_curve(case: LimitStateCase, analysis: DisplacementAnalysis) -> PgaCurve:
+    """Return PGA over rotation: the demand is proportional to PGA, as the period does not change with it."""
+    per_pga, branch = analysis.demand_per_pga, case.curves.lasting
+    if per_pga is None:
+        return PgaCurve((), ())
+
+    def pga_of(rotation: FloatArray) -> FloatArray:
+        return displacement(branch, rotation, mass=case.curves.mass) / (analysis.participation_ratio * per_pga.largest)
+
+    return to_pga_curve(pga_rotation(pga_of, overturning=branch.unstable, uplift=analysis.activation_pga), branch)
+
+
+def _displacement_outcome(
+    case: LimitStateCase, analysis: DisplacementAnalysis, demand: float | None
+) -> tuple[Outcome, Message]:
+    if demand is None:
+        end = Quantity(case.context.spectrum.longest_period, "time")
+        return Outcome.NOT_ANSWERED, reason_message(Reason.SPECTRUM_TOO_SHORT, period=analysis.period_needed, end=end)
+    if demand == 0.0:
+        return Outcome.PASS, reason_message(Reason.NO_ROCKING)
+    verdict = outcome_of(demand / analysis.ultimate_displacement)
+    return verdict, reason_message(
+        Reason.WITHIN if verdict == Outcome.PASS else Reason.BEYOND, capacity=analysis.symbol
+    )
+
+
+def _local_displacements(curves: BranchCurves, limit: DisplacementLimit) -> Iterator[LocalDisplacement]:
+    for local in curves.limits:
+        displacement = displacement_at(curves.lasting, local.rotation, mass=curves.mass)
+        if local.kind == "seat":
+            yield LocalDisplacement(local, displacement)
+        elif limit.breaks:
+            after, largest = _multipliers_at_break(curves.breaking, local.rotation)
+            if after < LOSS * largest:
+                yield LocalDisplacement(local, displacement, after, largest)
+
+
+def _multipliers_at_break(branch: Branch, rotation: float) -> tuple[float, float]:
+    """Return lambda just after a rotation [rad], 0 beyond the end of the table, and the largest of the curve [-]."""
+    standing = branch.rotation <= branch.unstable
+    beyond = rotation * (1.0 + BEFORE_BREAK)
+    after = 0.0 if beyond > branch.rotation[-1] else multiplier_at(branch, beyond)
+    return after, float(multiplier(branch)[standing].max())
+
+
+def _local_steps(curves: BranchCurves, each: LocalDisplacement, name: str, clause: str) -> Iterator[Step]:
+    seat, what, upper = each.limit.kind == "seat", each.limit.what, f"φ_{name[2:]}"
+    words = "displacement at which the seat is lost" if seat else "displacement at which the action ends"
+    yield from displacement_steps(
+        name, words, clause, curves.lasting, mass=curves.mass, rotation=each.limit.rotation, upper=upper, subject=what
+    )
+    if seat:
+        return
+    words = "acceleration just after the action ends over the largest; it limits below one half"
+    given = {"λ": each.after, "λ_max": each.largest}
+    yield step("λ / λ_max", words, clause, "λ / λ_max", each.after / each.largest, given=given, subject=what)

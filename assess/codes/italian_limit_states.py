@@ -158,36 +158,6 @@ def add_safety_index(check: Check, context: Context) -> Check:
     return indexed if context.hazard is None else _with_years(indexed, context.hazard, capacity)
 
 
-def _with_years(check: Check, hazard: SiteHazard, capacity_g: float) -> Check:
-    years, bound = return_period(hazard, capacity_g * g)
-    line = _years_step(hazard, capacity_g * g, years, bound)
-    return replace(check, return_period_years=years, return_period_bound=bound, steps=(*check.steps, line))
-
-
-def _years_step(hazard: SiteHazard, pga: float, years: float, bound: Bound) -> Step:
-    """Write the return period of a capacity [m/s2]: between two rows of the hazard, or at its first or last one."""
-    symbol, words = "T_R,C", "return period of the capacity"
-    rows = rows_around(hazard, pga)
-    if rows is None:
-        ends = {"<=": "or less: the hazard begins there", ">=": "or more: the hazard ends there"}
-        at = {"PGA_C": (pga, "m/s2"), "T_R": (years, "years")}
-        formula = "first or last row of the hazard"
-        return step(
-            symbol, words, HAZARD_CLAUSE, formula, years, "years", remark=ends.get(bound, ""), bound=bound, at=at
-        )
-    low, high = rows
-    given = {
-        "T_1": (hazard.return_period[low], "years"),
-        "T_2": (hazard.return_period[high], "years"),
-        "PGA_C": (pga, "m/s2"),
-        "PGA_1": (float(np.maximum.accumulate(hazard.pga)[low]), "m/s2"),
-        "PGA_2": (float(np.maximum.accumulate(hazard.pga)[high]), "m/s2"),
-    }
-    formula = "exp(ln(T_1) + ln(PGA_C / PGA_1) / ln(PGA_2 / PGA_1) ln(T_2 / T_1))"
-    remark = "linear in logarithms between the neighbouring rows of the hazard"
-    return step(symbol, words, HAZARD_CLAUSE, formula, years, "years", given=given, remark=remark)
-
-
 def rows_around(hazard: SiteHazard, pga: float) -> tuple[int, int] | None:
     """Return the rows between which the site first reaches a PGA [m/s2]; None before the first and after the last."""
     reached = np.maximum.accumulate(hazard.pga)
@@ -257,14 +227,6 @@ def confidence_factors(options: ItalianOptions, *, crushing: bool, level: str | 
     return deciding, ConfidenceFactor(given, "given, below the code's: for comparison", deciding.factor)
 
 
-def _by_code(crushing: bool, level: str | None) -> ConfidenceFactor:
-    if not crushing:
-        return ConfidenceFactor(LARGEST_FACTOR, "LC1's, as crushing of the masonry is not modelled")
-    if level is None:
-        return ConfidenceFactor(LARGEST_FACTOR, "LC1's, as no level of knowledge is given")
-    return ConfidenceFactor(FACTORS_BY_LEVEL[level], SOURCE_BY_LEVEL[level])
-
-
 def confidence_step(confidence: ConfidenceFactor, edition: ItalianEdition) -> Step:
     """Write FC."""
     words = "confidence factor, divides the acceleration once"
@@ -329,13 +291,6 @@ def branch_curves(oscillator: Oscillator, context: Context, name: BranchName) ->
     return next((each for each in found if each.name == name), found[0])
 
 
-def _curves_of_branch(
-    name: BranchName, states: Sequence[Oscillator], limits: Sequence[LocalLimit], mass: float
-) -> BranchCurves:
-    lasting, starting, breaking = (branch_of(each, name) for each in states)
-    return BranchCurves(name, lasting, starting, breaking, tuple(each for each in limits if each.branch == name), mass)
-
-
 @dataclass(frozen=True)
 class Floor:
     """The building as the clauses see it: psi = Z/H, gamma = 3N/(2N+1), T1 [s] and xi1 [-] of the first mode."""
@@ -385,3 +340,48 @@ def floor_of(context: Context) -> Floor | None:
 def outcome_of(ratio: float) -> Outcome:
     """Return pass or fail of a ratio of demand to capacity."""
     return Outcome.FAIL if ratio > 1.0 else Outcome.PASS
+
+
+def _with_years(check: Check, hazard: SiteHazard, capacity_g: float) -> Check:
+    years, bound = return_period(hazard, capacity_g * g)
+    line = _years_step(hazard, capacity_g * g, years, bound)
+    return replace(check, return_period_years=years, return_period_bound=bound, steps=(*check.steps, line))
+
+
+def _years_step(hazard: SiteHazard, pga: float, years: float, bound: Bound) -> Step:
+    """Write the return period of a capacity [m/s2]: between two rows of the hazard, or at its first or last one."""
+    symbol, words = "T_R,C", "return period of the capacity"
+    rows = rows_around(hazard, pga)
+    if rows is None:
+        ends = {"<=": "or less: the hazard begins there", ">=": "or more: the hazard ends there"}
+        at = {"PGA_C": (pga, "m/s2"), "T_R": (years, "years")}
+        formula = "first or last row of the hazard"
+        return step(
+            symbol, words, HAZARD_CLAUSE, formula, years, "years", remark=ends.get(bound, ""), bound=bound, at=at
+        )
+    low, high = rows
+    given = {
+        "T_1": (hazard.return_period[low], "years"),
+        "T_2": (hazard.return_period[high], "years"),
+        "PGA_C": (pga, "m/s2"),
+        "PGA_1": (float(np.maximum.accumulate(hazard.pga)[low]), "m/s2"),
+        "PGA_2": (float(np.maximum.accumulate(hazard.pga)[high]), "m/s2"),
+    }
+    formula = "exp(ln(T_1) + ln(PGA_C / PGA_1) / ln(PGA_2 / PGA_1) ln(T_2 / T_1))"
+    remark = "linear in logarithms between the neighbouring rows of the hazard"
+    return step(symbol, words, HAZARD_CLAUSE, formula, years, "years", given=given, remark=remark)
+
+
+def _by_code(crushing: bool, level: str | None) -> ConfidenceFactor:
+    if not crushing:
+        return ConfidenceFactor(LARGEST_FACTOR, "LC1's, as crushing of the masonry is not modelled")
+    if level is None:
+        return ConfidenceFactor(LARGEST_FACTOR, "LC1's, as no level of knowledge is given")
+    return ConfidenceFactor(FACTORS_BY_LEVEL[level], SOURCE_BY_LEVEL[level])
+
+
+def _curves_of_branch(
+    name: BranchName, states: Sequence[Oscillator], limits: Sequence[LocalLimit], mass: float
+) -> BranchCurves:
+    lasting, starting, breaking = (branch_of(each, name) for each in states)
+    return BranchCurves(name, lasting, starting, breaking, tuple(each for each in limits if each.branch == name), mass)

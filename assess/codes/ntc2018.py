@@ -44,43 +44,20 @@ def assess_linear(oscillator: Oscillator, context: Context, *, options: ItalianO
     )
 
 
-NTC2018_LINEAR = CodeProcedure(
-    name="ntc2018-linear",
-    family=Family.LINEAR,
-    assess=assess_linear,
-    title=Term("NTC 2018, linear kinematic"),
-    short_title=Term("NTC 2018 linear"),
-    work="ntc2018",
-    options="ntc2018",
-    limit_states=tuple(LINEAR_CLAUSES),
-    default_run=DefaultRun(spectra=("ntc2018",)),
-)
+NONLINEAR_CLAUSE = "C8.7.1.2.1.8"
+SOFTENED_WORST = "first mode, softened by 1.5 to 2.0: that of the largest displacement"
+FIRST, AT_ACTIVATION = "T1'", "T1'_a"  # of the building: what asks most of d_LS, and of a0*
 
 
-def _linear_check(case: LimitStateCase, options: ItalianOptions) -> Check:
-    FC, q = case.confidence.factor, options.behaviour_factor if case.state == "SLV" else 1.0
-    context, branch, modes = case.context, case.curves.starting, clauses.elastic_modes(case.context)
-    T0 = clauses.period_before_uplift(branch, context)
-    over_pga = clauses.acceleration_demands(context, modes, T0=T0)
-    demands = None if over_pga is None else over_pga.scale(case.pga / q)
-    a0 = kinematic.activation(branch, mass=case.curves.mass, confidence_factor=FC)
-    return kinematic.acceleration_check(
-        case,
+def assess_nonlinear(oscillator: Oscillator, context: Context, *, options: ItalianOptions) -> tuple[Check, ...]:
+    """Check d_SLV and d_SLC against the displacements of ground and floor; the capacity is at least a_g,SLD."""
+    return check_each_limit_state(
+        oscillator,
+        context,
         clauses.EDITION,
-        procedure=NTC2018_LINEAR.name,
-        capacity=a0,
-        demands=demands,
-        period_needed=Term("T0 or T1 of the building"),
-        uplift_pga=clauses.uplift_on_floor(branch, context, confidence_factor=FC),
-        damping=clauses.ELASTIC_DAMPING,
-        steps=(
-            *kinematic.activation_steps(case, clauses.EDITION),
-            *_period_steps(case, T0=T0),
-            *_share_steps(case, modes),
-            *_acceleration_demand_steps(case, modes, over_pga, T0=T0, a0=a0),
-            *_linear_capacity_steps(case, over_pga, a0=a0, q=q),
-            *kinematic.acceleration_ratio_steps(LINEAR_CLAUSES[case.state], demands, capacity=a0),
-        ),
+        options,
+        known=NTC2018_NONLINEAR.limit_states,
+        one=lambda case: _nonlinear_check(case.at_ultimate),
     )
 
 
@@ -130,43 +107,6 @@ def _floor_acceleration_steps(
     )
 
 
-def _linear_capacity_steps(case: LimitStateCase, over_pga: Demands | None, *, a0: float, q: float) -> tuple[Step, ...]:
-    if over_pga is None:
-        return ()
-    clause, largest = LINEAR_CLAUSES[case.state], over_pga.largest * case.pga
-    demanded = step(
-        "a_max / q",
-        "demand: the larger of ground and floor",
-        clause,
-        "a_max / q",
-        largest / q,
-        "m/s2",
-        given={"a_max": (largest, "m/s2"), "q": q},
-    )
-    if case.state == "SLD":
-        return (demanded,)
-    activated = clauses.activation_pga(a0, over_pga)
-    given: Given = {"q": q, "a_g,SLD S": (activated, "m/s2")}
-    return step("a_g,SLV S", "PGA at capacity", clause, "q · a_g,SLD S", q * activated, "m/s2", given=given), demanded
-
-
-NONLINEAR_CLAUSE = "C8.7.1.2.1.8"
-SOFTENED_WORST = "first mode, softened by 1.5 to 2.0: that of the largest displacement"
-FIRST, AT_ACTIVATION = "T1'", "T1'_a"  # of the building: what asks most of d_LS, and of a0*
-
-
-def assess_nonlinear(oscillator: Oscillator, context: Context, *, options: ItalianOptions) -> tuple[Check, ...]:
-    """Check d_SLV and d_SLC against the displacements of ground and floor; the capacity is at least a_g,SLD."""
-    return check_each_limit_state(
-        oscillator,
-        context,
-        clauses.EDITION,
-        options,
-        known=NTC2018_NONLINEAR.limit_states,
-        one=lambda case: _nonlinear_check(case.at_ultimate),
-    )
-
-
 NTC2018_NONLINEAR = CodeProcedure(
     name="ntc2018-nonlinear",
     family=Family.DISPLACEMENT,
@@ -188,6 +128,97 @@ class CapacityAndDemands:
     modes: clauses.FirstModes | None
     acceleration_per_pga: Demands | None
     displacement_per_pga: Demands | None
+
+
+HISTORY_RULE = HistoryRule(
+    procedure="ntc2018-history",
+    edition=clauses.EDITION,
+    clause="C8.7.1.2.1.9",
+    limits={state: ultimate.rule for state, ultimate in clauses.ULTIMATE.items()},
+)
+
+
+def assess_history(oscillator: Oscillator, context: Context, *, options: ItalianOptions) -> tuple[Check, ...]:
+    """Return the checks of the suites of time histories against d0* and d_SLV or d_SLC."""
+    return assess_histories(oscillator, context, rule=HISTORY_RULE, options=options)
+
+
+def first_mode_steps(
+    modes: clauses.FirstModes, first: float, symbol: str, T: tuple[str, float], why: str
+) -> tuple[Step, ...]:
+    """Write the most demanding T_1' [s], named `symbol`, for a mechanism of period T, (symbol, value) [s]."""
+    if modes.reason:
+        stated = "first mode at this limit state"
+        return (step(symbol, stated, "C8.7.1.2.1.4", "as stated", first, "s", subject=modes.reason),)
+    if modes.shortest == modes.longest:
+        return ()
+    name, value = T
+    for letter, factor in zip("ab", PLATEAU, strict=True):
+        if np.isclose(first, value / factor, rtol=1e-12, atol=0.0):
+            peak: Given = {name: (value, "s"), letter: factor}
+            return (step(symbol, why, "C8.7.1.2.1.4", f"{name} / {letter}", first, "s", given=peak),)
+    k: Given = {"k": first / modes.floor.T1, "T1": (modes.floor.T1, "s")}
+    return (step(symbol, why, "C8.7.1.2.1.4", "k · T1", first, "s", given=k),)
+
+
+NTC2018_LINEAR = CodeProcedure(
+    name="ntc2018-linear",
+    family=Family.LINEAR,
+    assess=assess_linear,
+    title=Term("NTC 2018, linear kinematic"),
+    short_title=Term("NTC 2018 linear"),
+    work="ntc2018",
+    options="ntc2018",
+    limit_states=tuple(LINEAR_CLAUSES),
+    default_run=DefaultRun(spectra=("ntc2018",)),
+)
+
+
+def _linear_check(case: LimitStateCase, options: ItalianOptions) -> Check:
+    FC, q = case.confidence.factor, options.behaviour_factor if case.state == "SLV" else 1.0
+    context, branch, modes = case.context, case.curves.starting, clauses.elastic_modes(case.context)
+    T0 = clauses.period_before_uplift(branch, context)
+    over_pga = clauses.acceleration_demands(context, modes, T0=T0)
+    demands = None if over_pga is None else over_pga.scale(case.pga / q)
+    a0 = kinematic.activation(branch, mass=case.curves.mass, confidence_factor=FC)
+    return kinematic.acceleration_check(
+        case,
+        clauses.EDITION,
+        procedure=NTC2018_LINEAR.name,
+        capacity=a0,
+        demands=demands,
+        period_needed=Term("T0 or T1 of the building"),
+        uplift_pga=clauses.uplift_on_floor(branch, context, confidence_factor=FC),
+        damping=clauses.ELASTIC_DAMPING,
+        steps=(
+            *kinematic.activation_steps(case, clauses.EDITION),
+            *_period_steps(case, T0=T0),
+            *_share_steps(case, modes),
+            *_acceleration_demand_steps(case, modes, over_pga, T0=T0, a0=a0),
+            *_linear_capacity_steps(case, over_pga, a0=a0, q=q),
+            *kinematic.acceleration_ratio_steps(LINEAR_CLAUSES[case.state], demands, capacity=a0),
+        ),
+    )
+
+
+def _linear_capacity_steps(case: LimitStateCase, over_pga: Demands | None, *, a0: float, q: float) -> tuple[Step, ...]:
+    if over_pga is None:
+        return ()
+    clause, largest = LINEAR_CLAUSES[case.state], over_pga.largest * case.pga
+    demanded = step(
+        "a_max / q",
+        "demand: the larger of ground and floor",
+        clause,
+        "a_max / q",
+        largest / q,
+        "m/s2",
+        given={"a_max": (largest, "m/s2"), "q": q},
+    )
+    if case.state == "SLD":
+        return (demanded,)
+    activated = clauses.activation_pga(a0, over_pga)
+    given: Given = {"q": q, "a_g,SLD S": (activated, "m/s2")}
+    return step("a_g,SLV S", "PGA at capacity", clause, "q · a_g,SLD S", q * activated, "m/s2", given=given), demanded
 
 
 def _nonlinear_check(case: LimitStateCase) -> Check:
@@ -342,19 +373,6 @@ def _comparison_damping_steps(case: LimitStateCase, derived: CapacityAndDemands,
     return (step("d(20 %)", words, "C8.7.1.2.1.4", "as above, with ξ1 = 0.2", moved, "m", at=at),)
 
 
-HISTORY_RULE = HistoryRule(
-    procedure="ntc2018-history",
-    edition=clauses.EDITION,
-    clause="C8.7.1.2.1.9",
-    limits={state: ultimate.rule for state, ultimate in clauses.ULTIMATE.items()},
-)
-
-
-def assess_history(oscillator: Oscillator, context: Context, *, options: ItalianOptions) -> tuple[Check, ...]:
-    """Return the checks of the suites of time histories against d0* and d_SLV or d_SLC."""
-    return assess_histories(oscillator, context, rule=HISTORY_RULE, options=options)
-
-
 NTC2018_HISTORY = CodeProcedure(
     name=HISTORY_RULE.procedure,
     family=Family.HISTORY,
@@ -393,24 +411,6 @@ def _share_steps(case: LimitStateCase, modes: clauses.FirstModes | None) -> tupl
         step("γψ", words, "C7.2.10", "3 · N · Z / ((2 · N + 1) · H)", modes.share, given=given),
         step("T1", mode, "C7.2.3", "[building] period", modes.floor.T1, "s", remark="given, or 0.05 H^0.75"),
     )
-
-
-def first_mode_steps(
-    modes: clauses.FirstModes, first: float, symbol: str, T: tuple[str, float], why: str
-) -> tuple[Step, ...]:
-    """Write the most demanding T_1' [s], named `symbol`, for a mechanism of period T, (symbol, value) [s]."""
-    if modes.reason:
-        stated = "first mode at this limit state"
-        return (step(symbol, stated, "C8.7.1.2.1.4", "as stated", first, "s", subject=modes.reason),)
-    if modes.shortest == modes.longest:
-        return ()
-    name, value = T
-    for letter, factor in zip("ab", PLATEAU, strict=True):
-        if np.isclose(first, value / factor, rtol=1e-12, atol=0.0):
-            peak: Given = {name: (value, "s"), letter: factor}
-            return (step(symbol, why, "C8.7.1.2.1.4", f"{name} / {letter}", first, "s", given=peak),)
-    k: Given = {"k": first / modes.floor.T1, "T1": (modes.floor.T1, "s")}
-    return (step(symbol, why, "C8.7.1.2.1.4", "k · T1", first, "s", given=k),)
 
 
 def _peak_steps(case: LimitStateCase, modes: clauses.FirstModes, first: float, symbol: str) -> tuple[Step, ...]:

@@ -439,23 +439,6 @@ def floor_demand(context: Context, modes: FirstModes, *, T0: float, T: float, da
     return max(at_T, _floor_demand_at(context, modes, worst, damping=damping), key=lambda each: each.largest)
 
 
-def _worst_period(context: Context, modes: FirstModes, *, T0: float, T: float, damping: float) -> float:
-    """Return the period from T_0 to T at which the floor moves most under any mode; the longest of equals [s]."""
-    period, first = np.linspace(T, min(T0, T), FLOOR_PERIODS)[:-1, None], modes.periods(T)[None, :]
-    moved = floor_ordinates(context, modes, first, period, damping=damping) * (period / (2 * np.pi)) ** 2
-    return float(period[np.argmax(moved.max(axis=1)), 0])
-
-
-def _floor_demand_at(context: Context, modes: FirstModes, T: float, *, damping: float) -> FloorDemand:
-    first = modes.periods(T)
-    moved = floor_ordinates(context, modes, first, np.array(T), damping=damping) * (T / (2 * np.pi)) ** 2
-    edge = PLATEAU[1] * first
-    resonant = floor_ordinates(context, modes, first, first, damping=damping) * (edge / (2 * np.pi)) ** 2
-    least = np.where(edge < T * (1.0 - 1e-12), resonant, 0.0)
-    place = int(np.argmax(np.maximum(moved, least)))
-    return FloorDemand(float(first[place]), T, float(moved[place]), float(least[place]))
-
-
 def ground_period(context: Context, *, T0: float, T: float, damping: float) -> float:
     """Return the period from T_0 to T of the largest displacement of the ground (C8.7.1.2.1.8).
 
@@ -522,3 +505,20 @@ def toothing_friction(
     if n < 1.0:
         raise ProcedureError(f"toothed crack of {height:.4g} m: C8.7.1.2 needs at least one course, {unit_height:.4g}")
     return 0.4 * n * (n + 1.0) * Phi * friction * overlap**2 * thickness * unit_weight
+
+
+def _worst_period(context: Context, modes: FirstModes, *, T0: float, T: float, damping: float) -> float:
+    """Return the period from T_0 to T at which the floor moves most under any mode; the longest of equals [s]."""
+    period, first = np.linspace(T, min(T0, T), FLOOR_PERIODS)[:-1, None], modes.periods(T)[None, :]
+    moved = floor_ordinates(context, modes, first, period, damping=damping) * (period / (2 * np.pi)) ** 2
+    return float(period[np.argmax(moved.max(axis=1)), 0])
+
+
+def _floor_demand_at(context: Context, modes: FirstModes, T: float, *, damping: float) -> FloorDemand:
+    first = modes.periods(T)
+    moved = floor_ordinates(context, modes, first, np.array(T), damping=damping) * (T / (2 * np.pi)) ** 2
+    edge = PLATEAU[1] * first
+    resonant = floor_ordinates(context, modes, first, first, damping=damping) * (edge / (2 * np.pi)) ** 2
+    least = np.where(edge < T * (1.0 - 1e-12), resonant, 0.0)
+    place = int(np.argmax(np.maximum(moved, least)))
+    return FloorDemand(float(first[place]), T, float(moved[place]), float(least[place]))

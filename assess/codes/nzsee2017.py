@@ -103,101 +103,6 @@ def assess_face_loaded_wall(
     )
 
 
-NZSEE2017_FACE_LOADED = CodeProcedure(
-    name="nzsee2017-face-loaded",
-    family=Family.PART,
-    assess=assess_face_loaded_wall,
-    title=Term("NZSEE 2017, face-loaded wall"),
-    short_title=Term("NZSEE 2017"),
-    work="nzsee2017",
-    options="nzsee2017",
-    spectra=NEW_ZEALAND,
-    default_run=DefaultRun(spectra=NEW_ZEALAND),
-)
-
-
-def _checks(oscillator: Oscillator, context: Context, options: Nzsee2017Options) -> tuple[Check, ...]:
-    def one(branch: Branch, name: BranchName, level: float) -> Check:
-        empty = _check(name, context, level)
-        if context.support == "hinged":
-            return empty
-        if context.spectrum.code == TABLE_SPECTRUM and options.c_0 is None:
-            why = missing_ordinate(CLAUSE, "C(0)", "procedures.nzsee2017.c_0")
-            return replace(empty, verdict=Outcome.NOT_ANSWERED, reason=why)
-        if is_overloaded(name, context):
-            return replace(empty, verdict=Outcome.NOT_ANSWERED, reason=reason_message(Reason.OVERLOADED, clause=CLAUSE))
-        return _answered(empty, branch, context, wall_response(branch, name, context, options), level)
-
-    return tuple(_scored(check) for check in check_worst_branch(oscillator, context.levels, one))
-
-
-def _check(name: BranchName, context: Context, level: float) -> Check:
-    return Check(
-        procedure=NZSEE2017_FACE_LOADED.name,
-        edition=EDITION,
-        branch=name,
-        limit_state="ULS",
-        level_pga_g=level / g,
-        input_at="mechanism base" if context.above_ground else "ground",
-        damping=DAMPING,
-        quantity="rotation",
-        unit="rad",
-        verdict=Outcome.NOT_APPLICABLE,
-        reason=reason_message(Reason.NOT_A_WALL, clause=CLAUSE),
-        **caveats_of(
-            CAVEAT,
-            *([CAVEAT_FREE] if context.support == "free" else []),
-            *NZSEE2017_FACE_LOADED.spectrum_caveats(context.spectrum.code),
-        ),
-    )
-
-
-def _answered(check: Check, branch: Branch, context: Context, response: WallResponse, level: float) -> Check:
-    demanded = 0.0 if level <= (response.uplift or 0.0) else response.per_pga * level
-    ratio = demanded / response.usable_rotation
-    verdict = Outcome.PASS if ratio <= 1.0 else Outcome.FAIL
-    stands = demanded < response.instability
-    return replace(
-        check,
-        demand=demanded,
-        capacity=response.usable_rotation,
-        ratio=ratio,
-        verdict=verdict,
-        reason=_reason(demanded, verdict),
-        capacity_pga_g=response.capacity / g,
-        uplift_pga_g=None if response.uplift is None else response.uplift / g,
-        capacity_rotation_ratio=response.usable_rotation / branch.overturning,
-        rotation_ratio=demanded / branch.overturning if stands else None,
-        pga_curve=_curve(branch, response),
-        steps=_sheet_steps(branch, context, response, level=level),
-    )
-
-
-def _reason(demanded: float, verdict: Outcome) -> Message:
-    if demanded == 0.0:
-        return reason_message(Reason.NO_ROCKING)
-    return reason_message(
-        Reason.WITHIN if verdict == Outcome.PASS else Reason.BEYOND, capacity=Term("the usable rotation")
-    )
-
-
-def _curve(branch: Branch, response: WallResponse) -> PgaCurve:
-    def pga_of(rotation: FloatArray) -> FloatArray:
-        return rotation / response.per_pga
-
-    return to_pga_curve(pga_rotation(pga_of, overturning=response.instability, uplift=response.uplift or 0.0), branch)
-
-
-def _scored(check: Check) -> Check:
-    """Return the check with its %NBS: PGA at capacity over the PGA of the level, no ratio of rotations below uplift."""
-    if check.capacity_pga_g is None:
-        return check
-    score = 100.0 * check.capacity_pga_g / check.level_pga_g
-    given = {"PGA_100": (check.capacity_pga_g, "g"), "PGA": (check.level_pga_g, "g")}
-    line = step(SCORE, "share of the new building standard", CLAUSE, "100 PGA_100 / PGA", score, "%", given=given)
-    return replace(check, score={SCORE: score}, steps=(*check.steps, line))
-
-
 @dataclass(frozen=True)
 class WallResponse:
     """One branch by the clause.
@@ -443,6 +348,101 @@ def uplift_pga(multiplier: float | None, *, floor: float, risk_factor: float) ->
         PGA [m/s2]; None without a threshold.
     """
     return None if multiplier is None else multiplier * g / (part_coefficient(0.0, floor=floor) * risk_factor)
+
+
+NZSEE2017_FACE_LOADED = CodeProcedure(
+    name="nzsee2017-face-loaded",
+    family=Family.PART,
+    assess=assess_face_loaded_wall,
+    title=Term("NZSEE 2017, face-loaded wall"),
+    short_title=Term("NZSEE 2017"),
+    work="nzsee2017",
+    options="nzsee2017",
+    spectra=NEW_ZEALAND,
+    default_run=DefaultRun(spectra=NEW_ZEALAND),
+)
+
+
+def _checks(oscillator: Oscillator, context: Context, options: Nzsee2017Options) -> tuple[Check, ...]:
+    def one(branch: Branch, name: BranchName, level: float) -> Check:
+        empty = _check(name, context, level)
+        if context.support == "hinged":
+            return empty
+        if context.spectrum.code == TABLE_SPECTRUM and options.c_0 is None:
+            why = missing_ordinate(CLAUSE, "C(0)", "procedures.nzsee2017.c_0")
+            return replace(empty, verdict=Outcome.NOT_ANSWERED, reason=why)
+        if is_overloaded(name, context):
+            return replace(empty, verdict=Outcome.NOT_ANSWERED, reason=reason_message(Reason.OVERLOADED, clause=CLAUSE))
+        return _answered(empty, branch, context, wall_response(branch, name, context, options), level)
+
+    return tuple(_scored(check) for check in check_worst_branch(oscillator, context.levels, one))
+
+
+def _check(name: BranchName, context: Context, level: float) -> Check:
+    return Check(
+        procedure=NZSEE2017_FACE_LOADED.name,
+        edition=EDITION,
+        branch=name,
+        limit_state="ULS",
+        level_pga_g=level / g,
+        input_at="mechanism base" if context.above_ground else "ground",
+        damping=DAMPING,
+        quantity="rotation",
+        unit="rad",
+        verdict=Outcome.NOT_APPLICABLE,
+        reason=reason_message(Reason.NOT_A_WALL, clause=CLAUSE),
+        **caveats_of(
+            CAVEAT,
+            *([CAVEAT_FREE] if context.support == "free" else []),
+            *NZSEE2017_FACE_LOADED.spectrum_caveats(context.spectrum.code),
+        ),
+    )
+
+
+def _answered(check: Check, branch: Branch, context: Context, response: WallResponse, level: float) -> Check:
+    demanded = 0.0 if level <= (response.uplift or 0.0) else response.per_pga * level
+    ratio = demanded / response.usable_rotation
+    verdict = Outcome.PASS if ratio <= 1.0 else Outcome.FAIL
+    stands = demanded < response.instability
+    return replace(
+        check,
+        demand=demanded,
+        capacity=response.usable_rotation,
+        ratio=ratio,
+        verdict=verdict,
+        reason=_reason(demanded, verdict),
+        capacity_pga_g=response.capacity / g,
+        uplift_pga_g=None if response.uplift is None else response.uplift / g,
+        capacity_rotation_ratio=response.usable_rotation / branch.overturning,
+        rotation_ratio=demanded / branch.overturning if stands else None,
+        pga_curve=_curve(branch, response),
+        steps=_sheet_steps(branch, context, response, level=level),
+    )
+
+
+def _reason(demanded: float, verdict: Outcome) -> Message:
+    if demanded == 0.0:
+        return reason_message(Reason.NO_ROCKING)
+    return reason_message(
+        Reason.WITHIN if verdict == Outcome.PASS else Reason.BEYOND, capacity=Term("the usable rotation")
+    )
+
+
+def _curve(branch: Branch, response: WallResponse) -> PgaCurve:
+    def pga_of(rotation: FloatArray) -> FloatArray:
+        return rotation / response.per_pga
+
+    return to_pga_curve(pga_rotation(pga_of, overturning=response.instability, uplift=response.uplift or 0.0), branch)
+
+
+def _scored(check: Check) -> Check:
+    """Return the check with its %NBS: PGA at capacity over the PGA of the level, no ratio of rotations below uplift."""
+    if check.capacity_pga_g is None:
+        return check
+    score = 100.0 * check.capacity_pga_g / check.level_pga_g
+    given = {"PGA_100": (check.capacity_pga_g, "g"), "PGA": (check.level_pga_g, "g")}
+    line = step(SCORE, "share of the new building standard", CLAUSE, "100 PGA_100 / PGA", score, "%", given=given)
+    return replace(check, score={SCORE: score}, steps=(*check.steps, line))
 
 
 AT_REST = "table of the mechanism, at rest"

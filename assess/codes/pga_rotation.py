@@ -88,15 +88,6 @@ def floor_pga_rotation(
     return PgaRotation(rotation, pga_of, 0, np.maximum(least, uplift), complete, falls_again=True)
 
 
-def _rotations(overturning: float, period_of: PgaOf | None, longest_period: float) -> tuple[FloatArray, bool]:
-    """Return the rotations of a curve [n] [rad], and whether they reach overturning."""
-    ratio = np.concatenate((np.geomspace(1e-4, 0.04, 60, endpoint=False), np.linspace(0.04, 1.0, 97)))
-    rotation = ratio * overturning
-    if period_of is not None:
-        rotation = rotation[period_of(rotation) <= longest_period]
-    return rotation, rotation.size == ratio.size
-
-
 def rotation_demand(curve: PgaRotation, level: float) -> float | None:
     """Return the rotation at a PGA.
 
@@ -205,20 +196,6 @@ def rotation_verdict(
     )
 
 
-def _reason_by_rotation(rotation: float, allowable: float, level: float, uplift: float | None) -> Message:
-    if rotation == 0.0:
-        return reason_message(_reason_at_rest(level, uplift))
-    return reason_message(
-        Reason.WITHIN if rotation <= allowable else Reason.BEYOND, capacity=Term("the allowable rotation")
-    )
-
-
-def _reason_at_rest(level: float, uplift: float | None) -> Reason:
-    if uplift is None:
-        return Reason.ON_JOINTS
-    return Reason.NO_ROCKING if level <= uplift * g else Reason.NO_LASTING
-
-
 def to_equivalent_blocks(oscillator: Oscillator, rotation_of: Callable[[Branch], float]) -> Oscillator:
     """Replace each branch with its equivalent plain block at a rotation; rigid branches stay as they are.
 
@@ -237,6 +214,29 @@ def to_equivalent_blocks(oscillator: Oscillator, rotation_of: Callable[[Branch],
         return oscillator
     found = [_equivalent_branch(branch, rotation_of(branch), mass=oscillator.mass) for branch in oscillator.branches]
     return replace(oscillator, positive=found[0], negative=found[1] if len(found) > 1 else None)
+
+
+def _rotations(overturning: float, period_of: PgaOf | None, longest_period: float) -> tuple[FloatArray, bool]:
+    """Return the rotations of a curve [n] [rad], and whether they reach overturning."""
+    ratio = np.concatenate((np.geomspace(1e-4, 0.04, 60, endpoint=False), np.linspace(0.04, 1.0, 97)))
+    rotation = ratio * overturning
+    if period_of is not None:
+        rotation = rotation[period_of(rotation) <= longest_period]
+    return rotation, rotation.size == ratio.size
+
+
+def _reason_by_rotation(rotation: float, allowable: float, level: float, uplift: float | None) -> Message:
+    if rotation == 0.0:
+        return reason_message(_reason_at_rest(level, uplift))
+    return reason_message(
+        Reason.WITHIN if rotation <= allowable else Reason.BEYOND, capacity=Term("the allowable rotation")
+    )
+
+
+def _reason_at_rest(level: float, uplift: float | None) -> Reason:
+    if uplift is None:
+        return Reason.ON_JOINTS
+    return Reason.NO_ROCKING if level <= uplift * g else Reason.NO_LASTING
 
 
 def _equivalent_branch(branch: Branch, rotation: float, *, mass: float) -> Branch:

@@ -102,12 +102,6 @@ def missing_input(key: str, why: Message, toml: str = "", *, reasons: tuple[Mess
     return Missing(key, why.text, toml, reasons, (why,))
 
 
-def _join_with_or(names: Sequence[str]) -> Message | str:
-    """Return names with "or" between them."""
-    first, *others = names
-    return first if not others else message("either", {"first": first, "second": _join_with_or(others)})
-
-
 def merge_missing(missing: Sequence[Missing]) -> tuple[Missing, ...]:
     """Return each missing key once, with all its reasons."""
     groups: dict[str, list[Missing]] = {}
@@ -123,12 +117,6 @@ def merge_missing(missing: Sequence[Missing]) -> tuple[Missing, ...]:
         )
         for group in groups.values()
     )
-
-
-def _line_of(group: Sequence[Missing]) -> str:
-    """Return the line of a key; of the sources, which are many under one key, the lines of all."""
-    lines = list(dict.fromkeys(each.toml for each in group))
-    return "\n".join(lines) if group[0].key == SOURCES else lines[0]
 
 
 Rank = tuple[Method, ...]
@@ -150,21 +138,6 @@ def find_limit_states(question: Question) -> tuple[tuple[LimitState, ...], tuple
         why = message("missing-limit-state", {"states": _join_with_or(names)})
         return (), (missing_input("verdict.limit_state", why, f'limit_state = "{names[0]}"'),)
     return (*chosen, *_additional_states(basis, question.use_class)), ()
-
-
-def _declared(basis: Basis, action: Action) -> str:
-    """Return the limit state that the site's own action belongs to; empty where none is declared."""
-    return next((state.name for state in basis.chosen if action.limit_state in state.actions), "")
-
-
-def _additional_states(basis: Basis, use_class: str | None) -> tuple[LimitState, ...]:
-    every = (state for state in basis.states if state.role == LimitStateRole.BESIDES)
-    return tuple(state for state in every if use_class is None or use_class in state.classes)
-
-
-def _requested_methods(state: LimitState, question: Question) -> tuple[str, ...]:
-    """Return the procedures that may decide a limit state, in order of refinement."""
-    return tuple(method.procedure for rank in requested_ranks(state, question.procedures) for method in rank)
 
 
 def methods_of(question: Question) -> tuple[str, ...]:
@@ -344,6 +317,63 @@ def missing_keys(mechanism: str, checks: Sequence[Check]) -> tuple[Missing, ...]
     return tuple(missing for check in checks for missing in _missing_of_check(mechanism, check))
 
 
+def toml_lines(missing: Sequence[Missing], given: Collection[str]) -> tuple[str, ...]:
+    """Return the missing keys as TOML to paste, table by table.
+
+    Parameters
+    ----------
+    missing : the missing inputs
+    given : keys that the project file gives, written with dots; a table that is already there is marked
+
+    Returns
+    -------
+    tuple of str
+    """
+    tables: dict[str, list[str]] = {}
+    for each in missing:
+        if each.toml:
+            tables.setdefault(table_of(each.key), []).append(each.toml)
+    lines: list[str] = []
+    for table, keys in tables.items():
+        lines += [
+            _table_heading(table) + _heading_remark(table, given),
+            *(line for key in keys for line in key.splitlines()),
+        ]
+    return tuple(lines)
+
+
+def table_of(key: str) -> str:
+    """Return the table that a missing key belongs to; for a line of the sources that is the key itself."""
+    return key if key == SOURCES else key.rpartition(".")[0]
+
+
+def _join_with_or(names: Sequence[str]) -> Message | str:
+    """Return names with "or" between them."""
+    first, *others = names
+    return first if not others else message("either", {"first": first, "second": _join_with_or(others)})
+
+
+def _line_of(group: Sequence[Missing]) -> str:
+    """Return the line of a key; of the sources, which are many under one key, the lines of all."""
+    lines = list(dict.fromkeys(each.toml for each in group))
+    return "\n".join(lines) if group[0].key == SOURCES else lines[0]
+
+
+def _declared(basis: Basis, action: Action) -> str:
+    """Return the limit state that the site's own action belongs to; empty where none is declared."""
+    return next((state.name for state in basis.chosen if action.limit_state in state.actions), "")
+
+
+def _additional_states(basis: Basis, use_class: str | None) -> tuple[LimitState, ...]:
+    every = (state for state in basis.states if state.role == LimitStateRole.BESIDES)
+    return tuple(state for state in every if use_class is None or use_class in state.classes)
+
+
+def _requested_methods(state: LimitState, question: Question) -> tuple[str, ...]:
+    """Return the procedures that may decide a limit state, in order of refinement."""
+    return tuple(method.procedure for rank in requested_ranks(state, question.procedures) for method in rank)
+
+
 def _missing_of_check(mechanism: str, check: Check) -> tuple[Missing, ...]:
     return tuple(missing for reason in _reasons_unanswered(check) for missing in _by_reason(mechanism, check, reason))
 
@@ -379,36 +409,6 @@ def _lines_of_reason(check: Check, reason: Message) -> tuple[KeyLine, ...]:
     if reason.key == Reason.GROUND_MOTION:
         return AT_HEIGHT.get(PROCEDURES[check.procedure].family, ())
     return next((lines for key, lines in REMEDIES.items() if key == reason.key), ())
-
-
-def toml_lines(missing: Sequence[Missing], given: Collection[str]) -> tuple[str, ...]:
-    """Return the missing keys as TOML to paste, table by table.
-
-    Parameters
-    ----------
-    missing : the missing inputs
-    given : keys that the project file gives, written with dots; a table that is already there is marked
-
-    Returns
-    -------
-    tuple of str
-    """
-    tables: dict[str, list[str]] = {}
-    for each in missing:
-        if each.toml:
-            tables.setdefault(table_of(each.key), []).append(each.toml)
-    lines: list[str] = []
-    for table, keys in tables.items():
-        lines += [
-            _table_heading(table) + _heading_remark(table, given),
-            *(line for key in keys for line in key.splitlines()),
-        ]
-    return tuple(lines)
-
-
-def table_of(key: str) -> str:
-    """Return the table that a missing key belongs to; for a line of the sources that is the key itself."""
-    return key if key == SOURCES else key.rpartition(".")[0]
 
 
 def _heading_remark(table: str, given: Collection[str]) -> str:

@@ -67,33 +67,6 @@ def assess_sliding(oscillator: Oscillator, context: Context) -> tuple[Check, ...
     return tuple(replace(check, uplift_pga_g=lifts and lifts / context.amplification) for check in checks)
 
 
-SLIDING = CodeProcedure(
-    name="sliding",
-    family=Family.FRICTION,
-    assess=assess_sliding,
-    title=Term("Sliding, equilibrium"),
-    short_title=Term("Sliding"),
-    default_run=DefaultRun(needs_friction=True),
-)
-
-
-def _reason_friction_unknown(hinges: Sequence[HingeForces]) -> Message | None:
-    """Return why sliding cannot be checked, with the remedy; None where it can."""
-    if not hinges:
-        return reason_message(Reason.NO_HINGE_FORCES)
-    for each in _resting_on_friction(hinges):
-        if each.friction is None:
-            return reason_message(Reason.FRICTION_UNKNOWN, hinge=each.hinge, remedy=each.remedy)
-        pull = -min(each.starting.normal, each.resting.normal)
-        if pull >= 0.0:
-            return reason_message(Reason.HINGE_PULLS, hinge=each.hinge, pull=Quantity(pull, "force"))
-    return None
-
-
-def _resting_on_friction(hinges: Sequence[HingeForces]) -> tuple[HingeForces, ...]:
-    return tuple(each for each in hinges if not each.held)
-
-
 def friction_utilisation(hinge: HingeForces, acceleration: float) -> float:
     """Return the friction needed up to a ground acceleration over that of the joint.
 
@@ -122,6 +95,174 @@ def sliding_pga(context: Context) -> float | None:
         if each.sliding_acceleration is not None
     ]
     return min(found) / context.amplification if found else None
+
+
+A1 = "ASCE 43-05 A.1"
+A1_CAVEAT = "Appendix A.1 was not checked against the printed standard: equation A-3 is from memory"
+A1_DAMPING = 0.1
+SHORTEST, MOST = 0.01, 1e4  # s: periods between which the spectrum is looked at
+HIGHEST, HALVINGS = 100.0 * g, 60  # PGA [m/s2] up to which its capacity is looked for, and how finely
+LEVEL_FACE = 1e-6  # of a unit normal: faces less inclined are level
+
+
+def assess_sliding_distance(oscillator: Oscillator, context: Context, *, options: Asce43Options) -> tuple[Check, ...]:
+    """Return one check for each level, against `options.allowable_sliding`; without that, for information only."""
+    lifts = least_if_all_known([threshold(branch) for branch in oscillator.branches])
+    checks = tuple(
+        _distance_check_at_level(level, context, oscillator.mass, options.allowable_sliding) for level in context.levels
+    )
+    return tuple(replace(check, uplift_pga_g=lifts) for check in warn_at_height(checks, context=context))
+
+
+def effective_friction(mu: float, *, vertical: float) -> float:
+    """Return mu_e = mu (1 - 0.4 A_v / g), not below 0 (A-1).
+
+    Parameters
+    ----------
+    mu : coefficient of friction [-]
+    vertical : peak vertical acceleration A_v [m/s2]
+
+    Returns
+    -------
+    float
+        mu_e [-].
+    """
+    return max(mu * (1.0 - 0.4 * vertical / g), 0.0)
+
+
+def friction_of_all(mu: float, *, normal: float, mass: float) -> float:
+    """Return mu N / (M g), the friction over the weight of all that slides.
+
+    Parameters
+    ----------
+    mu : coefficient of friction [-]
+    normal : N that presses on the base at rest [N]
+    mass : M of all that slides [kg]
+
+    Returns
+    -------
+    float [-]
+    """
+    return mu * normal / (mass * g)
+
+
+def sliding_coefficient(friction: float) -> float:
+    """Return c_s = 2 mu_e g [m/s2] of an effective friction [-] (A-2)."""
+    return 2.0 * friction * g
+
+
+def sliding_distance(coefficient: float, *, frequency: float) -> float:
+    """Return delta_s = c_s / (2 pi f_es)^2 (A-3).
+
+    Parameters
+    ----------
+    coefficient : c_s [m/s2]
+    frequency : f_es [Hz]
+
+    Returns
+    -------
+    float [m]
+    """
+    return coefficient / (2.0 * pi * frequency) ** 2
+
+
+def longest_sliding_period(context: Context, level: float, coefficient: float) -> float | None:
+    """Return the longest period at which the spectrum reaches c_s, 1 / f_es.
+
+    Parameters
+    ----------
+    context : its spectrum is scaled to `level`
+    level : PGA [m/s2]
+    coefficient : c_s [m/s2]
+
+    Returns
+    -------
+    float or None
+        Period [s]; 0 where no ordinate reaches c_s, None where the spectrum ends before it falls below c_s.
+    """
+    spectrum, scale = context.spectrum, level / context.spectrum.pga
+
+    def excess(period: float) -> float:
+        return scale * float(spectrum.acceleration(period, damping=A1_DAMPING)) - coefficient
+
+    periods = np.geomspace(SHORTEST, min(spectrum.longest_period, MOST), 400)
+    above = np.flatnonzero(scale * spectrum.acceleration(periods, damping=A1_DAMPING) >= coefficient)
+    if not above.size:
+        return 0.0
+    last = int(above[-1])
+    return None if last == periods.size - 1 else float(brentq(excess, periods[last], periods[last + 1], xtol=1e-12))
+
+
+def sliding_estimate(context: Context, level: float, mu: float) -> float | None:
+    """Return the best estimate of sliding, delta_s.
+
+    Parameters
+    ----------
+    context : spectrum and vertical motion
+    level : PGA [m/s2]
+    mu : coefficient of friction [-]
+
+    Returns
+    -------
+    float or None
+        delta_s [m], 0 without sliding; None where the spectrum ends too early, or without friction.
+    """
+    c_s = sliding_coefficient(effective_friction(mu, vertical=context.vertical_ratio * level))
+    period = longest_sliding_period(context, level, c_s) if c_s > 0.0 else None
+    if period is None:
+        return None
+    return sliding_distance(c_s, frequency=1.0 / period) if period > 0.0 else 0.0
+
+
+def capacity_pga(context: Context, mu: float, allowable: float) -> float | None:
+    """Return the largest PGA whose sliding stays within the allowable one.
+
+    Found by bisection, as more shaking never slides less.
+
+    Parameters
+    ----------
+    context : spectrum and vertical motion
+    mu : coefficient of friction [-]
+    allowable : delta_s allowed [m]
+
+    Returns
+    -------
+    float or None
+        PGA [m/s2]; None where the spectrum ends too early to tell.
+    """
+    low, high = 0.0, HIGHEST
+    for _ in range(HALVINGS):
+        middle = (low + high) / 2.0
+        found = sliding_estimate(context, middle, mu)
+        low, high = (middle, high) if found is not None and found <= allowable else (low, middle)
+    return None if sliding_estimate(context, high, mu) is None else low
+
+
+SLIDING = CodeProcedure(
+    name="sliding",
+    family=Family.FRICTION,
+    assess=assess_sliding,
+    title=Term("Sliding, equilibrium"),
+    short_title=Term("Sliding"),
+    default_run=DefaultRun(needs_friction=True),
+)
+
+
+def _reason_friction_unknown(hinges: Sequence[HingeForces]) -> Message | None:
+    """Return why sliding cannot be checked, with the remedy; None where it can."""
+    if not hinges:
+        return reason_message(Reason.NO_HINGE_FORCES)
+    for each in _resting_on_friction(hinges):
+        if each.friction is None:
+            return reason_message(Reason.FRICTION_UNKNOWN, hinge=each.hinge, remedy=each.remedy)
+        pull = -min(each.starting.normal, each.resting.normal)
+        if pull >= 0.0:
+            return reason_message(Reason.HINGE_PULLS, hinge=each.hinge, pull=Quantity(pull, "force"))
+    return None
+
+
+def _resting_on_friction(hinges: Sequence[HingeForces]) -> tuple[HingeForces, ...]:
+    return tuple(each for each in hinges if not each.held)
 
 
 def _friction_check_at_level(level: float, context: Context) -> Check:
@@ -330,23 +471,6 @@ def _least_pga_step(context: Context, slides_at: float | None) -> Step:
     return step(symbol, words, FRICTION_EDITION, formula, slides_at / g, "g", given=given, remark=remark)
 
 
-A1 = "ASCE 43-05 A.1"
-A1_CAVEAT = "Appendix A.1 was not checked against the printed standard: equation A-3 is from memory"
-A1_DAMPING = 0.1
-SHORTEST, MOST = 0.01, 1e4  # s: periods between which the spectrum is looked at
-HIGHEST, HALVINGS = 100.0 * g, 60  # PGA [m/s2] up to which its capacity is looked for, and how finely
-LEVEL_FACE = 1e-6  # of a unit normal: faces less inclined are level
-
-
-def assess_sliding_distance(oscillator: Oscillator, context: Context, *, options: Asce43Options) -> tuple[Check, ...]:
-    """Return one check for each level, against `options.allowable_sliding`; without that, for information only."""
-    lifts = least_if_all_known([threshold(branch) for branch in oscillator.branches])
-    checks = tuple(
-        _distance_check_at_level(level, context, oscillator.mass, options.allowable_sliding) for level in context.levels
-    )
-    return tuple(replace(check, uplift_pga_g=lifts) for check in warn_at_height(checks, context=context))
-
-
 ASCE43_05_SLIDING = CodeProcedure(
     name="asce43-05-sliding",
     family=Family.SLIDING,
@@ -487,127 +611,3 @@ def _distance_steps(
     if allowable is None:
         return steps
     return (*steps, step("δ_all", "allowable sliding", A1, "given", allowable, "m"))
-
-
-def effective_friction(mu: float, *, vertical: float) -> float:
-    """Return mu_e = mu (1 - 0.4 A_v / g), not below 0 (A-1).
-
-    Parameters
-    ----------
-    mu : coefficient of friction [-]
-    vertical : peak vertical acceleration A_v [m/s2]
-
-    Returns
-    -------
-    float
-        mu_e [-].
-    """
-    return max(mu * (1.0 - 0.4 * vertical / g), 0.0)
-
-
-def friction_of_all(mu: float, *, normal: float, mass: float) -> float:
-    """Return mu N / (M g), the friction over the weight of all that slides.
-
-    Parameters
-    ----------
-    mu : coefficient of friction [-]
-    normal : N that presses on the base at rest [N]
-    mass : M of all that slides [kg]
-
-    Returns
-    -------
-    float [-]
-    """
-    return mu * normal / (mass * g)
-
-
-def sliding_coefficient(friction: float) -> float:
-    """Return c_s = 2 mu_e g [m/s2] of an effective friction [-] (A-2)."""
-    return 2.0 * friction * g
-
-
-def sliding_distance(coefficient: float, *, frequency: float) -> float:
-    """Return delta_s = c_s / (2 pi f_es)^2 (A-3).
-
-    Parameters
-    ----------
-    coefficient : c_s [m/s2]
-    frequency : f_es [Hz]
-
-    Returns
-    -------
-    float [m]
-    """
-    return coefficient / (2.0 * pi * frequency) ** 2
-
-
-def longest_sliding_period(context: Context, level: float, coefficient: float) -> float | None:
-    """Return the longest period at which the spectrum reaches c_s, 1 / f_es.
-
-    Parameters
-    ----------
-    context : its spectrum is scaled to `level`
-    level : PGA [m/s2]
-    coefficient : c_s [m/s2]
-
-    Returns
-    -------
-    float or None
-        Period [s]; 0 where no ordinate reaches c_s, None where the spectrum ends before it falls below c_s.
-    """
-    spectrum, scale = context.spectrum, level / context.spectrum.pga
-
-    def excess(period: float) -> float:
-        return scale * float(spectrum.acceleration(period, damping=A1_DAMPING)) - coefficient
-
-    periods = np.geomspace(SHORTEST, min(spectrum.longest_period, MOST), 400)
-    above = np.flatnonzero(scale * spectrum.acceleration(periods, damping=A1_DAMPING) >= coefficient)
-    if not above.size:
-        return 0.0
-    last = int(above[-1])
-    return None if last == periods.size - 1 else float(brentq(excess, periods[last], periods[last + 1], xtol=1e-12))
-
-
-def sliding_estimate(context: Context, level: float, mu: float) -> float | None:
-    """Return the best estimate of sliding, delta_s.
-
-    Parameters
-    ----------
-    context : spectrum and vertical motion
-    level : PGA [m/s2]
-    mu : coefficient of friction [-]
-
-    Returns
-    -------
-    float or None
-        delta_s [m], 0 without sliding; None where the spectrum ends too early, or without friction.
-    """
-    c_s = sliding_coefficient(effective_friction(mu, vertical=context.vertical_ratio * level))
-    period = longest_sliding_period(context, level, c_s) if c_s > 0.0 else None
-    if period is None:
-        return None
-    return sliding_distance(c_s, frequency=1.0 / period) if period > 0.0 else 0.0
-
-
-def capacity_pga(context: Context, mu: float, allowable: float) -> float | None:
-    """Return the largest PGA whose sliding stays within the allowable one.
-
-    Found by bisection, as more shaking never slides less.
-
-    Parameters
-    ----------
-    context : spectrum and vertical motion
-    mu : coefficient of friction [-]
-    allowable : delta_s allowed [m]
-
-    Returns
-    -------
-    float or None
-        PGA [m/s2]; None where the spectrum ends too early to tell.
-    """
-    low, high = 0.0, HIGHEST
-    for _ in range(HALVINGS):
-        middle = (low + high) / 2.0
-        found = sliding_estimate(context, middle, mu)
-        low, high = (middle, high) if found is not None and found <= allowable else (low, middle)
-    return None if sliding_estimate(context, high, mu) is None else low

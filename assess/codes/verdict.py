@@ -151,6 +151,228 @@ class _Criteria:
     missing: tuple[Missing, ...]
 
 
+INDEX_FIGURES = 3  # of an index
+LEAST_WIDTH = 0.05  # of the threshold: answers nearer to it are "at the limit"
+GRADES = ((80.0, "A"), (67.0, "B"), (34.0, "C"), (20.0, "D"), (0.0, "E"))
+"""Grades of NZSEE 2017 by the least share of the new building standard [%]; above 100 it is A+."""
+
+
+@dataclass(frozen=True, repr=False)
+class Index(ShortRepr):
+    """The measure of an answer: its name, its value (%NBS in per cent), and its grade if there are grades.
+
+    figures : to how many significant figures the value stands, where it comes from histories
+    """
+
+    name: str
+    value: float
+    grade: str = ""
+    figures: int = 3
+
+
+@dataclass(frozen=True, repr=False)
+class Answer(ShortRepr):
+    """The deciding answer of one limit state; `procedure` is empty where no method was requested or applies.
+
+    provisional : of an incomplete one, what it would be with the safe value of what is missing; None where none exists
+    """
+
+    limit_state: str
+    outcome: Decision
+    procedure: str
+    ratio: float | None
+    index: Index | None
+    reason: Message
+    at_the_limit: bool = False
+    provisional: Decision | None = None
+
+
+@dataclass(frozen=True)
+class AnswerAndChecks:
+    """An answer with the checks behind it, none where nothing decided, and the keys that are missing."""
+
+    answer: Answer
+    checks: tuple[Check, ...] = ()
+    missing: tuple[Missing, ...] = ()
+
+
+def decide(check: Check, basis: Basis, target: float | None) -> Decision | None:
+    """Compare a check with the target; None where it decides nothing.
+
+    A pass above a PGA at which the scan fails is a fail: the margin is then below one.
+
+    Parameters
+    ----------
+    check : to be compared
+    basis : the rules of the code
+    target : of the index; None where it is not known
+
+    Returns
+    -------
+    Decision or None
+    """
+    if target is None or check.verdict == Outcome.NOT_ANSWERED:
+        return None
+    index, full = index_of(check, basis), full_target(basis)
+    if index is not None and index.name != IndexKind.DEMAND_CAPACITY and target != full:
+        holds = index.value >= target
+    elif target == full:
+        holds = check.verdict == Outcome.PASS and failure_below(check) is None
+    else:  # no index to compare: full safety is more than any lower target, and nothing is known of a higher one
+        holds = check.verdict == Outcome.PASS
+        if holds is (target > full):
+            return None
+    if holds and not check.may_pass:
+        return None
+    return Decision.PASS if holds else Decision.FAIL
+
+
+def index_of(check: Check, basis: Basis) -> Index | None:
+    """Return the measure of a check; None where it is not known.
+
+    Parameters
+    ----------
+    check : of any procedure
+    basis : which measure it uses
+
+    Returns
+    -------
+    Index or None
+    """
+    if basis.index == IndexKind.ZETA_E:
+        index = check.safety_index
+        return None if index is None else Index(basis.index, index, figures=_index_figures(check))
+    if basis.index == IndexKind.NBS:
+        share = check.score.get(IndexKind.NBS)
+        return None if share is None else Index(basis.index, share, grade(share))
+    return (
+        None
+        if check.ratio is None
+        else Index(basis.index, check.ratio, figures=ratio_figures(check, most=INDEX_FIGURES))
+    )
+
+
+def grade(share: float) -> str:
+    """Return the grade of a share of the new building standard [%] (NZSEE 2017, Table A3.1)."""
+    return "A+" if share > 100.0 else next(name for least, name in GRADES if share >= least)
+
+
+def is_near(check: Check, index: Index | None, target: float | None, tolerance: float) -> bool:
+    """Return whether an answer is at the limit: within 5 %, or what the survey or the numerical spread changes."""
+    width = max(LEAST_WIDTH, tolerance)
+    if index is not None and index.name != IndexKind.DEMAND_CAPACITY and target is not None:
+        return abs(index.value / target - 1.0) <= width or _within_spread(check, index, target)
+    near = check.ratio is not None and abs(check.ratio - 1.0) <= width
+    return near or is_between(check) or failure_below(check) is not None
+
+
+def mark_deciding(
+    checks: Sequence[Check], found: MechanismVerdict, basis: Basis | None, action: Action
+) -> tuple[Check, ...]:
+    """Return the checks with the role of those that decide; all others are for comparison.
+
+    Parameters
+    ----------
+    checks : of one mechanism
+    found : its verdict
+    basis : the rules of the code; None where none is named
+    action : of the site
+
+    Returns
+    -------
+    tuple of Check
+    """
+    return tuple(
+        replace(check, role="deciding")
+        if any(_is_behind(check, each, basis, action) for each in found.answers)
+        else check
+        for check in checks
+    )
+
+
+def find_deciding_check(checks: Sequence[Check], answer: Answer, basis: Basis | None, action: Action) -> Check | None:
+    """Return the check behind an answer; None where nothing decided.
+
+    Parameters
+    ----------
+    checks : of one mechanism
+    answer : of one limit state
+    basis : the rules of the code; None where none is named
+    action : of the site
+
+    Returns
+    -------
+    Check or None
+    """
+    return next((check for check in checks if _is_behind(check, answer, basis, action)), None)
+
+
+AT_THE_LIMIT = " at the limit"
+NAME_BEHIND_VALUE = ("%NBS",)  # indices whose name stands behind their value
+
+
+def outcome_text(outcome: Decision, *, near: bool) -> str:
+    """Return the outcome in words: "fail", or "fail at the limit".
+
+    Parameters
+    ----------
+    outcome : pass, fail or incomplete
+    near : whether it is at the limit
+
+    Returns
+    -------
+    str
+    """
+    return outcome.value + (AT_THE_LIMIT if near and outcome != Decision.INCOMPLETE else "")
+
+
+def named_index_text(index: Index | None) -> str:
+    """Return an index with its name and grade, as "zeta_E 0.83" or "45 %NBS, grade C"; empty where there is none."""
+    if index is None:
+        return ""
+    value = number_text(index.value, index.figures)
+    text = f"{value} {index.name}" if index.name in NAME_BEHIND_VALUE else f"{index.name} {value}"
+    return f"{text}, grade {index.grade}" if index.grade else text
+
+
+def building_index_text(verdict: Verdict) -> str:
+    """Return the index of the building, which local mechanisms alone can only bound; empty where none is known."""
+    if verdict.index is None:
+        return ""
+    bound = "at least" if verdict.index.name == "D/C" else "at most"
+    return f"{bound} {named_index_text(verdict.index)}"
+
+
+def target_text(verdict: Verdict) -> str:
+    """Return the target that the index is compared with; empty where that is not known."""
+    return "" if verdict.target is None else f"{verdict.target:.3g}"
+
+
+def number_text(value: float, number: int = 3) -> str:
+    """Return a number to three figures, or as many as requested, with trailing zeros: 1.00 for one.
+
+    Parameters
+    ----------
+    value : the number
+    number : of figures
+    """
+    return f"{value:#.{number}g}".rstrip(".") if value else "0"
+
+
+def action_text(action: Action) -> str:
+    """Return the site's own action in words: PGA, limit state and return period as far as they are known."""
+    known = [f"PGA {action.pga_g:.3g} g"]
+    known += [f"stated for {action.limit_state}"] if action.limit_state else []
+    known += ["each limit state by the hazard of the site"] if action.over_periods else []
+    known += [f"return period {action.return_period_years:.0f} years"] if action.return_period_years else []
+    return ", ".join(known)
+
+
+def relevant_warnings(warnings: Sequence[Message]) -> tuple[Message, ...]:
+    """Return the messages that bear on a verdict: all but notes."""
+    return tuple(each for each in warnings if each.severity != Severity.NOTE)
+
+
 def _decide_mechanism(mechanism: MechanismChecks, criteria: _Criteria) -> MechanismVerdict:
     """Decide one mechanism; numbers that pass do not make up for an input that is missing."""
     answers = [
@@ -292,51 +514,6 @@ def _without_basis(question: Question, mechanisms: Sequence[MechanismChecks]) ->
     )
 
 
-INDEX_FIGURES = 3  # of an index
-LEAST_WIDTH = 0.05  # of the threshold: answers nearer to it are "at the limit"
-GRADES = ((80.0, "A"), (67.0, "B"), (34.0, "C"), (20.0, "D"), (0.0, "E"))
-"""Grades of NZSEE 2017 by the least share of the new building standard [%]; above 100 it is A+."""
-
-
-@dataclass(frozen=True, repr=False)
-class Index(ShortRepr):
-    """The measure of an answer: its name, its value (%NBS in per cent), and its grade if there are grades.
-
-    figures : to how many significant figures the value stands, where it comes from histories
-    """
-
-    name: str
-    value: float
-    grade: str = ""
-    figures: int = 3
-
-
-@dataclass(frozen=True, repr=False)
-class Answer(ShortRepr):
-    """The deciding answer of one limit state; `procedure` is empty where no method was requested or applies.
-
-    provisional : of an incomplete one, what it would be with the safe value of what is missing; None where none exists
-    """
-
-    limit_state: str
-    outcome: Decision
-    procedure: str
-    ratio: float | None
-    index: Index | None
-    reason: Message
-    at_the_limit: bool = False
-    provisional: Decision | None = None
-
-
-@dataclass(frozen=True)
-class AnswerAndChecks:
-    """An answer with the checks behind it, none where nothing decided, and the keys that are missing."""
-
-    answer: Answer
-    checks: tuple[Check, ...] = ()
-    missing: tuple[Missing, ...] = ()
-
-
 def _find_answer(
     mechanism: MechanismChecks, state: LimitState, question: Question, basis: Basis, target: float | None
 ) -> AnswerAndChecks:
@@ -407,62 +584,6 @@ def _at_action(check: Check, action: Action) -> bool:
     return isclose(check.level_pga_g, action.pga_g, rel_tol=1e-9)
 
 
-def decide(check: Check, basis: Basis, target: float | None) -> Decision | None:
-    """Compare a check with the target; None where it decides nothing.
-
-    A pass above a PGA at which the scan fails is a fail: the margin is then below one.
-
-    Parameters
-    ----------
-    check : to be compared
-    basis : the rules of the code
-    target : of the index; None where it is not known
-
-    Returns
-    -------
-    Decision or None
-    """
-    if target is None or check.verdict == Outcome.NOT_ANSWERED:
-        return None
-    index, full = index_of(check, basis), full_target(basis)
-    if index is not None and index.name != IndexKind.DEMAND_CAPACITY and target != full:
-        holds = index.value >= target
-    elif target == full:
-        holds = check.verdict == Outcome.PASS and failure_below(check) is None
-    else:  # no index to compare: full safety is more than any lower target, and nothing is known of a higher one
-        holds = check.verdict == Outcome.PASS
-        if holds is (target > full):
-            return None
-    if holds and not check.may_pass:
-        return None
-    return Decision.PASS if holds else Decision.FAIL
-
-
-def index_of(check: Check, basis: Basis) -> Index | None:
-    """Return the measure of a check; None where it is not known.
-
-    Parameters
-    ----------
-    check : of any procedure
-    basis : which measure it uses
-
-    Returns
-    -------
-    Index or None
-    """
-    if basis.index == IndexKind.ZETA_E:
-        index = check.safety_index
-        return None if index is None else Index(basis.index, index, figures=_index_figures(check))
-    if basis.index == IndexKind.NBS:
-        share = check.score.get(IndexKind.NBS)
-        return None if share is None else Index(basis.index, share, grade(share))
-    return (
-        None
-        if check.ratio is None
-        else Index(basis.index, check.ratio, figures=ratio_figures(check, most=INDEX_FIGURES))
-    )
-
-
 def _index_figures(check: Check) -> int:
     """Return to how many figures, one at least, the PGA at capacity stands up to that of 16 % of the draws."""
     low = None if check.numerical is None else check.numerical.capacity_low_pga_g
@@ -476,11 +597,6 @@ def _show_side_of_target(index: Index | None, target: float | None) -> Index | N
     if index is None or target is None:
         return index
     return replace(index, figures=side_figures(index.value, index.figures, limit=target))
-
-
-def grade(share: float) -> str:
-    """Return the grade of a share of the new building standard [%] (NZSEE 2017, Table A3.1)."""
-    return "A+" if share > 100.0 else next(name for least, name in GRADES if share >= least)
 
 
 def _answered(
@@ -500,15 +616,6 @@ def _answered(
     reason = below if below is not None and outcome == Decision.FAIL else check.reason
     answer = Answer(state.name, outcome, check.procedure, check.ratio, index, reason, near)
     return AnswerAndChecks(answer, tuple(checks))
-
-
-def is_near(check: Check, index: Index | None, target: float | None, tolerance: float) -> bool:
-    """Return whether an answer is at the limit: within 5 %, or what the survey or the numerical spread changes."""
-    width = max(LEAST_WIDTH, tolerance)
-    if index is not None and index.name != IndexKind.DEMAND_CAPACITY and target is not None:
-        return abs(index.value / target - 1.0) <= width or _within_spread(check, index, target)
-    near = check.ratio is not None and abs(check.ratio - 1.0) <= width
-    return near or is_between(check) or failure_below(check) is not None
 
 
 def _within_spread(check: Check, index: Index, target: float) -> bool:
@@ -583,116 +690,9 @@ def _outcome_of_rank(decisions: Iterable[Decision | None]) -> Decision | None:
     return None if None in known else Decision.PASS
 
 
-def mark_deciding(
-    checks: Sequence[Check], found: MechanismVerdict, basis: Basis | None, action: Action
-) -> tuple[Check, ...]:
-    """Return the checks with the role of those that decide; all others are for comparison.
-
-    Parameters
-    ----------
-    checks : of one mechanism
-    found : its verdict
-    basis : the rules of the code; None where none is named
-    action : of the site
-
-    Returns
-    -------
-    tuple of Check
-    """
-    return tuple(
-        replace(check, role="deciding")
-        if any(_is_behind(check, each, basis, action) for each in found.answers)
-        else check
-        for check in checks
-    )
-
-
-def find_deciding_check(checks: Sequence[Check], answer: Answer, basis: Basis | None, action: Action) -> Check | None:
-    """Return the check behind an answer; None where nothing decided.
-
-    Parameters
-    ----------
-    checks : of one mechanism
-    answer : of one limit state
-    basis : the rules of the code; None where none is named
-    action : of the site
-
-    Returns
-    -------
-    Check or None
-    """
-    return next((check for check in checks if _is_behind(check, answer, basis, action)), None)
-
-
 def _is_behind(check: Check, answer: Answer, basis: Basis | None, action: Action) -> bool:
     if basis is None or check.procedure != answer.procedure or not check.follows_code:
         return False
     states = {state.checked_as for state in basis.states if state.name == answer.limit_state}
     decides = check.verdict in (Outcome.PASS, Outcome.FAIL)
     return decides and bool(states & {check.limit_state, "*"}) and _at_action(check, action)
-
-
-AT_THE_LIMIT = " at the limit"
-NAME_BEHIND_VALUE = ("%NBS",)  # indices whose name stands behind their value
-
-
-def outcome_text(outcome: Decision, *, near: bool) -> str:
-    """Return the outcome in words: "fail", or "fail at the limit".
-
-    Parameters
-    ----------
-    outcome : pass, fail or incomplete
-    near : whether it is at the limit
-
-    Returns
-    -------
-    str
-    """
-    return outcome.value + (AT_THE_LIMIT if near and outcome != Decision.INCOMPLETE else "")
-
-
-def named_index_text(index: Index | None) -> str:
-    """Return an index with its name and grade, as "zeta_E 0.83" or "45 %NBS, grade C"; empty where there is none."""
-    if index is None:
-        return ""
-    value = number_text(index.value, index.figures)
-    text = f"{value} {index.name}" if index.name in NAME_BEHIND_VALUE else f"{index.name} {value}"
-    return f"{text}, grade {index.grade}" if index.grade else text
-
-
-def building_index_text(verdict: Verdict) -> str:
-    """Return the index of the building, which local mechanisms alone can only bound; empty where none is known."""
-    if verdict.index is None:
-        return ""
-    bound = "at least" if verdict.index.name == "D/C" else "at most"
-    return f"{bound} {named_index_text(verdict.index)}"
-
-
-def target_text(verdict: Verdict) -> str:
-    """Return the target that the index is compared with; empty where that is not known."""
-    return "" if verdict.target is None else f"{verdict.target:.3g}"
-
-
-def number_text(value: float, number: int = 3) -> str:
-    """Return a number to three figures, or as many as requested, with trailing zeros: 1.00 for one.
-
-    Parameters
-    ----------
-    value : the number
-    number : of figures
-    """
-    return f"{value:#.{number}g}".rstrip(".") if value else "0"
-
-
-def action_text(action: Action) -> str:
-    """Return the site's own action in words: PGA, limit state and return period as far as they are known."""
-    known = [f"PGA {action.pga_g:.3g} g"]
-    known += [f"stated for {action.limit_state}"] if action.limit_state else []
-    known += ["each limit state by the hazard of the site"] if action.over_periods else []
-    known += [f"return period {action.return_period_years:.0f} years"] if action.return_period_years else []
-    return ", ".join(known)
-
-
-def relevant_warnings(warnings: Sequence[Message]) -> tuple[Message, ...]:
-    """Return the messages that bear on a verdict: all but notes."""
-    return tuple(each for each in warnings if each.severity != Severity.NOTE)

@@ -244,47 +244,6 @@ def trace_with_events(
     return _trace(oscillator, motion, scale, equation, tolerance, release=0.0, capacity=MOST_EVENTS)
 
 
-def _trace(
-    oscillator: Oscillator,
-    motion: Record,
-    scale: float,
-    equation: Equation,
-    tolerance: float,
-    *,
-    release: float,
-    capacity: int,
-) -> tuple[Trace, Events]:
-    """Run one job and return its samples, and as many of its events as there is room for."""
-    one = pack(oscillator, equation)
-    run = _RUNS[equation]([one], [motion], tolerance)
-    path, events = np.zeros((motion.npts, 3)), np.zeros((capacity + 1, 4))
-    first = np.zeros(1, dtype=np.int64)
-    start = _release_coordinate(one, release) if release else 0.0
-    samples = run(first, first, np.array([scale]), start, np.empty((1, columns.FOUND)), path, events)
-    y, v, on = path[:samples].T
-    rotation, velocity = np.zeros(samples), np.zeros(samples)
-    for side, coordinate in enumerate(one.sides):
-        here, sign = on == side, 1.0 - 2.0 * side
-        rotation[here], velocity[here] = (
-            sign * coordinate.rotation(y[here]),
-            sign * coordinate.velocity(y[here], v[here]),
-        )
-    traced = Trace(_frozen(motion.time[:samples]), _frozen(rotation), _frozen(velocity))
-    return traced, _events(events[1 : 1 + int(events[0, 0])], one)
-
-
-def _events(happened: FloatArray, one: PackedOscillator) -> Events:
-    """Return the uplifts and impacts among the events of the kernel [n, 4]."""
-    time, kind, value, on = happened[happened[:, columns.KIND] != columns.PEAK].T
-    velocity = np.zeros(time.size)
-    for side, coordinate in enumerate(one.sides):
-        here = (on == side) & (kind == columns.IMPACT)
-        velocity[here] = (1.0 - 2.0 * side) * coordinate.turn * value[here]
-    return Events(
-        _frozen(time.copy()), _frozen(kind == columns.IMPACT), _frozen(velocity), _frozen(on.astype(np.int64))
-    )
-
-
 def free_rocking(
     oscillator: Oscillator,
     *,
@@ -326,6 +285,47 @@ def free_rocking(
         signed[peak & (on == side)] = sign * coordinate.rotation(value[peak & (on == side)])
         signed[impact & (on == side)] = sign * coordinate.turn * value[impact & (on == side)]
     return FreeRocking(_frozen(time[impact]), _frozen(signed[impact]), _frozen(time[peak]), _frozen(signed[peak]))
+
+
+def _trace(
+    oscillator: Oscillator,
+    motion: Record,
+    scale: float,
+    equation: Equation,
+    tolerance: float,
+    *,
+    release: float,
+    capacity: int,
+) -> tuple[Trace, Events]:
+    """Run one job and return its samples, and as many of its events as there is room for."""
+    one = pack(oscillator, equation)
+    run = _RUNS[equation]([one], [motion], tolerance)
+    path, events = np.zeros((motion.npts, 3)), np.zeros((capacity + 1, 4))
+    first = np.zeros(1, dtype=np.int64)
+    start = _release_coordinate(one, release) if release else 0.0
+    samples = run(first, first, np.array([scale]), start, np.empty((1, columns.FOUND)), path, events)
+    y, v, on = path[:samples].T
+    rotation, velocity = np.zeros(samples), np.zeros(samples)
+    for side, coordinate in enumerate(one.sides):
+        here, sign = on == side, 1.0 - 2.0 * side
+        rotation[here], velocity[here] = (
+            sign * coordinate.rotation(y[here]),
+            sign * coordinate.velocity(y[here], v[here]),
+        )
+    traced = Trace(_frozen(motion.time[:samples]), _frozen(rotation), _frozen(velocity))
+    return traced, _events(events[1 : 1 + int(events[0, 0])], one)
+
+
+def _events(happened: FloatArray, one: PackedOscillator) -> Events:
+    """Return the uplifts and impacts among the events of the kernel [n, 4]."""
+    time, kind, value, on = happened[happened[:, columns.KIND] != columns.PEAK].T
+    velocity = np.zeros(time.size)
+    for side, coordinate in enumerate(one.sides):
+        here = (on == side) & (kind == columns.IMPACT)
+        velocity[here] = (1.0 - 2.0 * side) * coordinate.turn * value[here]
+    return Events(
+        _frozen(time.copy()), _frozen(kind == columns.IMPACT), _frozen(velocity), _frozen(on.astype(np.int64))
+    )
 
 
 def _motions(motions: Sequence[Record]) -> tuple[FloatArray, IntArray, FloatArray, FloatArray]:

@@ -52,107 +52,9 @@ def pack(oscillator: Oscillator, equation: Equation) -> PackedOscillator:
     return _PACKING[equation](oscillator)
 
 
-def _pack_exact(oscillator: Oscillator) -> PackedOscillator:
-    """Pack an oscillator by its tables; a body at the end of a table has overturned."""
-    for branch, following in zip(oscillator.branches, reversed(oscillator.branches), strict=True):
-        _check_branch(branch, following=following)
-        _check_pace(branch)
-    sides = _for_each_branch(oscillator, canonical_form)
-    rows = _rows(oscillator, sides)
-    for row, branch, side in zip(rows, oscillator.branches, sides, strict=False):
-        E = _require_positive(
-            float(energy(branch, np.array(branch.unstable))), "work up to the overturning rotation", "J"
-        )
-        row[columns.THRESHOLD] = branch.restoring[0] / branch.excitation[0]
-        row[columns.RATE] = math.sqrt(2.0 * E / branch.inertia[0]) / side.turn
-        row[[columns.LIMIT, columns.TAIL_LIMIT]] = side.y[-1]
-    return PackedOscillator(rows, sides)
-
-
-def _pack_linearised(oscillator: Oscillator) -> PackedOscillator:
-    """Pack an oscillator by its linearised form; LIMIT depends on the job."""
-    forms = _for_each_branch(oscillator, lambda branch: branch.linearised)
-    for form in forms:
-        _require_positive(form.stiffness, "linearised stiffness K at phi_cr", "N m/rad")
-        _require_positive(form.overturning, "linearised overturning rotation", "rad")
-    for branch, following in zip(oscillator.branches, reversed(oscillator.branches), strict=True):
-        _check_branch(branch, following=following)
-    sides = tuple(linear_form(form.overturning) for form in forms)
-    rows = _rows(oscillator, sides)
-    for row, form in zip(rows, forms, strict=False):
-        row[columns.THRESHOLD], row[columns.RATE] = g * form.multiplier, form.p
-        row[[columns.LIMIT, columns.TAIL_LIMIT]] = 1.0
-    return PackedOscillator(rows, sides)
-
-
-_PACKING: dict[Equation, Callable[[Oscillator], PackedOscillator]] = {
-    "exact": _pack_exact,
-    "linearised": _pack_linearised,
-}
-
-
-def _for_each_branch(oscillator: Oscillator, make: Callable[[Branch], T]) -> tuple[T, ...]:
-    """Return what `make` returns for each branch, made once where both are one branch."""
-    first = make(oscillator.positive)
-    if oscillator.negative is None:
-        return (first,)
-    return first, first if oscillator.negative is oscillator.positive else make(oscillator.negative)
-
-
 def branches_of(oscillators: Sequence[PackedOscillator]) -> FloatArray:
     """Return the branches of all oscillators [oscillators, 2, 6]."""
     return np.array([each.branches for each in oscillators]).reshape(-1, 2, 6)
-
-
-def _rows(oscillator: Oscillator, sides: Sequence[CanonicalBranch]) -> FloatArray:
-    """Return the columns that both equations share: restitution, and the branch that follows an impact [2, 6]."""
-    rows = np.zeros((2, 6))
-    rows[:, columns.THRESHOLD] = math.inf  # a missing side never lifts
-    for side, branch in enumerate(oscillator.branches):
-        partner = 1 - side if oscillator.negative is not None else side
-        rows[side, columns.BOUNCE] = branch.restitution * sides[side].turn / sides[partner].turn
-        rows[side, columns.PARTNER] = partner
-    return rows
-
-
-def _check_branch(branch: Branch, *, following: Branch) -> None:
-    """Raise MechanismError for a branch that falls at rest, has no mass, or gains energy at impacts there and back."""
-    _require_positive(float(branch.unstable), "overturning rotation", "rad")
-    _require_positive(float(np.min(branch.inertia)), "least inertia", "kg m2")
-    _require_positive(float(branch.excitation[0]), "excitation at rest", "kg m")
-    if branch.restoring[0] < 0.0:
-        raise MechanismError(
-            f"a branch has restoring moment {branch.restoring[0]:.6g} N m at rest, so it is already falling; "
-            "look at its loads and hinges"
-        )
-    most = max(1.0, math.sqrt(branch.inertia[0] / following.inertia[0]))  # turning faster about a nearer hinge
-    if not 0.0 <= branch.restitution <= most * (1.0 + 1e-9):
-        raise MechanismError(f"a branch has restitution {branch.restitution:.6g}; it must be between 0 and {most:.6g}")
-    if branch.restitution * following.restitution > 1.0 + 1e-9:
-        raise MechanismError(
-            f"the branches have restitutions {branch.restitution:.6g} and {following.restitution:.6g}, which together "
-            "add energy; their product must be at most 1"
-        )
-
-
-def _check_pace(branch: Branch) -> None:
-    """Raise MechanismError for a branch whose small motions are too fast to follow."""
-    frequency = elastic_frequency(branch)
-    if frequency is not None and frequency > FASTEST:
-        raise MechanismError(
-            f"a branch moves on its joints at {frequency:.3g} Hz, beyond the {FASTEST:.0e} Hz histories can follow; "
-            'check sizes, density and stiffness, or write model = "rigid"'
-        )
-
-
-def _require_positive(value: float, name: str, unit: str) -> float:
-    """Return the value, or raise MechanismError if it is not positive."""
-    if not value > 0.0:
-        raise MechanismError(
-            f"a branch has {name} {value:.6g} {unit}, which must be positive for it to rock; "
-            "look at its loads and hinges"
-        )
-    return value
 
 
 def kernel_array(values: NDArray[S], dtype: type[S]) -> NDArray[S]:
@@ -281,6 +183,104 @@ def canonical_form(branch: Branch) -> CanonicalBranch:
         back=CubicHermiteSpline(y, np.r_[left, left[-1] + width[-1]], turn / np.r_[s[0], s[1, -1]]),
         inertia=PPoly(inertia / at_rest, np.r_[left, left[-1] + width[-1]]),
     )
+
+
+def _pack_exact(oscillator: Oscillator) -> PackedOscillator:
+    """Pack an oscillator by its tables; a body at the end of a table has overturned."""
+    for branch, following in zip(oscillator.branches, reversed(oscillator.branches), strict=True):
+        _check_branch(branch, following=following)
+        _check_pace(branch)
+    sides = _for_each_branch(oscillator, canonical_form)
+    rows = _rows(oscillator, sides)
+    for row, branch, side in zip(rows, oscillator.branches, sides, strict=False):
+        E = _require_positive(
+            float(energy(branch, np.array(branch.unstable))), "work up to the overturning rotation", "J"
+        )
+        row[columns.THRESHOLD] = branch.restoring[0] / branch.excitation[0]
+        row[columns.RATE] = math.sqrt(2.0 * E / branch.inertia[0]) / side.turn
+        row[[columns.LIMIT, columns.TAIL_LIMIT]] = side.y[-1]
+    return PackedOscillator(rows, sides)
+
+
+def _pack_linearised(oscillator: Oscillator) -> PackedOscillator:
+    """Pack an oscillator by its linearised form; LIMIT depends on the job."""
+    forms = _for_each_branch(oscillator, lambda branch: branch.linearised)
+    for form in forms:
+        _require_positive(form.stiffness, "linearised stiffness K at phi_cr", "N m/rad")
+        _require_positive(form.overturning, "linearised overturning rotation", "rad")
+    for branch, following in zip(oscillator.branches, reversed(oscillator.branches), strict=True):
+        _check_branch(branch, following=following)
+    sides = tuple(linear_form(form.overturning) for form in forms)
+    rows = _rows(oscillator, sides)
+    for row, form in zip(rows, forms, strict=False):
+        row[columns.THRESHOLD], row[columns.RATE] = g * form.multiplier, form.p
+        row[[columns.LIMIT, columns.TAIL_LIMIT]] = 1.0
+    return PackedOscillator(rows, sides)
+
+
+_PACKING: dict[Equation, Callable[[Oscillator], PackedOscillator]] = {
+    "exact": _pack_exact,
+    "linearised": _pack_linearised,
+}
+
+
+def _for_each_branch(oscillator: Oscillator, make: Callable[[Branch], T]) -> tuple[T, ...]:
+    """Return what `make` returns for each branch, made once where both are one branch."""
+    first = make(oscillator.positive)
+    if oscillator.negative is None:
+        return (first,)
+    return first, first if oscillator.negative is oscillator.positive else make(oscillator.negative)
+
+
+def _rows(oscillator: Oscillator, sides: Sequence[CanonicalBranch]) -> FloatArray:
+    """Return the columns that both equations share: restitution, and the branch that follows an impact [2, 6]."""
+    rows = np.zeros((2, 6))
+    rows[:, columns.THRESHOLD] = math.inf  # a missing side never lifts
+    for side, branch in enumerate(oscillator.branches):
+        partner = 1 - side if oscillator.negative is not None else side
+        rows[side, columns.BOUNCE] = branch.restitution * sides[side].turn / sides[partner].turn
+        rows[side, columns.PARTNER] = partner
+    return rows
+
+
+def _check_branch(branch: Branch, *, following: Branch) -> None:
+    """Raise MechanismError for a branch that falls at rest, has no mass, or gains energy at impacts there and back."""
+    _require_positive(float(branch.unstable), "overturning rotation", "rad")
+    _require_positive(float(np.min(branch.inertia)), "least inertia", "kg m2")
+    _require_positive(float(branch.excitation[0]), "excitation at rest", "kg m")
+    if branch.restoring[0] < 0.0:
+        raise MechanismError(
+            f"a branch has restoring moment {branch.restoring[0]:.6g} N m at rest, so it is already falling; "
+            "look at its loads and hinges"
+        )
+    most = max(1.0, math.sqrt(branch.inertia[0] / following.inertia[0]))  # turning faster about a nearer hinge
+    if not 0.0 <= branch.restitution <= most * (1.0 + 1e-9):
+        raise MechanismError(f"a branch has restitution {branch.restitution:.6g}; it must be between 0 and {most:.6g}")
+    if branch.restitution * following.restitution > 1.0 + 1e-9:
+        raise MechanismError(
+            f"the branches have restitutions {branch.restitution:.6g} and {following.restitution:.6g}, which together "
+            "add energy; their product must be at most 1"
+        )
+
+
+def _check_pace(branch: Branch) -> None:
+    """Raise MechanismError for a branch whose small motions are too fast to follow."""
+    frequency = elastic_frequency(branch)
+    if frequency is not None and frequency > FASTEST:
+        raise MechanismError(
+            f"a branch moves on its joints at {frequency:.3g} Hz, beyond the {FASTEST:.0e} Hz histories can follow; "
+            'check sizes, density and stiffness, or write model = "rigid"'
+        )
+
+
+def _require_positive(value: float, name: str, unit: str) -> float:
+    """Return the value, or raise MechanismError if it is not positive."""
+    if not value > 0.0:
+        raise MechanismError(
+            f"a branch has {name} {value:.6g} {unit}, which must be positive for it to rock; "
+            "look at its loads and hinges"
+        )
+    return value
 
 
 def _lengths(inertia: FloatArray, width: FloatArray) -> FloatArray:

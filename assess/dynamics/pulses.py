@@ -278,18 +278,6 @@ def make_pulse_solver(
     return answer
 
 
-def _check_frequency(frequency: FloatArray) -> None:
-    """Raise ValueError for a frequency [n] that is not positive."""
-    bad = np.flatnonzero(~(np.isfinite(frequency) & (frequency > 0.0)))
-    if bad.size:
-        raise ValueError(f"frequency[{bad[0]}] = {frequency[bad[0]]} Hz of a pulse; it must be a positive number")
-
-
-def _has_closed_form(shape: PulseShape, equation: Equation) -> bool:
-    """Return whether the motion between two events has a closed form: a sine, whole or half, linearised."""
-    return equation == "linearised" and shape.name in ("sine", "half-sine")
-
-
 def _linearised(oscillators: Sequence[PackedOscillator], pulse: tuple[FloatArray, float, FloatArray]) -> RunPulses:
     return partial(linearised.pulse_linearised, branches_of(oscillators), *pulse)
 
@@ -305,6 +293,54 @@ def pulse_polynomials(shape: PulseShape) -> tuple[FloatArray, float]:
     """Return the shape as polynomials of phase over each piece [n, 6], lowest power first, and its phase [rad]."""
     n = max(ceil(PIECES * (shape.end - shape.start) / (2 * pi)), 2)
     return _fit_polynomials(shape, n), (shape.end - shape.start) / n
+
+
+def safe_amplitude(
+    oscillator: Oscillator, shape: PulseShape, frequency: FloatArray, *, equation: Equation
+) -> FloatArray:
+    """Return the peak acceleration at the base too weak to overturn, whatever the phase, at each frequency [n] [m/s2].
+
+    By the impulse: the energy E = I phi'^2 / 2 + V changes at the rate -B u_g'' phi', and |phi'| <= sqrt(2 E / I), so
+    sqrt(2 E) grows by no more than the integral of |u_g''| B / sqrt(I), less what impacts dissipate. To overturn, the
+    body must absorb at least the work up to phi_ov. Where an impact that turns the body about a nearer hinge adds
+    energy, the next one dissipates more.
+    """
+    tables = [_impulsive(branch, equation) for branch in oscillator.branches]
+    needed, gained, at_rest = (np.array(column) for column in zip(*tables, strict=True))
+    left = np.array([branch.restitution for branch in oscillator.branches]) * np.sqrt(at_rest[::-1] / at_rest)
+    theta = np.linspace(shape.start, shape.end, 2001)
+    impulse = float(np.trapezoid(np.abs(shape.value(theta)), theta)) / (2.0 * np.pi * frequency)
+    return np.asarray(MARGIN * needed.min() / (gained.max() * max(1.0, left.max()) * impulse))
+
+
+def polarities(oscillator: Oscillator) -> tuple[int, ...]:
+    """Return the signs of a pulse to run: one for a symmetric oscillator, else both."""
+    return (1,) if oscillator.symmetric else (1, -1)
+
+
+def uplift_acceleration(oscillator: Oscillator, equation: Equation) -> float:
+    """Return the acceleration at the base that starts rocking [m/s2].
+
+    Parameters
+    ----------
+    oscillator : the mechanism
+    equation : "exact" or "linearised"
+    """
+    if equation == "linearised":
+        return min(g * branch.linearised.multiplier for branch in oscillator.branches)
+    return min(float(branch.restoring[0] / branch.excitation[0]) for branch in oscillator.branches)
+
+
+def _check_frequency(frequency: FloatArray) -> None:
+    """Raise ValueError for a frequency [n] that is not positive."""
+    bad = np.flatnonzero(~(np.isfinite(frequency) & (frequency > 0.0)))
+    if bad.size:
+        raise ValueError(f"frequency[{bad[0]}] = {frequency[bad[0]]} Hz of a pulse; it must be a positive number")
+
+
+def _has_closed_form(shape: PulseShape, equation: Equation) -> bool:
+    """Return whether the motion between two events has a closed form: a sine, whole or half, linearised."""
+    return equation == "linearised" and shape.name in ("sine", "half-sine")
 
 
 @lru_cache(maxsize=8)
@@ -349,24 +385,6 @@ def _scan_amplitudes(oscillator: Oscillator, factor: FloatArray, *, equation: Eq
     return np.minimum(lowest[:, None] * SCAN[equation] ** np.arange(steps), highest)
 
 
-def safe_amplitude(
-    oscillator: Oscillator, shape: PulseShape, frequency: FloatArray, *, equation: Equation
-) -> FloatArray:
-    """Return the peak acceleration at the base too weak to overturn, whatever the phase, at each frequency [n] [m/s2].
-
-    By the impulse: the energy E = I phi'^2 / 2 + V changes at the rate -B u_g'' phi', and |phi'| <= sqrt(2 E / I), so
-    sqrt(2 E) grows by no more than the integral of |u_g''| B / sqrt(I), less what impacts dissipate. To overturn, the
-    body must absorb at least the work up to phi_ov. Where an impact that turns the body about a nearer hinge adds
-    energy, the next one dissipates more.
-    """
-    tables = [_impulsive(branch, equation) for branch in oscillator.branches]
-    needed, gained, at_rest = (np.array(column) for column in zip(*tables, strict=True))
-    left = np.array([branch.restitution for branch in oscillator.branches]) * np.sqrt(at_rest[::-1] / at_rest)
-    theta = np.linspace(shape.start, shape.end, 2001)
-    impulse = float(np.trapezoid(np.abs(shape.value(theta)), theta)) / (2.0 * np.pi * frequency)
-    return np.asarray(MARGIN * needed.min() / (gained.max() * max(1.0, left.max()) * impulse))
-
-
 def _impulsive(branch: Branch, equation: Equation) -> tuple[float, float, float]:
     """Return sqrt(2 E) at overturning, the largest B / sqrt(I), and I at rest, of one branch."""
     if equation == "linearised":
@@ -376,24 +394,6 @@ def _impulsive(branch: Branch, equation: Equation) -> tuple[float, float, float]
     end = np.array(min(branch.unstable, float(branch.rotation[-1])))
     gained = np.abs(branch.excitation) / np.sqrt(branch.inertia)
     return sqrt(2.0 * float(energy(branch, end))), float(gained.max()), float(branch.inertia[0])
-
-
-def polarities(oscillator: Oscillator) -> tuple[int, ...]:
-    """Return the signs of a pulse to run: one for a symmetric oscillator, else both."""
-    return (1,) if oscillator.symmetric else (1, -1)
-
-
-def uplift_acceleration(oscillator: Oscillator, equation: Equation) -> float:
-    """Return the acceleration at the base that starts rocking [m/s2].
-
-    Parameters
-    ----------
-    oscillator : the mechanism
-    equation : "exact" or "linearised"
-    """
-    if equation == "linearised":
-        return min(g * branch.linearised.multiplier for branch in oscillator.branches)
-    return min(float(branch.restoring[0] / branch.excitation[0]) for branch in oscillator.branches)
 
 
 def _largest_resisted(oscillator: Oscillator) -> float:

@@ -126,37 +126,6 @@ def shortest_distance(first: Solid, second: Solid, *, limit: float = inf) -> flo
     return found if found < looked else reach
 
 
-def _bounds_gap(first: Solid, second: Solid) -> float:
-    """Return the largest gap between the bounding boxes along an axis [m], negative where they overlap."""
-    low_a, high_a, low_b, high_b = (
-        end(solid.vertices, axis=0) for solid in (first, second) for end in (np.min, np.max)
-    )
-    return float(np.maximum(low_b - high_a, low_a - high_b).max())
-
-
-def _manifold_of_solid(solid: Solid, origin: FloatArray) -> Any:
-    """Convert a body, with coordinates from an origin [3], to a manifold3d object."""
-    return _manifold((solid.vertices - origin, solid.triangles), where=f'body "{solid.name}"')
-
-
-def _manifold(surface: Surface, *, where: str) -> Any:
-    from manifold3d import Error, Manifold, Mesh64
-
-    vertices, triangles = surface
-    body = Manifold(Mesh64(np.array(vertices, order="C"), np.array(triangles, dtype=np.uint64, order="C")))
-    if body.status() != Error.NoError:
-        raise GeometryError(
-            f"{where} cannot be cut, united or set against another ({body.status().name}); is its surface closed?"
-        )
-    return body
-
-
-def _surface(body: Any) -> Surface:
-    mesh = body.to_mesh64()
-    vertices: FloatArray = np.array(mesh.vert_properties, dtype=np.float64)[:, :3]
-    return vertices, np.array(mesh.tri_verts, dtype=np.int64)
-
-
 OVERLAP_WARNED = 5e-3  # of the smaller body's volume: bodies that share less are taken to touch
 SAME_PLACE = 0.1  # of the smaller body's volume: a body that shares more with a block is another state of it
 
@@ -196,3 +165,34 @@ def shared_volume(block: Sequence[Solid], other: Solid) -> tuple[float, float]:
     """
     shared = [each for solid in block if (each := intersect(solid, other)) is not None]
     return max((each.share for each in shared), default=0.0), sum(each.volume for each in shared)
+
+
+def _bounds_gap(first: Solid, second: Solid) -> float:
+    """Return the largest gap between the bounding boxes along an axis [m], negative where they overlap."""
+    low_a, high_a, low_b, high_b = (
+        end(solid.vertices, axis=0) for solid in (first, second) for end in (np.min, np.max)
+    )
+    return float(np.maximum(low_b - high_a, low_a - high_b).max())
+
+
+def _manifold_of_solid(solid: Solid, origin: FloatArray) -> Any:
+    """Convert a body, with coordinates from an origin [3], to a manifold3d object."""
+    return _manifold((solid.vertices - origin, solid.triangles), where=f'body "{solid.name}"')
+
+
+def _manifold(surface: Surface, *, where: str) -> Any:
+    from manifold3d import Error, Manifold, Mesh64
+
+    vertices, triangles = surface
+    body = Manifold(Mesh64(np.array(vertices, order="C"), np.array(triangles, dtype=np.uint64, order="C")))
+    if body.status() != Error.NoError:
+        raise GeometryError(
+            f"{where} cannot be cut, united or set against another ({body.status().name}); is its surface closed?"
+        )
+    return body
+
+
+def _surface(body: Any) -> Surface:
+    mesh = body.to_mesh64()
+    vertices: FloatArray = np.array(mesh.vert_properties, dtype=np.float64)[:, :3]
+    return vertices, np.array(mesh.tri_verts, dtype=np.int64)

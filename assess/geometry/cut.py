@@ -231,6 +231,32 @@ def heading(plane: Plane, vector: ArrayLike, *, axis: ArrayLike | None = None) -
     return np.asarray(np.copysign(1.0, unit @ project_on_plane(plane, motion)) * unit, dtype=np.float64)
 
 
+def section_moments(solid: Solid, elevation: ArrayLike, *, direction: Sequence[float]) -> FloatArray:
+    """Return area and second moment of level sections at many elevations, for bending in a horizontal direction.
+
+    A plane cuts each triangle it crosses in a segment. Segments that run anticlockwise around the masonry, seen from
+    above, give area, first and second moment by Green's theorem without being joined to rings, holes included:
+
+        A = sum D / 2, int s dA = sum D (s + s') / 6, int s^2 dA = sum D (s^2 + s s' + s'^2) / 12, D = s t' - s' t
+
+    Parameters
+    ----------
+    solid : the body
+    elevation : [n] [m]
+    direction : horizontal vector along which s is measured from the origin [3]
+
+    Returns
+    -------
+    area A [m2], int s dA [m3] and int s^2 dA [m4] of each section [n, 3]; 0 where the solid does not reach
+    """
+    x, y = np.asarray(direction[:2], dtype=np.float64) / np.hypot(direction[0], direction[1])
+    turned = np.column_stack([solid.vertices[:, :2] @ [[x, -y], [y, x]], solid.vertices[:, 2]])  # s, t square to it, z
+    corners = turned[solid.triangles]
+    low, high = corners[:, :, 2].min(axis=1), corners[:, :, 2].max(axis=1)
+    levels = np.atleast_1d(np.asarray(elevation, dtype=np.float64))
+    return np.array([_moments(corners[(low < z) & (high >= z)], z) for z in levels])
+
+
 def _axes(normal: FloatArray) -> FloatArray:
     """Return the axes of the plane's own frame as rows, its normal last [3, 3]; global axes if level."""
     n1, n2, n3 = normal
@@ -281,32 +307,6 @@ def _area_in_plane(points: FloatArray, triangles: IntArray, *, size: float) -> s
     flat = corners[np.all(np.abs(corners[:, :, 2]) <= ON_PLANE * size, axis=1), :, :2]
     (ax, ay), (bx, by) = (flat[:, 1] - flat[:, 0]).T, (flat[:, 2] - flat[:, 0]).T
     return shapely.union_all(shapely.polygons(flat[np.abs(ax * by - ay * bx) > DEGENERATE * size**2]))
-
-
-def section_moments(solid: Solid, elevation: ArrayLike, *, direction: Sequence[float]) -> FloatArray:
-    """Return area and second moment of level sections at many elevations, for bending in a horizontal direction.
-
-    A plane cuts each triangle it crosses in a segment. Segments that run anticlockwise around the masonry, seen from
-    above, give area, first and second moment by Green's theorem without being joined to rings, holes included:
-
-        A = sum D / 2, int s dA = sum D (s + s') / 6, int s^2 dA = sum D (s^2 + s s' + s'^2) / 12, D = s t' - s' t
-
-    Parameters
-    ----------
-    solid : the body
-    elevation : [n] [m]
-    direction : horizontal vector along which s is measured from the origin [3]
-
-    Returns
-    -------
-    area A [m2], int s dA [m3] and int s^2 dA [m4] of each section [n, 3]; 0 where the solid does not reach
-    """
-    x, y = np.asarray(direction[:2], dtype=np.float64) / np.hypot(direction[0], direction[1])
-    turned = np.column_stack([solid.vertices[:, :2] @ [[x, -y], [y, x]], solid.vertices[:, 2]])  # s, t square to it, z
-    corners = turned[solid.triangles]
-    low, high = corners[:, :, 2].min(axis=1), corners[:, :, 2].max(axis=1)
-    levels = np.atleast_1d(np.asarray(elevation, dtype=np.float64))
-    return np.array([_moments(corners[(low < z) & (high >= z)], z) for z in levels])
 
 
 def _moments(crossed: FloatArray, z: float) -> tuple[float, float, float]:

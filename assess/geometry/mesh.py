@@ -96,6 +96,175 @@ def solid_from_meshes(
         ) from None
 
 
+@dataclass(frozen=True)
+class SelectedMeshes:
+    """What a body takes of a file.
+
+    Attributes
+    ----------
+    file : where it was read from
+    meshes : of the elements that it takes
+    unit : length of the file's unit [m]; None where the format does not say
+    up : which axis points up; None where the format does not say
+    warnings : which elements became one body, and what may be missing
+    """
+
+    file: Path
+    meshes: tuple[ElementMesh, ...]
+    unit: float | None = None
+    up: Up | None = None
+    warnings: tuple[Message, ...] = ()
+
+
+FileSelection = tuple[
+    Path, str | None
+]  # a file, and which of its elements: a name, identifier, class or pattern; None: all
+MeshesBySelection = Mapping[FileSelection, SelectedMeshes]
+
+
+def read_selected_meshes(selections: Mapping[str, FileSelection]) -> MeshesBySelection:
+    """Read what each body takes of its file; every file is read once.
+
+    Parameters
+    ----------
+    selections : file and elements by name of the body
+
+    Raises
+    ------
+    GeometryError : a file cannot be read, has no such elements, or has no mesh for one of those selected
+    """
+    found: dict[FileSelection, SelectedMeshes] = {}
+    for file in dict.fromkeys(path for path, _ in selections.values()):
+        found |= _read_file({name: element for name, (path, element) in selections.items() if path == file}, file)
+    return found
+
+
+Sizes = tuple[float, float, float]
+
+
+@dataclass(frozen=True)
+class InventoryEntry:
+    """One part of a model.
+
+    Attributes
+    ----------
+    file : name of the file
+    element : what the file calls it
+    triangles : how many it has
+    size : thickness along `thin`, length across it, height [m]; None without a mesh
+    place : middle of its box in plan and its lowest point, x, y, z [m]; None without a mesh
+    volume : enclosed [m3]; None unless closed
+    closed : whether it is a closed body, or was made one
+    why_not : why it is none; empty where it is one
+    warnings : what was done to close it, and what to look at
+    thin : horizontal unit vector along the thickness, either way; None where the plan has none
+    """
+
+    file: str
+    element: Element
+    triangles: int = 0
+    size: Sizes | None = None
+    place: Sizes | None = None
+    volume: float | None = None
+    closed: bool = False
+    why_not: str = ""
+    warnings: tuple[Message, ...] = ()
+    thin: tuple[float, float] | None = None
+
+
+def inventory(
+    file: Path, *, scale: float | None = None, up: Up | None = None, element: str | None = None
+) -> tuple[InventoryEntry, ...]:
+    """List the parts of a model file in order; what is wrong with a part is recorded in its entry.
+
+    Parameters
+    ----------
+    file : of any known format
+    scale : length of the file's unit [m]; the file's own if absent, the metre where it has none
+    up : the axis of the file that points up; the format's if absent
+    element : only elements of this name, identifier, class or pattern
+
+    Raises
+    ------
+    GeometryError : the file as a whole cannot be read, has no parts, or no such element
+    """
+    content = read_mesh_file(file, where=str(file))
+    places = select_elements(content.elements, element, where=str(file))
+    if not places:
+        raise GeometryError(f"{file}: there are no meshes in it, and no solids or surfaces to mesh")
+    meshes = mesh_elements(content, places, file=file, where=str(file))
+    return tuple(
+        _inventory_entry(
+            SelectedMeshes(file, (mesh,), content.unit, content.up, () if mesh.warning is None else (mesh.warning,)),
+            mesh,
+            scale=scale,
+            up=up,
+        )
+        for mesh in meshes
+    )
+
+
+ROUNDING = 1e-6  # of single precision, in a direction
+SQUARE_PLAN = 0.05  # by how much the two sides of a plan must differ for one to be the thin one
+
+
+def thin_direction(vertices: FloatArray, triangles: IntArray) -> FloatArray | None:
+    """Return the horizontal unit vector [2] along the thickness of a wall: where most of its surface faces, either way.
+
+    The principal axis of the sum of a a^T / |a| over the horizontal parts a of the triangles' area vectors: of a box
+    its shorter side in plan, whatever projects from its faces at right angles. None where no direction is preferred,
+    as in a square or round tower. Its first component that is not zero is positive.
+    """
+    vectors = area_vectors(vertices[triangles])[:, :2]
+    size = np.hypot(*vectors.T)
+    tensor = (vectors / np.where(size > 0.0, size, 1.0)[:, None]).T @ vectors
+    (low, high), axes = np.linalg.eigh(tensor)
+    if not high > 0.0 or high - low < SQUARE_PLAN * high:
+        return None
+    return _normalise_sign(axes[:, 1])
+
+
+def extents(vertices: FloatArray, thin: FloatArray | None) -> tuple[float, float, float]:
+    """Return the extents [m] along `thin` [2], across it and upright; without it by the smallest rectangle in plan."""
+    along = _shorter_side(vertices) if thin is None else thin
+    across = np.array([-along[1], along[0]])
+    sides = [float(np.ptp(vertices[:, :2] @ axis)) for axis in (along, across)]
+    return sides[0], sides[1], float(np.ptp(vertices[:, 2]))
+
+
+def size_warning(solid: Solid, *, unit: float | None = None) -> Message | None:
+    """Return a warning where size or coordinates of a body suggest a slip, None otherwise.
+
+    Parameters
+    ----------
+    solid : the body
+    unit : length that the mesh was read in [m]; None for a body that is not a mesh
+    """
+    size = _longest_side(solid)
+    values: dict[str, Value] = {"body": solid.name, "size": Quantity(size, "length")}
+    likely = None if unit is None else _likely_unit(solid, unit=unit)
+    if likely is not None:
+        values |= {"unit": likely.name, "other": Quantity(likely.size, "length")}
+    behind = "" if likely is None else "-in-unit"
+    if not SHORTEST_BODY <= size <= LONGEST_BODY:
+        return warning(f"size{behind}", **values)
+    if size > VERY_LONG and (thickness := _thickness(solid)) > WALL_THICKNESS[1]:
+        return warning(f"size-thick{behind}", thickness=Quantity(thickness, "length", 3), **values)
+    resolution = _single_precision_spacing(solid, unit=unit or 1.0)
+    if resolution > COARSE * size:
+        distance, finest = float(np.abs(solid.vertices).max()), Quantity(resolution, "length", 2)
+        return warning("far-from-origin", body=solid.name, distance=Quantity(distance, "length"), resolution=finest)
+    return None
+
+
+@dataclass(frozen=True)
+class _LikelyUnit:
+    """The unit that was probably meant, and the longest side of the body in it [m]."""
+
+    name: str
+    size: float
+
+
 def _solid(
     selected: SelectedMeshes,
     meshes: Sequence[ElementMesh],
@@ -220,49 +389,6 @@ def _check_vertices(vertices: FloatArray, triangles: IntArray, *, where: str) ->
     return vertices
 
 
-@dataclass(frozen=True)
-class SelectedMeshes:
-    """What a body takes of a file.
-
-    Attributes
-    ----------
-    file : where it was read from
-    meshes : of the elements that it takes
-    unit : length of the file's unit [m]; None where the format does not say
-    up : which axis points up; None where the format does not say
-    warnings : which elements became one body, and what may be missing
-    """
-
-    file: Path
-    meshes: tuple[ElementMesh, ...]
-    unit: float | None = None
-    up: Up | None = None
-    warnings: tuple[Message, ...] = ()
-
-
-FileSelection = tuple[
-    Path, str | None
-]  # a file, and which of its elements: a name, identifier, class or pattern; None: all
-MeshesBySelection = Mapping[FileSelection, SelectedMeshes]
-
-
-def read_selected_meshes(selections: Mapping[str, FileSelection]) -> MeshesBySelection:
-    """Read what each body takes of its file; every file is read once.
-
-    Parameters
-    ----------
-    selections : file and elements by name of the body
-
-    Raises
-    ------
-    GeometryError : a file cannot be read, has no such elements, or has no mesh for one of those selected
-    """
-    found: dict[FileSelection, SelectedMeshes] = {}
-    for file in dict.fromkeys(path for path, _ in selections.values()):
-        found |= _read_file({name: element for name, (path, element) in selections.items() if path == file}, file)
-    return found
-
-
 def _read_file(elements: Mapping[str, str | None], file: Path) -> MeshesBySelection:
     """Read what bodies take of one file; elements: those selected, by name of the body."""
     places_named = {name: f'body "{name}": mesh {file.name}' for name in elements}
@@ -316,71 +442,6 @@ def _refuse_unmeshed(meshes: Sequence[ElementMesh], *, where: str) -> None:
         raise GeometryError(f'{where}: element "{short_name(one.shown)}"{known}{more}: {bare[0].fault}')
 
 
-Sizes = tuple[float, float, float]
-
-
-@dataclass(frozen=True)
-class InventoryEntry:
-    """One part of a model.
-
-    Attributes
-    ----------
-    file : name of the file
-    element : what the file calls it
-    triangles : how many it has
-    size : thickness along `thin`, length across it, height [m]; None without a mesh
-    place : middle of its box in plan and its lowest point, x, y, z [m]; None without a mesh
-    volume : enclosed [m3]; None unless closed
-    closed : whether it is a closed body, or was made one
-    why_not : why it is none; empty where it is one
-    warnings : what was done to close it, and what to look at
-    thin : horizontal unit vector along the thickness, either way; None where the plan has none
-    """
-
-    file: str
-    element: Element
-    triangles: int = 0
-    size: Sizes | None = None
-    place: Sizes | None = None
-    volume: float | None = None
-    closed: bool = False
-    why_not: str = ""
-    warnings: tuple[Message, ...] = ()
-    thin: tuple[float, float] | None = None
-
-
-def inventory(
-    file: Path, *, scale: float | None = None, up: Up | None = None, element: str | None = None
-) -> tuple[InventoryEntry, ...]:
-    """List the parts of a model file in order; what is wrong with a part is recorded in its entry.
-
-    Parameters
-    ----------
-    file : of any known format
-    scale : length of the file's unit [m]; the file's own if absent, the metre where it has none
-    up : the axis of the file that points up; the format's if absent
-    element : only elements of this name, identifier, class or pattern
-
-    Raises
-    ------
-    GeometryError : the file as a whole cannot be read, has no parts, or no such element
-    """
-    content = read_mesh_file(file, where=str(file))
-    places = select_elements(content.elements, element, where=str(file))
-    if not places:
-        raise GeometryError(f"{file}: there are no meshes in it, and no solids or surfaces to mesh")
-    meshes = mesh_elements(content, places, file=file, where=str(file))
-    return tuple(
-        _inventory_entry(
-            SelectedMeshes(file, (mesh,), content.unit, content.up, () if mesh.warning is None else (mesh.warning,)),
-            mesh,
-            scale=scale,
-            up=up,
-        )
-        for mesh in meshes
-    )
-
-
 def _inventory_entry(
     selected: SelectedMeshes, mesh: ElementMesh, *, scale: float | None, up: Up | None
 ) -> InventoryEntry:
@@ -422,34 +483,6 @@ def _reason(problem: GeometryError, file: str) -> str:
     for start in ('body ""', f": mesh {file}", ": "):
         sentence = sentence.removeprefix(start)
     return sentence.strip()
-
-
-ROUNDING = 1e-6  # of single precision, in a direction
-SQUARE_PLAN = 0.05  # by how much the two sides of a plan must differ for one to be the thin one
-
-
-def thin_direction(vertices: FloatArray, triangles: IntArray) -> FloatArray | None:
-    """Return the horizontal unit vector [2] along the thickness of a wall: where most of its surface faces, either way.
-
-    The principal axis of the sum of a a^T / |a| over the horizontal parts a of the triangles' area vectors: of a box
-    its shorter side in plan, whatever projects from its faces at right angles. None where no direction is preferred,
-    as in a square or round tower. Its first component that is not zero is positive.
-    """
-    vectors = area_vectors(vertices[triangles])[:, :2]
-    size = np.hypot(*vectors.T)
-    tensor = (vectors / np.where(size > 0.0, size, 1.0)[:, None]).T @ vectors
-    (low, high), axes = np.linalg.eigh(tensor)
-    if not high > 0.0 or high - low < SQUARE_PLAN * high:
-        return None
-    return _normalise_sign(axes[:, 1])
-
-
-def extents(vertices: FloatArray, thin: FloatArray | None) -> tuple[float, float, float]:
-    """Return the extents [m] along `thin` [2], across it and upright; without it by the smallest rectangle in plan."""
-    along = _shorter_side(vertices) if thin is None else thin
-    across = np.array([-along[1], along[0]])
-    sides = [float(np.ptp(vertices[:, :2] @ axis)) for axis in (along, across)]
-    return sides[0], sides[1], float(np.ptp(vertices[:, 2]))
 
 
 def _shorter_side(vertices: FloatArray) -> FloatArray:
@@ -520,31 +553,6 @@ def _refuse_implausible(solid: Solid, *, unit: float, given: bool, single: bool,
         )
 
 
-def size_warning(solid: Solid, *, unit: float | None = None) -> Message | None:
-    """Return a warning where size or coordinates of a body suggest a slip, None otherwise.
-
-    Parameters
-    ----------
-    solid : the body
-    unit : length that the mesh was read in [m]; None for a body that is not a mesh
-    """
-    size = _longest_side(solid)
-    values: dict[str, Value] = {"body": solid.name, "size": Quantity(size, "length")}
-    likely = None if unit is None else _likely_unit(solid, unit=unit)
-    if likely is not None:
-        values |= {"unit": likely.name, "other": Quantity(likely.size, "length")}
-    behind = "" if likely is None else "-in-unit"
-    if not SHORTEST_BODY <= size <= LONGEST_BODY:
-        return warning(f"size{behind}", **values)
-    if size > VERY_LONG and (thickness := _thickness(solid)) > WALL_THICKNESS[1]:
-        return warning(f"size-thick{behind}", thickness=Quantity(thickness, "length", 3), **values)
-    resolution = _single_precision_spacing(solid, unit=unit or 1.0)
-    if resolution > COARSE * size:
-        distance, finest = float(np.abs(solid.vertices).max()), Quantity(resolution, "length", 2)
-        return warning("far-from-origin", body=solid.name, distance=Quantity(distance, "length"), resolution=finest)
-    return None
-
-
 def _longest_side(solid: Solid) -> float:
     """Return the longest side of the box around a body [m]."""
     return float(np.ptp(solid.vertices, axis=0).max())
@@ -572,14 +580,6 @@ def _single_precision_spacing(solid: Solid, *, unit: float) -> float:
     read = solid.vertices / unit
     single = np.abs(read - read.astype(np.float32)).max() <= UNIT_ROUNDING * farthest
     return spacing * unit if single else 0.0
-
-
-@dataclass(frozen=True)
-class _LikelyUnit:
-    """The unit that was probably meant, and the longest side of the body in it [m]."""
-
-    name: str
-    size: float
 
 
 def _likely_unit(solid: Solid, *, unit: float) -> _LikelyUnit | None:

@@ -216,40 +216,6 @@ def slope_across(foot: FloatArray, *, direction: Sequence[float]) -> float:
     return float(max(np.ptp(z[end]) for end in _extremes(x)))
 
 
-def _extremes(x: FloatArray) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
-    """Return which of the positions x [k] lie on the lower and which on the upper extreme line."""
-    reach = BASE_TOLERANCE * float(np.ptp(x))
-    return x <= x.min() + reach, x >= x.max() - reach
-
-
-def _horizontal(direction: Sequence[float]) -> FloatArray:
-    """Return the unit vector [3] of a horizontal direction, or raise."""
-    vector = np.asarray(direction, dtype=np.float64)
-    remedy = "give a horizontal vector such as [1, 0, 0]"
-    if vector.shape != (3,) or not np.isfinite(vector).all():
-        raise GeometryError(f"direction is {list(direction)}, not three finite numbers; {remedy}")
-    vector = vector / (np.abs(vector).max() or 1.0)  # first, so that neither tiny nor huge numbers lose the norm
-    length = float(np.linalg.norm(vector))
-    if length == 0.0 or abs(vector[2]) > 1e-9 * length:
-        raise GeometryError(f"direction is {list(direction)}, which is not horizontal; {remedy}")
-    vector[2] = 0.0
-    return np.asarray(vector / np.linalg.norm(vector), dtype=np.float64)
-
-
-def _base(points: FloatArray, *, size: float) -> Base:
-    """Return the two extreme points of the lowest ones among [n, 2] [m]."""
-    lowest = float(points[:, 1].min())
-    foot = points[points[:, 1] <= lowest + BASE_TOLERANCE * size, 0]
-    return (float(foot.min()), lowest), (float(foot.max()), lowest)
-
-
-def _lowest(bases: Sequence[Base], size: float) -> Base | None:
-    """Return the base of the lowest bodies, None where no body has one."""
-    if not bases:
-        return None
-    return _base(np.array(bases).reshape(-1, 2), size=size)
-
-
 FLAT = 1e-12  # of the body's size squared: triangles smaller than this in projection are seen edge-on
 STRAIGHT = 1e-9  # of the body's size: corners flatter than this are no corners
 FEW_EDGES = 1500  # edges of the contour that are made to cross one another however they lie
@@ -294,6 +260,68 @@ def distance_to_outline(rings: Outline, point: Point) -> float:
     """
     whole = shapely.union_all([shapely.Polygon(ring) for ring in rings])
     return float(shapely.distance(whole, shapely.Point(point)))
+
+
+MAX_EDGES = 180  # edges: the shortest of a finer hull change its support by less than one part in a thousand
+SHORTEST_EDGE = 1e-9  # of the hull's size: edges shorter than this are rounding
+
+
+def hull_edge_normals(points: FloatArray) -> FloatArray:
+    """Return the outward directions of the edges of a convex hull in plan.
+
+    Parameters
+    ----------
+    points : x, y and possibly more of each point [n, 2 or more] [m]
+
+    Returns
+    -------
+    angles from +x towards +y, 0 to 360, ascending, of the longest MAX_EDGES edges at most [k] [deg]; empty where the
+    points lie on a line
+    """
+    hull = shapely.MultiPoint(np.asarray(points)[:, :2]).convex_hull
+    if not isinstance(hull, shapely.Polygon):
+        return np.empty(0)
+    corners = shapely.get_coordinates(shapely.orient_polygons(hull))
+    edges = np.diff(corners, axis=0)
+    length = np.hypot(*edges.T)
+    longest = np.argsort(-length, kind="stable")[:MAX_EDGES]
+    kept = edges[longest[length[longest] > SHORTEST_EDGE * length.sum()]]
+    outward = np.degrees(np.arctan2(-kept[:, 0], kept[:, 1]))  # anticlockwise: the outside lies to the right
+    return np.unique(np.round(outward, 12) % 360.0)  # rounded, for -1e-15 % 360 is 360
+
+
+def _extremes(x: FloatArray) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
+    """Return which of the positions x [k] lie on the lower and which on the upper extreme line."""
+    reach = BASE_TOLERANCE * float(np.ptp(x))
+    return x <= x.min() + reach, x >= x.max() - reach
+
+
+def _horizontal(direction: Sequence[float]) -> FloatArray:
+    """Return the unit vector [3] of a horizontal direction, or raise."""
+    vector = np.asarray(direction, dtype=np.float64)
+    remedy = "give a horizontal vector such as [1, 0, 0]"
+    if vector.shape != (3,) or not np.isfinite(vector).all():
+        raise GeometryError(f"direction is {list(direction)}, not three finite numbers; {remedy}")
+    vector = vector / (np.abs(vector).max() or 1.0)  # first, so that neither tiny nor huge numbers lose the norm
+    length = float(np.linalg.norm(vector))
+    if length == 0.0 or abs(vector[2]) > 1e-9 * length:
+        raise GeometryError(f"direction is {list(direction)}, which is not horizontal; {remedy}")
+    vector[2] = 0.0
+    return np.asarray(vector / np.linalg.norm(vector), dtype=np.float64)
+
+
+def _base(points: FloatArray, *, size: float) -> Base:
+    """Return the two extreme points of the lowest ones among [n, 2] [m]."""
+    lowest = float(points[:, 1].min())
+    foot = points[points[:, 1] <= lowest + BASE_TOLERANCE * size, 0]
+    return (float(foot.min()), lowest), (float(foot.max()), lowest)
+
+
+def _lowest(bases: Sequence[Base], size: float) -> Base | None:
+    """Return the base of the lowest bodies, None where no body has one."""
+    if not bases:
+        return None
+    return _base(np.array(bases).reshape(-1, 2), size=size)
 
 
 def _facing(points: FloatArray, triangles: IntArray, *, smallest: float) -> IntArray:
@@ -412,31 +440,3 @@ def _exterior_ring(polygon: shapely.Geometry, *, straight: float) -> FloatArray:
     turned = np.roll(ring, -start, axis=0)
     closed = shapely.linestrings(np.concatenate([turned, turned[:1]]))
     return np.asarray(shapely.get_coordinates(shapely.simplify(closed, straight)), dtype=np.float64)
-
-
-MAX_EDGES = 180  # edges: the shortest of a finer hull change its support by less than one part in a thousand
-SHORTEST_EDGE = 1e-9  # of the hull's size: edges shorter than this are rounding
-
-
-def hull_edge_normals(points: FloatArray) -> FloatArray:
-    """Return the outward directions of the edges of a convex hull in plan.
-
-    Parameters
-    ----------
-    points : x, y and possibly more of each point [n, 2 or more] [m]
-
-    Returns
-    -------
-    angles from +x towards +y, 0 to 360, ascending, of the longest MAX_EDGES edges at most [k] [deg]; empty where the
-    points lie on a line
-    """
-    hull = shapely.MultiPoint(np.asarray(points)[:, :2]).convex_hull
-    if not isinstance(hull, shapely.Polygon):
-        return np.empty(0)
-    corners = shapely.get_coordinates(shapely.orient_polygons(hull))
-    edges = np.diff(corners, axis=0)
-    length = np.hypot(*edges.T)
-    longest = np.argsort(-length, kind="stable")[:MAX_EDGES]
-    kept = edges[longest[length[longest] > SHORTEST_EDGE * length.sum()]]
-    outward = np.degrees(np.arctan2(-kept[:, 0], kept[:, 1]))  # anticlockwise: the outside lies to the right
-    return np.unique(np.round(outward, 12) % 360.0)  # rounded, for -1e-15 % 360 is 360

@@ -68,6 +68,48 @@ def repair(surface: Surface, *, where: str) -> tuple[Surface, Steps]:
     return surface, (*done, *more)
 
 
+LARGEST_HOLES = 0.2  # of the surface, holes closed: more than this is not closed by a guess
+HOLE_UNCERTAINTY = 0.01  # of the volume: by how much the plane that closes a hole may be wrong
+LEVEL = 1e-6  # of a loop's size: loops this near one plane bound one hole, a ring
+
+
+@dataclass(frozen=True)
+class Hole:
+    """A hole in a surface.
+
+    Attributes
+    ----------
+    loops : vertices in order, as the missing face runs round it: its outer border, then its inner ones
+    triangles : that close it [k, 3]; none where its border crosses itself
+    area : of its plane [m2]
+    deviation : largest distance of its border from that plane [m]
+    centre : [3] [m]
+    """
+
+    loops: tuple[IntArray, ...]
+    triangles: IntArray
+    area: float
+    deviation: float
+    centre: FloatArray
+
+    @property
+    def edges(self) -> int:
+        """The number of edges of its border."""
+        return sum(len(loop) for loop in self.loops)
+
+
+@dataclass(frozen=True)
+class _Ring:
+    """A loop of vertices with its plane: area vector [3] [m2], centre [3] [m], size and deviation [m]."""
+
+    loop: IntArray
+    points: FloatArray
+    normal: FloatArray
+    centre: FloatArray
+    size: float
+    deviation: float
+
+
 def _orient_consistently(surface: Surface) -> tuple[Surface, Steps]:
     """Orient neighbours so that they run along their common edge in opposite directions; the minority is reversed.
 
@@ -239,48 +281,6 @@ def _refuse_open(surface: Surface, *, where: str) -> None:
         f"{where}: {count_noun(int(wrong.sum()), 'edge')} {what} (the first from {point_text(start)} "
         f"to {point_text(end)} m); separate touching parts into bodies of their own, and remove inner faces"
     )
-
-
-LARGEST_HOLES = 0.2  # of the surface, holes closed: more than this is not closed by a guess
-HOLE_UNCERTAINTY = 0.01  # of the volume: by how much the plane that closes a hole may be wrong
-LEVEL = 1e-6  # of a loop's size: loops this near one plane bound one hole, a ring
-
-
-@dataclass(frozen=True)
-class Hole:
-    """A hole in a surface.
-
-    Attributes
-    ----------
-    loops : vertices in order, as the missing face runs round it: its outer border, then its inner ones
-    triangles : that close it [k, 3]; none where its border crosses itself
-    area : of its plane [m2]
-    deviation : largest distance of its border from that plane [m]
-    centre : [3] [m]
-    """
-
-    loops: tuple[IntArray, ...]
-    triangles: IntArray
-    area: float
-    deviation: float
-    centre: FloatArray
-
-    @property
-    def edges(self) -> int:
-        """The number of edges of its border."""
-        return sum(len(loop) for loop in self.loops)
-
-
-@dataclass(frozen=True)
-class _Ring:
-    """A loop of vertices with its plane: area vector [3] [m2], centre [3] [m], size and deviation [m]."""
-
-    loop: IntArray
-    points: FloatArray
-    normal: FloatArray
-    centre: FloatArray
-    size: float
-    deviation: float
 
 
 def _find_holes(surface: Surface) -> list[Hole]:

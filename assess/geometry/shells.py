@@ -85,6 +85,68 @@ def separate_shells(surface: Surface, across: NDArray[np.int32] | None = None) -
     return [(vertices, part) for part in np.split(triangles[np.argsort(group, kind="stable")], ends)]
 
 
+RAYS = 48  # across the body, each way
+RAY_OFFSET = np.array([0.5317, 0.4619])  # place of a line in its cell
+LARGEST_SELF_OVERLAP = 0.01  # of the volume: more than this counted wrongly is refused
+NEGLIGIBLE_SELF_OVERLAP = 1e-6  # of the volume: less than this counted wrongly gets no warning
+SHORTEST_STRETCH = 1e-6  # of the body's size: shorter stretches are rounding where shells touch
+
+
+@dataclass(frozen=True)
+class SelfOverlap:
+    """The part of a surface's volume that is counted wrongly, found by casting rays.
+
+    Attributes
+    ----------
+    share : length counted wrongly, times how often too many, over the length in material [-]
+    place : the middle of the longest segment counted wrongly [3] [m]; None where there is none
+    """
+
+    share: float
+    place: FloatArray | None
+
+
+def self_overlap_warnings(surface: Surface, *, where: str) -> tuple[Message, ...]:
+    """Warn where a closed surface intersects itself a little; which side is meant cannot be known.
+
+    Raises
+    ------
+    GeometryError : more than a hundredth of its volume is counted wrongly
+    """
+    found = measure_self_overlap(surface)
+    if found.place is None or found.share < NEGLIGIBLE_SELF_OVERLAP:
+        return ()
+    percent = 100.0 * found.share
+    if found.share > LARGEST_SELF_OVERLAP:
+        raise GeometryError(
+            f"{where}: its surface intersects itself near {point_text(found.place)} m, so that about {percent:.2g} % "
+            "of its volume counts twice or not at all; repair it where it was made, or split it into bodies"
+        )
+    return (note("self-overlap", share=Quantity(percent, "percent", 2), **coordinate_values(found.place)),)
+
+
+def measure_self_overlap(surface: Surface) -> SelfOverlap:
+    """Measure the space that a closed surface encloses more than once or negatively, on rays 1/48 of its width apart.
+
+    A region smaller than the spacing of the rays may be missed; it changes no result.
+    """
+    vertices, triangles = surface
+    middle = (vertices.min(axis=0) + vertices.max(axis=0)) / 2.0
+    x, y, z = (vertices - middle).T
+    flat = np.stack([x + SHEAR[2, 0] * z, y + SHEAR[2, 1] * z, z]).T  # by SHEAR: products of many rows are slow
+    line, at, step = _ray_crossings(flat, triangles)
+    whole = np.bincount(line, weights=step, minlength=RAYS**2)[line] == 0.0  # else a line ran through an edge
+    order = np.flatnonzero(whole)[np.lexsort((at[whole, 2], line[whole]))]
+    at, inside = at[order], np.cumsum(step[order])[:-1]
+    length = np.where(np.diff(line[order]) == 0, np.diff(at[:, 2]), 0.0)
+    surplus = np.where(length > SHORTEST_STRETCH * np.ptp(flat), np.abs(inside - np.clip(inside, 0, 1)), 0) * length
+    if not surplus.any():
+        return SelfOverlap(0.0, None)
+    longest = int(np.argmax(surplus))
+    point = at[longest : longest + 2].mean(axis=0) @ np.linalg.inv(SHEAR) + middle
+    return SelfOverlap(float(surplus.sum() / length[inside > 0].sum()), point)
+
+
 def _group_by_edges(triangles: IntArray) -> IntArray:
     """Return the shell [m] of each triangle of any closed surface."""
     edges = find_edges(triangles)
@@ -193,68 +255,6 @@ def _corners_and_boxes(shells: list[Surface]) -> tuple[list[FloatArray], FloatAr
 def _join_shells(shells: list[Surface]) -> Surface:
     """Join the shells into one surface; all have the same vertices."""
     return merge_vertices(shells[0][0], np.concatenate([triangles for _, triangles in shells]))
-
-
-RAYS = 48  # across the body, each way
-RAY_OFFSET = np.array([0.5317, 0.4619])  # place of a line in its cell
-LARGEST_SELF_OVERLAP = 0.01  # of the volume: more than this counted wrongly is refused
-NEGLIGIBLE_SELF_OVERLAP = 1e-6  # of the volume: less than this counted wrongly gets no warning
-SHORTEST_STRETCH = 1e-6  # of the body's size: shorter stretches are rounding where shells touch
-
-
-@dataclass(frozen=True)
-class SelfOverlap:
-    """The part of a surface's volume that is counted wrongly, found by casting rays.
-
-    Attributes
-    ----------
-    share : length counted wrongly, times how often too many, over the length in material [-]
-    place : the middle of the longest segment counted wrongly [3] [m]; None where there is none
-    """
-
-    share: float
-    place: FloatArray | None
-
-
-def self_overlap_warnings(surface: Surface, *, where: str) -> tuple[Message, ...]:
-    """Warn where a closed surface intersects itself a little; which side is meant cannot be known.
-
-    Raises
-    ------
-    GeometryError : more than a hundredth of its volume is counted wrongly
-    """
-    found = measure_self_overlap(surface)
-    if found.place is None or found.share < NEGLIGIBLE_SELF_OVERLAP:
-        return ()
-    percent = 100.0 * found.share
-    if found.share > LARGEST_SELF_OVERLAP:
-        raise GeometryError(
-            f"{where}: its surface intersects itself near {point_text(found.place)} m, so that about {percent:.2g} % "
-            "of its volume counts twice or not at all; repair it where it was made, or split it into bodies"
-        )
-    return (note("self-overlap", share=Quantity(percent, "percent", 2), **coordinate_values(found.place)),)
-
-
-def measure_self_overlap(surface: Surface) -> SelfOverlap:
-    """Measure the space that a closed surface encloses more than once or negatively, on rays 1/48 of its width apart.
-
-    A region smaller than the spacing of the rays may be missed; it changes no result.
-    """
-    vertices, triangles = surface
-    middle = (vertices.min(axis=0) + vertices.max(axis=0)) / 2.0
-    x, y, z = (vertices - middle).T
-    flat = np.stack([x + SHEAR[2, 0] * z, y + SHEAR[2, 1] * z, z]).T  # by SHEAR: products of many rows are slow
-    line, at, step = _ray_crossings(flat, triangles)
-    whole = np.bincount(line, weights=step, minlength=RAYS**2)[line] == 0.0  # else a line ran through an edge
-    order = np.flatnonzero(whole)[np.lexsort((at[whole, 2], line[whole]))]
-    at, inside = at[order], np.cumsum(step[order])[:-1]
-    length = np.where(np.diff(line[order]) == 0, np.diff(at[:, 2]), 0.0)
-    surplus = np.where(length > SHORTEST_STRETCH * np.ptp(flat), np.abs(inside - np.clip(inside, 0, 1)), 0) * length
-    if not surplus.any():
-        return SelfOverlap(0.0, None)
-    longest = int(np.argmax(surplus))
-    point = at[longest : longest + 2].mean(axis=0) @ np.linalg.inv(SHEAR) + middle
-    return SelfOverlap(float(surplus.sum() / length[inside > 0].sum()), point)
 
 
 def _ray_crossings(flat: FloatArray, triangles: IntArray) -> tuple[IntArray, FloatArray, IntArray]:

@@ -170,6 +170,72 @@ def join(solids: Sequence[Solid], *, name: str) -> Solid:
     return _solid(name, mass, centroid, inertia, vertices, np.concatenate(triangles))
 
 
+def scale_along(solid: Solid, *, direction: Sequence[float], middle: float, factor: float) -> Solid:
+    """Scale a solid along a direction, measured from a plane square to it.
+
+    The map is r -> A r + b with A = E + (factor - 1) u u^T, so volume and mass grow by det A = factor, and the second
+    moment S = int r r^T dm about the centroid becomes factor A S A^T. S and the inertia tensor I determine each other:
+    I = tr(S) E - S, S = tr(I) / 2 E - I.
+
+    Parameters
+    ----------
+    direction : a vector of any length [3]
+    middle : distance of the fixed plane along the direction from the origin [m]
+    factor : ratio of new to old distances from that plane, positive [-]
+    """
+    u = np.asarray(direction, dtype=np.float64) / np.linalg.norm(direction)
+    A = np.eye(3) + (factor - 1.0) * np.outer(u, u)
+    shift = (1.0 - factor) * middle * u
+    S = np.trace(solid.inertia) / 2.0 * np.eye(3) - solid.inertia
+    S = factor * A @ S @ A.T
+    centroid, vertices = A @ solid.centroid + shift, solid.vertices @ A.T + shift
+    inertia = np.trace(S) * np.eye(3) - S
+    for array in (centroid, vertices, inertia):
+        array.setflags(write=False)
+    return replace(solid, mass=factor * solid.mass, centroid=centroid, inertia=inertia, vertices=vertices)
+
+
+def scale_density(solid: Solid, factor: float) -> Solid:
+    """Return a solid of another density.
+
+    Parameters
+    ----------
+    factor : ratio of new to old density, positive [-]
+    """
+    if factor == 1.0:
+        return solid
+    inertia = factor * solid.inertia
+    inertia.setflags(write=False)
+    return replace(solid, mass=factor * solid.mass, inertia=inertia)
+
+
+def find_crossing(corners: FloatArray) -> tuple[float, float] | None:
+    """Find the first place where two sides cross or touch other than at their common corner; None for a simple polygon.
+
+    Parameters
+    ----------
+    corners : of a closed polygon, without consecutive repeats [n, 2] [m]
+    """
+    n = len(corners)
+    ends = np.stack([corners, np.roll(corners, -1, axis=0)], axis=1)
+    sides = np.asarray(shapely.linestrings(ends), dtype=np.object_)
+    one, other = shapely.STRtree(sides).query(sides, predicate="intersects")
+    one, other = np.sort([one, other], axis=0)[:, one < other]
+    meet = np.asarray(shapely.intersection(sides[one], sides[other]), dtype=np.object_)
+    neighbours = (other - one == 1) | (other - one == n - 1)
+    wrong = ~(neighbours & (shapely.get_dimensions(meet) == 0))
+    if not wrong.any():
+        return None
+    first = int(np.lexsort((other[wrong], one[wrong]))[0])
+    x, y = shapely.get_coordinates(meet[wrong][first])[0].tolist()
+    return (x, y)
+
+
+def remove_repeats(corners: FloatArray) -> FloatArray:
+    """Remove the corners of a closed polygon [n, 2] that repeat the one before."""
+    return corners[np.any(corners != np.roll(corners, 1, axis=0), axis=1)]
+
+
 def _parallel_axis(shift: FloatArray) -> FloatArray:
     """Return the inertia tensor [3, 3] [m2] of a unit point mass at `shift` [3] [m]: |r|^2 E - r r^T."""
     return np.asarray(shift @ shift * np.eye(3) - np.outer(shift, shift), dtype=np.float64)
@@ -289,69 +355,3 @@ def _check_finite(values: ArrayLike, *, shape: tuple[int, ...], quantity: str, r
     if not fits or not np.isfinite(array).all():
         raise GeometryError(f'body "{name}": {quantity} is {values!r:.100}; give {remedy}')
     return array
-
-
-def scale_along(solid: Solid, *, direction: Sequence[float], middle: float, factor: float) -> Solid:
-    """Scale a solid along a direction, measured from a plane square to it.
-
-    The map is r -> A r + b with A = E + (factor - 1) u u^T, so volume and mass grow by det A = factor, and the second
-    moment S = int r r^T dm about the centroid becomes factor A S A^T. S and the inertia tensor I determine each other:
-    I = tr(S) E - S, S = tr(I) / 2 E - I.
-
-    Parameters
-    ----------
-    direction : a vector of any length [3]
-    middle : distance of the fixed plane along the direction from the origin [m]
-    factor : ratio of new to old distances from that plane, positive [-]
-    """
-    u = np.asarray(direction, dtype=np.float64) / np.linalg.norm(direction)
-    A = np.eye(3) + (factor - 1.0) * np.outer(u, u)
-    shift = (1.0 - factor) * middle * u
-    S = np.trace(solid.inertia) / 2.0 * np.eye(3) - solid.inertia
-    S = factor * A @ S @ A.T
-    centroid, vertices = A @ solid.centroid + shift, solid.vertices @ A.T + shift
-    inertia = np.trace(S) * np.eye(3) - S
-    for array in (centroid, vertices, inertia):
-        array.setflags(write=False)
-    return replace(solid, mass=factor * solid.mass, centroid=centroid, inertia=inertia, vertices=vertices)
-
-
-def scale_density(solid: Solid, factor: float) -> Solid:
-    """Return a solid of another density.
-
-    Parameters
-    ----------
-    factor : ratio of new to old density, positive [-]
-    """
-    if factor == 1.0:
-        return solid
-    inertia = factor * solid.inertia
-    inertia.setflags(write=False)
-    return replace(solid, mass=factor * solid.mass, inertia=inertia)
-
-
-def find_crossing(corners: FloatArray) -> tuple[float, float] | None:
-    """Find the first place where two sides cross or touch other than at their common corner; None for a simple polygon.
-
-    Parameters
-    ----------
-    corners : of a closed polygon, without consecutive repeats [n, 2] [m]
-    """
-    n = len(corners)
-    ends = np.stack([corners, np.roll(corners, -1, axis=0)], axis=1)
-    sides = np.asarray(shapely.linestrings(ends), dtype=np.object_)
-    one, other = shapely.STRtree(sides).query(sides, predicate="intersects")
-    one, other = np.sort([one, other], axis=0)[:, one < other]
-    meet = np.asarray(shapely.intersection(sides[one], sides[other]), dtype=np.object_)
-    neighbours = (other - one == 1) | (other - one == n - 1)
-    wrong = ~(neighbours & (shapely.get_dimensions(meet) == 0))
-    if not wrong.any():
-        return None
-    first = int(np.lexsort((other[wrong], one[wrong]))[0])
-    x, y = shapely.get_coordinates(meet[wrong][first])[0].tolist()
-    return (x, y)
-
-
-def remove_repeats(corners: FloatArray) -> FloatArray:
-    """Remove the corners of a closed polygon [n, 2] that repeat the one before."""
-    return corners[np.any(corners != np.roll(corners, 1, axis=0), axis=1)]

@@ -75,55 +75,6 @@ def merge_vertices(vertices: FloatArray, triangles: IntArray) -> Surface:
     return np.stack([values[by_place] for values in kept]).T, drop_degenerate(rank[group[triangles]])
 
 
-def _group_equal(columns: list[FloatArray]) -> tuple[IntArray, IntArray]:
-    """Group equal points x, y, z [n]: the first of each group [k], and the group of every point [n].
-
-    Points are grouped by one number hashed from the three. Those that share it with a different point are grouped again
-    among themselves.
-    """
-    first, group = _group_by_hash(columns)
-    kept = [values[first] for values in columns]
-    (x, y, z), (u, v, w) = columns, (values[group] for values in kept)
-    other = np.flatnonzero((x != u) | (y != v) | (z != w))
-    if not len(other):
-        return first, group
-    second, again = _group_equal([values[other] for values in columns])
-    group[other] = len(first) + again
-    return np.concatenate([first, other[second]]), group
-
-
-def _group_by_hash(columns: list[FloatArray]) -> tuple[IntArray, IntArray]:
-    """Group points by hash: their numbers are packed into its lower bits, and all are sorted."""
-    x, y, z = columns
-    bits = np.uint64(len(x).bit_length())
-    lower = (np.uint64(1) << bits) - np.uint64(1)
-    key = (y * HASH_WEIGHTS[0] + x + z * HASH_WEIGHTS[1] + 0.0).view(np.uint64)
-    key *= HASH_FACTOR
-    key &= ~lower
-    key |= np.arange(len(x), dtype=np.uint64)
-    key.sort()
-    order = (key & lower).astype(np.int64)
-    new = differs_from_previous(key >> bits)
-    group = np.empty(len(order), dtype=np.int64)
-    group[order] = np.cumsum(new) - 1
-    return order[new], group
-
-
-def _order_points(columns: list[FloatArray]) -> IntArray:
-    """Return the order [n] of distinct points x, y, z [n] by z, then y, then x, faster than lexsort."""
-    x, y, z = columns
-    upper = _ranks(_ranks(z) * len(z) + _ranks(y))
-    return np.asarray(np.argsort(upper * len(x) + _ranks(x)), dtype=np.int64)
-
-
-def _ranks(values: NDArray[np.float64] | IntArray) -> IntArray:
-    """Return the rank [n] of each value among the distinct values, from 0."""
-    order = np.argsort(values)
-    rank = np.empty(len(order), dtype=np.int64)
-    rank[order] = np.cumsum(differs_from_previous(values[order])) - 1
-    return rank
-
-
 def differs_from_previous(values: NDArray[np.generic]) -> BoolArray:
     """Return which values [n] differ from the one before; the first does."""
     new = np.ones(len(values), dtype=np.bool_)
@@ -158,17 +109,6 @@ def adjacent_triangles(triangles: IntArray) -> NDArray[np.int32] | None:
     across = np.empty(len(key), dtype=np.int32)
     across[order[::2]], across[order[1::2]] = triangle[1::2], triangle[::2]
     return across.reshape(-1, 3)
-
-
-def _sort_packed(key: IntArray, *, bits: int) -> tuple[IntArray, IntArray]:
-    """Sort whole numbers [n] of so many bits with their indices packed in; return them and their order."""
-    places = len(key).bit_length()
-    if bits + places > 63:
-        order = np.argsort(key)
-        return key[order], order
-    key = (key << places) | np.arange(len(key))
-    key.sort()
-    return key >> places, key & ((1 << places) - 1)
 
 
 def find_edges(triangles: IntArray) -> Edges:
@@ -249,19 +189,6 @@ def tetrahedra(
         yield corners, x[0] * turn[0] + y[0] * turn[1] + z[0] * turn[2]
 
 
-def _middle(vertices: FloatArray, triangles: IntArray) -> FloatArray:
-    """Return the middle of the box around triangles [3] [m]; the origin where there are none."""
-    if not len(triangles):
-        return np.zeros(3)
-    if len(vertices) > len(triangles):  # one shell of many
-        values = vertices[triangles.ravel()]
-    else:
-        used = np.zeros(len(vertices), dtype=np.bool_)
-        used[triangles] = True
-        values = vertices if used.all() else vertices[used]
-    return np.array([(each.min() + each.max()) / 2.0 for each in values.T])
-
-
 def area(vertices: FloatArray, triangles: IntArray) -> float:
     """Return the area of the triangles [m2]."""
     return float(areas_and_normals(vertices[triangles])[0].sum())
@@ -317,6 +244,79 @@ def simplify(vertices: FloatArray, triangles: IntArray, *, limit: int) -> tuple[
         points, faces = _cluster_vertices(vertices, triangles, cell=cell)
         cell *= COARSER
     return points, faces
+
+
+def _group_equal(columns: list[FloatArray]) -> tuple[IntArray, IntArray]:
+    """Group equal points x, y, z [n]: the first of each group [k], and the group of every point [n].
+
+    Points are grouped by one number hashed from the three. Those that share it with a different point are grouped again
+    among themselves.
+    """
+    first, group = _group_by_hash(columns)
+    kept = [values[first] for values in columns]
+    (x, y, z), (u, v, w) = columns, (values[group] for values in kept)
+    other = np.flatnonzero((x != u) | (y != v) | (z != w))
+    if not len(other):
+        return first, group
+    second, again = _group_equal([values[other] for values in columns])
+    group[other] = len(first) + again
+    return np.concatenate([first, other[second]]), group
+
+
+def _group_by_hash(columns: list[FloatArray]) -> tuple[IntArray, IntArray]:
+    """Group points by hash: their numbers are packed into its lower bits, and all are sorted."""
+    x, y, z = columns
+    bits = np.uint64(len(x).bit_length())
+    lower = (np.uint64(1) << bits) - np.uint64(1)
+    key = (y * HASH_WEIGHTS[0] + x + z * HASH_WEIGHTS[1] + 0.0).view(np.uint64)
+    key *= HASH_FACTOR
+    key &= ~lower
+    key |= np.arange(len(x), dtype=np.uint64)
+    key.sort()
+    order = (key & lower).astype(np.int64)
+    new = differs_from_previous(key >> bits)
+    group = np.empty(len(order), dtype=np.int64)
+    group[order] = np.cumsum(new) - 1
+    return order[new], group
+
+
+def _order_points(columns: list[FloatArray]) -> IntArray:
+    """Return the order [n] of distinct points x, y, z [n] by z, then y, then x, faster than lexsort."""
+    x, y, z = columns
+    upper = _ranks(_ranks(z) * len(z) + _ranks(y))
+    return np.asarray(np.argsort(upper * len(x) + _ranks(x)), dtype=np.int64)
+
+
+def _ranks(values: NDArray[np.float64] | IntArray) -> IntArray:
+    """Return the rank [n] of each value among the distinct values, from 0."""
+    order = np.argsort(values)
+    rank = np.empty(len(order), dtype=np.int64)
+    rank[order] = np.cumsum(differs_from_previous(values[order])) - 1
+    return rank
+
+
+def _sort_packed(key: IntArray, *, bits: int) -> tuple[IntArray, IntArray]:
+    """Sort whole numbers [n] of so many bits with their indices packed in; return them and their order."""
+    places = len(key).bit_length()
+    if bits + places > 63:
+        order = np.argsort(key)
+        return key[order], order
+    key = (key << places) | np.arange(len(key))
+    key.sort()
+    return key >> places, key & ((1 << places) - 1)
+
+
+def _middle(vertices: FloatArray, triangles: IntArray) -> FloatArray:
+    """Return the middle of the box around triangles [3] [m]; the origin where there are none."""
+    if not len(triangles):
+        return np.zeros(3)
+    if len(vertices) > len(triangles):  # one shell of many
+        values = vertices[triangles.ravel()]
+    else:
+        used = np.zeros(len(vertices), dtype=np.bool_)
+        used[triangles] = True
+        values = vertices if used.all() else vertices[used]
+    return np.array([(each.min() + each.max()) / 2.0 for each in values.T])
 
 
 def _cluster_vertices(vertices: FloatArray, triangles: IntArray, *, cell: float) -> tuple[FloatArray, IntArray]:

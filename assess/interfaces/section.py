@@ -145,6 +145,47 @@ def polygon(region: shapely.Polygon | shapely.MultiPolygon, *, direction: Direct
     return _section_of_pieces(knots, widths=widths, sides=sides, breadth=float(np.ptp(across)))
 
 
+def mirror(section: ContactSection) -> ContactSection:
+    """Return the same region rocking the other way."""
+    if not section.pieces.size:
+        return section  # discs are concentric
+    X, (W0, W1, V0, V1, V2) = section.pieces[::-1, moments.BEGIN], section.pieces[-2::-1, moments.W0 : moments.A].T
+    L = -np.diff(X)
+    widths = np.column_stack([W0 + W1 * L, W0])
+    sides = np.column_stack([V0 + d * (V1 + d * V2) for d in (L, L / 2.0, 0.0 * L)])
+    return _section_of_pieces(X[0] - X, widths=widths, sides=-sides, breadth=section.breadth)
+
+
+POINTS, WEIGHTS = np.polynomial.legendre.leggauss(64)
+
+EXACT_POINTS, EXACT_WEIGHTS = np.polynomial.legendre.leggauss(3)
+"""Of Gauss' rule: over angles of a disc; and over a piece of linear width, where the integrand is a cubic at most."""
+
+
+def stress_integrals(
+    section: ContactSection, *, start: float, end: float, stress: tuple[float, float]
+) -> tuple[float, float]:
+    """Return the force [N] and its first moment about the compressed edge [N m] of a stress linear over depth.
+
+    Parameters
+    ----------
+    section : of the contact
+    start, end : depths between which it acts [m]
+    stress : at the start and at the end [Pa]
+
+    Returns
+    -------
+    tuple of float
+        Integrals of sigma w dx and of sigma x w dx.
+    """
+    force, moment = 0.0, 0.0
+    for x, area in _strips(section, start, end):
+        sigma = stress[0] + (stress[1] - stress[0]) * (x - start) / (end - start)
+        force += float(sigma @ area)
+        moment += float((sigma * x) @ area)
+    return force, moment
+
+
 def _widths(edges: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
     """Return knots [m + 1], widths [m, 2] and sides [m, 3] of a region, see `_section_of_pieces`.
 
@@ -260,17 +301,6 @@ def _section_of_discs(outer: float, *, inner: float = 0.0) -> ContactSection:
     )
 
 
-def mirror(section: ContactSection) -> ContactSection:
-    """Return the same region rocking the other way."""
-    if not section.pieces.size:
-        return section  # discs are concentric
-    X, (W0, W1, V0, V1, V2) = section.pieces[::-1, moments.BEGIN], section.pieces[-2::-1, moments.W0 : moments.A].T
-    L = -np.diff(X)
-    widths = np.column_stack([W0 + W1 * L, W0])
-    sides = np.column_stack([V0 + d * (V1 + d * V2) for d in (L, L / 2.0, 0.0 * L)])
-    return _section_of_pieces(X[0] - X, widths=widths, sides=-sides, breadth=section.breadth)
-
-
 def _integral(powers: Sequence[FloatArray], L: FloatArray) -> FloatArray:
     """Integrate polynomials, coefficients [m] lowest power first, over pieces of lengths L [m]."""
     return np.asarray(sum(c * L ** (n + 1) / (n + 1) for n, c in enumerate(powers)), dtype=np.float64)
@@ -286,36 +316,6 @@ def _read_only(array: FloatArray) -> FloatArray:
     kept = np.ascontiguousarray(array)
     kept.setflags(write=False)
     return kept
-
-
-POINTS, WEIGHTS = np.polynomial.legendre.leggauss(64)
-
-EXACT_POINTS, EXACT_WEIGHTS = np.polynomial.legendre.leggauss(3)
-"""Of Gauss' rule: over angles of a disc; and over a piece of linear width, where the integrand is a cubic at most."""
-
-
-def stress_integrals(
-    section: ContactSection, *, start: float, end: float, stress: tuple[float, float]
-) -> tuple[float, float]:
-    """Return the force [N] and its first moment about the compressed edge [N m] of a stress linear over depth.
-
-    Parameters
-    ----------
-    section : of the contact
-    start, end : depths between which it acts [m]
-    stress : at the start and at the end [Pa]
-
-    Returns
-    -------
-    tuple of float
-        Integrals of sigma w dx and of sigma x w dx.
-    """
-    force, moment = 0.0, 0.0
-    for x, area in _strips(section, start, end):
-        sigma = stress[0] + (stress[1] - stress[0]) * (x - start) / (end - start)
-        force += float(sigma @ area)
-        moment += float((sigma * x) @ area)
-    return force, moment
 
 
 def _strips(section: ContactSection, start: float, end: float) -> Iterator[tuple[FloatArray, FloatArray]]:

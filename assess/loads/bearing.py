@@ -188,6 +188,11 @@ def overburden_force(
     return Force(name, (0.0, -found.force), (x, elevation), UPPER, tuple(source), until="collapse", evidence=WEIGHT)
 
 
+def overburden_name(number: int) -> str:
+    """Return the name of the overburden that is entry `number` of the loads, from 1."""
+    return f"overburden {number}"
+
+
 def _weight_on_wall(
     load: OverburdenLoad, piece: Piece, solids: Mapping[str, Solid | None], moving: Sequence[str], *, where: str
 ) -> tuple[Overburden, list[str]]:
@@ -215,8 +220,3 @@ def _require_solid(body: str, solids: Mapping[str, Solid | None], *, where: str)
     if solid is None:
         raise GeometryError(f'{where}: body "{body}" has no geometry; give its weight as `force`')
     return solid
-
-
-def overburden_name(number: int) -> str:
-    """Return the name of the overburden that is entry `number` of the loads, from 1."""
-    return f"overburden {number}"

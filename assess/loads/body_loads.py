@@ -220,6 +220,29 @@ class CarriedShare:
     warnings: tuple[Message, ...] = ()
 
 
+@dataclass(frozen=True)
+class MechanismBlocks:
+    """The blocks of a mechanism as a body meets them.
+
+    pieces : base first; crack : elevation at which two of them part, where it tells them apart [m], else None
+    cracked : whether that crack parts one body; along : unit vector of the motion [3]; where : what an error names
+    """
+
+    pieces: tuple[Piece, ...]
+    crack: float | None
+    cracked: bool
+    along: FloatArray
+    where: str
+
+
+@dataclass(frozen=True)
+class LoadedBlock:
+    """The block that a body loads, and the one whose contact gives place, share and bearing."""
+
+    block: int
+    contact: int
+
+
 def _find_support(load: BodyLoad, body: Solid | None, *, given: bool, around: Surroundings) -> Support | None:
     """Find where the body meets the block and others; None if it does not, or if that is not known.
 
@@ -357,29 +380,6 @@ def _thrust_on(placed: BodyOnBlock, *, V: float, along: FloatArray) -> Thrust:
     if not placed.one_foot:
         return Thrust(0.0, [Term("no thrust: both its feet stand on the block, or none near its ends")])
     return Thrust(float(np.copysign(found.size, placed.side)), [*found.source, Term("outwards")])
-
-
-@dataclass(frozen=True)
-class MechanismBlocks:
-    """The blocks of a mechanism as a body meets them.
-
-    pieces : base first; crack : elevation at which two of them part, where it tells them apart [m], else None
-    cracked : whether that crack parts one body; along : unit vector of the motion [3]; where : what an error names
-    """
-
-    pieces: tuple[Piece, ...]
-    crack: float | None
-    cracked: bool
-    along: FloatArray
-    where: str
-
-
-@dataclass(frozen=True)
-class LoadedBlock:
-    """The block that a body loads, and the one whose contact gives place, share and bearing."""
-
-    block: int
-    contact: int
 
 
 LoadedBlocks = tuple[tuple[LoadedBlock, ...], tuple[Message, ...]]  # and warnings

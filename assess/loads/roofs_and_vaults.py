@@ -133,29 +133,6 @@ def thrust_of(load: BodyLoad, arch: Arch | None, *, along: FloatArray, V: float)
     return Thrust(H * cosine, source if cosine > 0.9999 else [*source, along_motion])
 
 
-def _lever_source(load: BodyLoad, arch: Arch, *, V: float) -> Term | Message:
-    """Say how the weight is spread over the span, and the thrust if it were uniform in plan."""
-    if load.role == "roof":
-        return Term("rafters: x = L / 4")
-    even = arch_thrust(V, lever=uniform_lever_arm(arch.span), rise=arch.rise)
-    return message("load-lever-of-vault", {"even": Quantity(even, "force")})
-
-
-def _vault_lever(load: BodyLoad, body: Solid, *, axis: FloatArray, span: float) -> float:
-    """Return the lever arm of half a vault's weight about its springing [m]: of the mesh, and of uniform fill."""
-    low, high = extent_along(body, axis=axis)
-    own = mean_lever_arm(body, axis=axis) * span / (high - low)
-    shell, fill = _vault_masses(load, body)
-    return (shell * own + fill * uniform_lever_arm(span)) / (shell + fill)
-
-
-def _vault_masses(load: BodyLoad, body: Solid) -> tuple[float, float]:
-    """Return the mass of a vault itself, and of what lies on it [kg]."""
-    area, plan = intrados_area(body)
-    shell = body.mass if load.construction is None else area * CONSTRUCTIONS[load.construction].mass_per_area
-    return shell, plan * (load.fill or 0.0)
-
-
 @dataclass(frozen=True)
 class Construction:
     """What a vault is built of: name, thickness [m], density [kg/m3]."""
@@ -296,3 +273,26 @@ def intrados_area(solid: Solid) -> tuple[float, float]:
     standing = np.all(z <= z.min() + SPRINGING * size, axis=1)
     down = (normals[:, 2] < UNDERSIDE) & ~standing
     return float(area[down].sum()), float(-area[down] @ normals[down, 2])
+
+
+def _lever_source(load: BodyLoad, arch: Arch, *, V: float) -> Term | Message:
+    """Say how the weight is spread over the span, and the thrust if it were uniform in plan."""
+    if load.role == "roof":
+        return Term("rafters: x = L / 4")
+    even = arch_thrust(V, lever=uniform_lever_arm(arch.span), rise=arch.rise)
+    return message("load-lever-of-vault", {"even": Quantity(even, "force")})
+
+
+def _vault_lever(load: BodyLoad, body: Solid, *, axis: FloatArray, span: float) -> float:
+    """Return the lever arm of half a vault's weight about its springing [m]: of the mesh, and of uniform fill."""
+    low, high = extent_along(body, axis=axis)
+    own = mean_lever_arm(body, axis=axis) * span / (high - low)
+    shell, fill = _vault_masses(load, body)
+    return (shell * own + fill * uniform_lever_arm(span)) / (shell + fill)
+
+
+def _vault_masses(load: BodyLoad, body: Solid) -> tuple[float, float]:
+    """Return the mass of a vault itself, and of what lies on it [kg]."""
+    area, plan = intrados_area(body)
+    shell = body.mass if load.construction is None else area * CONSTRUCTIONS[load.construction].mass_per_area
+    return shell, plan * (load.fill or 0.0)

@@ -192,6 +192,41 @@ def hinges_in_plane(hinges: Sequence[Place] | None, definition: BlockMechanism) 
     return points
 
 
+NEAR = 0.01  # of the size of a block: a hinge this far outside it still touches it
+
+
+def loose_hinges(hinges: Sequence[Point], outlines: Sequence[Outline], *, mark: str = "") -> Iterator[Message]:
+    """Yield a warning for each hinge, counted from the base, that does not touch a block it joins."""
+    areas = [shapely.union_all([shapely.Polygon(ring) for ring in rings]) for rings in outlines]
+    for number, (hinge_name, hinge) in enumerate(zip("ABCD", hinges, strict=False)):
+        for block in (number - 1, number):
+            if not 0 <= block < len(areas) or areas[block].is_empty:
+                continue
+            gap = float(areas[block].distance(shapely.Point(hinge)))
+            if gap > NEAR * float(areas[block].length) / 4.0:
+                away, number_of_block = Quantity(gap, "length", 3), whole_number(block)
+                named = f"{hinge_name}{mark}"
+                yield warning("loose-hinge", hinge=named, gap=away, block=number_of_block, **point_values(hinge))
+
+
+ASKEW = "askew"
+LEVEL_RISE = 0.01  # m: an extreme line that rises by less is level
+UNEVEN = 0.05  # of its width: by how much a base may be narrower than the body just above it
+
+
+def hinge_warnings(piece: Piece, direction: Sequence[float]) -> Iterator[Message]:
+    """Warn if a hinge taken from the geometry is a corner, so that a wall may stand askew, or is not level."""
+    if piece.foot is None:
+        return
+    if turns_about_a_corner(piece.foot, direction=direction):
+        yield warning(ASKEW)
+    rise = slope_across(piece.foot, direction=direction) if piece.cut else 0.0
+    if rise > LEVEL_RISE:
+        yield warning("cut-slopes", rise=Quantity(rise, "length", 3))
+    if not piece.cut:
+        yield from _uneven_base_warnings(piece.solids, direction)
+
+
 Impacts = tuple[RestitutionCoefficient, RestitutionCoefficient]
 INSIDE = Term("about hinges a_SF inside the edges")
 CRUSHED = Term("about the resultants of the crushed joints")
@@ -267,46 +302,11 @@ def _hinge_points(kept: RestitutionCoefficient, about: Term) -> tuple[Term, ...]
     return () if kept.source == GIVEN else (about,)
 
 
-NEAR = 0.01  # of the size of a block: a hinge this far outside it still touches it
-
-
-def loose_hinges(hinges: Sequence[Point], outlines: Sequence[Outline], *, mark: str = "") -> Iterator[Message]:
-    """Yield a warning for each hinge, counted from the base, that does not touch a block it joins."""
-    areas = [shapely.union_all([shapely.Polygon(ring) for ring in rings]) for rings in outlines]
-    for number, (hinge_name, hinge) in enumerate(zip("ABCD", hinges, strict=False)):
-        for block in (number - 1, number):
-            if not 0 <= block < len(areas) or areas[block].is_empty:
-                continue
-            gap = float(areas[block].distance(shapely.Point(hinge)))
-            if gap > NEAR * float(areas[block].length) / 4.0:
-                away, number_of_block = Quantity(gap, "length", 3), whole_number(block)
-                named = f"{hinge_name}{mark}"
-                yield warning("loose-hinge", hinge=named, gap=away, block=number_of_block, **point_values(hinge))
-
-
 def _supports_in_tension(chain: Chain, *, mark: str = "") -> Iterator[Message]:
     """Yield a warning for each hinge on the ground that would be in tension at incipient motion."""
     for hinge_name, force in zip(hinge_names(chain), hinge_compressions(chain), strict=True):
         if hinge_name in "AD" and force < 0.0:
             yield warning("hinge-in-tension", hinge=f"{hinge_name}{mark}", pull=Quantity(-force, "force"))
-
-
-ASKEW = "askew"
-LEVEL_RISE = 0.01  # m: an extreme line that rises by less is level
-UNEVEN = 0.05  # of its width: by how much a base may be narrower than the body just above it
-
-
-def hinge_warnings(piece: Piece, direction: Sequence[float]) -> Iterator[Message]:
-    """Warn if a hinge taken from the geometry is a corner, so that a wall may stand askew, or is not level."""
-    if piece.foot is None:
-        return
-    if turns_about_a_corner(piece.foot, direction=direction):
-        yield warning(ASKEW)
-    rise = slope_across(piece.foot, direction=direction) if piece.cut else 0.0
-    if rise > LEVEL_RISE:
-        yield warning("cut-slopes", rise=Quantity(rise, "length", 3))
-    if not piece.cut:
-        yield from _uneven_base_warnings(piece.solids, direction)
 
 
 def _uneven_base_warnings(solids: Sequence[Solid], direction: Sequence[float]) -> Iterator[Message]:

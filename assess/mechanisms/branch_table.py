@@ -39,23 +39,6 @@ REACH = 1.5  # tables end at this many overturning rotations
 FEWEST = 4  # nodes of a piece between two changes: a cubic
 
 
-def _first_downward_crossing(
-    values: FloatArray, rotation: FloatArray, value_at: Callable[[float, int], float]
-) -> float | None:
-    """Return the first rotation [rad] at which `values` [n] over `rotation` [n] go from + to -; None if never.
-
-    value_at : of a rotation between a node, by its number, and the next
-    """
-    falling = np.flatnonzero((values[:-1] > 0) & (values[1:] <= 0))
-    if not falling.size:
-        return None
-    first = int(falling[0])
-    if rotation[first] == rotation[first + 1]:  # it falls at the end of a stage
-        return float(rotation[first])
-    found = brentq(lambda phi: value_at(phi, first), rotation[first], rotation[first + 1], xtol=1e-15, rtol=1e-14)
-    return float(found)
-
-
 def rigid_branch(chain: Chain, *, restitution: float, name: str) -> Branch:
     """Tabulate one chain, from rest to REACH times its overturning rotation, and at least to phi_cr.
 
@@ -108,39 +91,6 @@ def staged_branch(stages: Stages, *, restitution: float, name: str) -> Branch:
     for column in columns:
         column.flags.writeable = False
     return Branch(*columns, restitution=restitution, overturning=overturning, critical=critical)
-
-
-def _require_numbers(work: Work, end: float, *, name: str) -> None:
-    """Raise MechanismError if a sum up to the rotation `end` [rad] is not finite."""
-    if not (np.isfinite(end) and all(np.isfinite(getattr(work, each.name)).all() for each in fields(Work))):
-        raise MechanismError(
-            f'mechanism "{name}": its hinges, blocks and loads are so far apart, or of so unlike sizes, that nothing '
-            "can be worked out; check their coordinates and units"
-        )
-
-
-def _table_nodes(stages: Stages, end: float, count: int) -> tuple[FloatArray, IntArray]:
-    """Return about `count` rotations from 0 to `end` [rad], two at the end of a stage, and the stage of each [n]."""
-    starts = [stage.start for stage in stages if stage.start < end]
-    if len(starts) == 1:
-        return np.linspace(0.0, end, count), np.zeros(count, dtype=np.int64)
-    stops = [*starts[1:], end]
-    pieces = [
-        np.linspace(start, stop, max(FEWEST, 1 + int(np.ceil((count - 1) * (stop - start) / end))))
-        for start, stop in zip(starts, stops, strict=True)
-    ]
-    return np.concatenate(pieces), np.repeat(np.arange(len(pieces)), [piece.size for piece in pieces])
-
-
-def _integrate_work(stages: Stages, rotation: FloatArray, number: IntArray) -> Work:
-    """Return the sums of virtual work at rotations [n], each by the stage of its number [n]."""
-    found = []
-    for stage in np.unique(number):
-        here = rotation[number == stage]
-        work = virtual_work(stages[stage].chain, here if here[0] == 0.0 else np.concatenate([[0.0], here]))
-        skip = 0 if here[0] == 0.0 else 1  # rest first: whether a tie is slack depends on it
-        found.append([getattr(work, each.name)[skip:] for each in fields(Work)])
-    return Work(*(np.concatenate(column) for column in zip(*found, strict=True)))
 
 
 NEGLIGIBLE = 1e-12  # of the size of an action times that of its chain: a smaller moment is zero
@@ -228,32 +178,6 @@ def divide_into_stages(chain: Chain, ends: Sequence[float], moments: ActionMomen
     return tuple(found)
 
 
-def _remove_actions(chain: Chain, absent: Sequence[int]) -> Chain:
-    """Remove actions from a chain, by their number; a joint at its top without load becomes rigid."""
-    if not absent:
-        return chain
-    actions = chain.actions
-    gone = [id(actions[number]) for number in absent]
-    left = replace(chain, loads=tuple(load for load in chain.loads if id(load) not in gone))
-    if len(chain.blocks) == 2 and chain.joints and not top_loads(left):
-        return replace(left, joints=(*left.joints[:2], None))
-    return left
-
-
-def _sign_changes(number: int, moment: FloatArray, moments: ActionMoments, *, after: float) -> set[float]:
-    """Return the rotations after one at which the moment of an action changes its sign [rad]."""
-    scan = moments.scan
-    changes = np.flatnonzero((moment[:-1] < 0.0) != (moment[1:] < 0.0))
-
-    def moment_at(phi: float) -> float:
-        return float(moments.at_rotations(np.array([phi]))[number, 0])
-
-    roots = (
-        float(brentq(moment_at, scan[k], scan[k + 1], xtol=1e-15, rtol=1e-14)) for k in changes if scan[k + 1] > after
-    )
-    return {root for root in roots if root > after}
-
-
 STATIONS = 2001  # of a scan from rest to the geometric limit
 
 
@@ -270,13 +194,6 @@ def end_of(chain: Chain, action: ForceOrTie) -> float:
     return broken if lasts(action) else 0.0
 
 
-def _breaking_rotation(chain: Chain, tie: Tie) -> float:
-    """Return the rotation at which a tie reaches its fracture strain [rad]; inf if never, or if none is known."""
-    if tie.elongation is None:
-        return inf
-    return rotation_reaching(chain, tie, tie.elongation, lambda path: _elongation(tie, path))
-
-
 def unseating_rotation(chain: Chain, mass: PointMass) -> float:
     """Return the rotation at which the point of a load has moved horizontally by its seat [rad]; inf if never."""
     if mass.seat is None:
@@ -290,11 +207,6 @@ def travel_on_seat(chain: Chain, mass: PointMass, rotation: FloatArray) -> Float
     rotation : of the leading block, from 0 on [n] [rad]
     """
     return _horizontal_travel(trace_point(move(chain, rotation), block=mass.block, at=mass.at))
-
-
-def _horizontal_travel(path: PointPath) -> FloatArray:
-    moved: FloatArray = np.abs(path.x - path.x[0])
-    return moved
 
 
 def rotation_reaching(
@@ -330,6 +242,94 @@ def load_displacement(chain: Chain, load: ForceOrTie, rotation: float) -> float:
     """
     path = trace_point(move(chain, np.array([0.0, rotation])), block=load.block, at=load.at)
     return float(_displacement(path)[1])
+
+
+def _first_downward_crossing(
+    values: FloatArray, rotation: FloatArray, value_at: Callable[[float, int], float]
+) -> float | None:
+    """Return the first rotation [rad] at which `values` [n] over `rotation` [n] go from + to -; None if never.
+
+    value_at : of a rotation between a node, by its number, and the next
+    """
+    falling = np.flatnonzero((values[:-1] > 0) & (values[1:] <= 0))
+    if not falling.size:
+        return None
+    first = int(falling[0])
+    if rotation[first] == rotation[first + 1]:  # it falls at the end of a stage
+        return float(rotation[first])
+    found = brentq(lambda phi: value_at(phi, first), rotation[first], rotation[first + 1], xtol=1e-15, rtol=1e-14)
+    return float(found)
+
+
+def _require_numbers(work: Work, end: float, *, name: str) -> None:
+    """Raise MechanismError if a sum up to the rotation `end` [rad] is not finite."""
+    if not (np.isfinite(end) and all(np.isfinite(getattr(work, each.name)).all() for each in fields(Work))):
+        raise MechanismError(
+            f'mechanism "{name}": its hinges, blocks and loads are so far apart, or of so unlike sizes, that nothing '
+            "can be worked out; check their coordinates and units"
+        )
+
+
+def _table_nodes(stages: Stages, end: float, count: int) -> tuple[FloatArray, IntArray]:
+    """Return about `count` rotations from 0 to `end` [rad], two at the end of a stage, and the stage of each [n]."""
+    starts = [stage.start for stage in stages if stage.start < end]
+    if len(starts) == 1:
+        return np.linspace(0.0, end, count), np.zeros(count, dtype=np.int64)
+    stops = [*starts[1:], end]
+    pieces = [
+        np.linspace(start, stop, max(FEWEST, 1 + int(np.ceil((count - 1) * (stop - start) / end))))
+        for start, stop in zip(starts, stops, strict=True)
+    ]
+    return np.concatenate(pieces), np.repeat(np.arange(len(pieces)), [piece.size for piece in pieces])
+
+
+def _integrate_work(stages: Stages, rotation: FloatArray, number: IntArray) -> Work:
+    """Return the sums of virtual work at rotations [n], each by the stage of its number [n]."""
+    found = []
+    for stage in np.unique(number):
+        here = rotation[number == stage]
+        work = virtual_work(stages[stage].chain, here if here[0] == 0.0 else np.concatenate([[0.0], here]))
+        skip = 0 if here[0] == 0.0 else 1  # rest first: whether a tie is slack depends on it
+        found.append([getattr(work, each.name)[skip:] for each in fields(Work)])
+    return Work(*(np.concatenate(column) for column in zip(*found, strict=True)))
+
+
+def _remove_actions(chain: Chain, absent: Sequence[int]) -> Chain:
+    """Remove actions from a chain, by their number; a joint at its top without load becomes rigid."""
+    if not absent:
+        return chain
+    actions = chain.actions
+    gone = [id(actions[number]) for number in absent]
+    left = replace(chain, loads=tuple(load for load in chain.loads if id(load) not in gone))
+    if len(chain.blocks) == 2 and chain.joints and not top_loads(left):
+        return replace(left, joints=(*left.joints[:2], None))
+    return left
+
+
+def _sign_changes(number: int, moment: FloatArray, moments: ActionMoments, *, after: float) -> set[float]:
+    """Return the rotations after one at which the moment of an action changes its sign [rad]."""
+    scan = moments.scan
+    changes = np.flatnonzero((moment[:-1] < 0.0) != (moment[1:] < 0.0))
+
+    def moment_at(phi: float) -> float:
+        return float(moments.at_rotations(np.array([phi]))[number, 0])
+
+    roots = (
+        float(brentq(moment_at, scan[k], scan[k + 1], xtol=1e-15, rtol=1e-14)) for k in changes if scan[k + 1] > after
+    )
+    return {root for root in roots if root > after}
+
+
+def _breaking_rotation(chain: Chain, tie: Tie) -> float:
+    """Return the rotation at which a tie reaches its fracture strain [rad]; inf if never, or if none is known."""
+    if tie.elongation is None:
+        return inf
+    return rotation_reaching(chain, tie, tie.elongation, lambda path: _elongation(tie, path))
+
+
+def _horizontal_travel(path: PointPath) -> FloatArray:
+    moved: FloatArray = np.abs(path.x - path.x[0])
+    return moved
 
 
 def _displacement(path: PointPath) -> FloatArray:

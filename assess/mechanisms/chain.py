@@ -250,17 +250,6 @@ def metres_text(length: float) -> str:
     return f"{0.0 if abs(length) < ROUNDING else length:.4g}"
 
 
-def _rise(a: Point, b: Point) -> float:
-    """Return the sine of the slope of the line a b."""
-    return (b[1] - a[1]) / hypot(b[0] - a[0], b[1] - a[1])
-
-
-def _bend(a: Point, b: Point, c: Point) -> float:
-    """Return the sine of the angle between a b and b c."""
-    (ux, uz), (vx, vz) = (b[0] - a[0], b[1] - a[1]), (c[0] - b[0], c[1] - b[1])
-    return (ux * vz - uz * vx) / (hypot(ux, uz) * hypot(vx, vz))
-
-
 @dataclass(frozen=True, repr=False)
 class ChainMotion(ShortRepr):
     """A chain at rotations of its leading block.
@@ -376,35 +365,6 @@ def solve_block_rates(turned: ComplexArray, load: ComplexArray) -> FloatArray:
     return (_slider_rates if len(turned) == 2 else _pinned_rates)(turned, load)
 
 
-def _close_on_slider(arms: ComplexArray, chord: ComplexArray) -> ComplexArray:
-    """Return the second arm [1, n] of a chain on a slider, whose horizontal part is that of the chord [n]."""
-    level = chord.real
-    return np.asarray(level + 1j * np.sign(arms[1].imag) * np.sqrt(np.maximum(np.abs(arms[1]) ** 2 - level**2, 0.0)))[
-        None, :
-    ]
-
-
-def _close_pinned(arms: ComplexArray, chord: ComplexArray) -> ComplexArray:
-    """Return the second and third arm [2, n] of a pinned chain: the triangle B C D over the chord from B to D."""
-    b, c = np.abs(arms[1]), np.abs(arms[2])
-    length = np.abs(chord)
-    along = (length**2 + b**2 - c**2) / (2 * length)
-    side = np.sign((arms[1] * np.conj(arms[1] + arms[2])).imag)
-    second = chord / length * (along + 1j * side * np.sqrt(np.maximum(b**2 - along**2, 0.0)))
-    return np.array([second, chord - second])
-
-
-def _slider_rates(arms: ComplexArray, load: ComplexArray) -> FloatArray:
-    """Return the turning [1, n] of the second block on a slider, from the horizontal part of `load` [n]."""
-    return np.asarray(load.imag / arms[1].imag, dtype=np.float64)[None, :]
-
-
-def _pinned_rates(arms: ComplexArray, load: ComplexArray) -> FloatArray:
-    """Solve arm 2 turning 2 + arm 3 turning 3 = `load` [n] for the turnings of the second and third block [2, n]."""
-    turnings = np.array([cross(load, arms[2]), cross(arms[1], load)])
-    return np.asarray(turnings / cross(arms[1], arms[2]), dtype=np.float64)
-
-
 def cross(a: ComplexArray, b: ComplexArray) -> FloatArray:
     """Return the cross product of two vectors, or the anticlockwise moment about the origin of forces b at places a."""
     return np.asarray((np.conj(a) * b).imag)
@@ -491,6 +451,46 @@ def require_stable(chain: Chain, *, name: str) -> None:
             f'mechanism "{name}": a push along the direction does not start it (sum m x\' = {rest.excitation[0]:.4g} '
             "kg m); its hinges move the masses the other way: check them"
         )
+
+
+def _rise(a: Point, b: Point) -> float:
+    """Return the sine of the slope of the line a b."""
+    return (b[1] - a[1]) / hypot(b[0] - a[0], b[1] - a[1])
+
+
+def _bend(a: Point, b: Point, c: Point) -> float:
+    """Return the sine of the angle between a b and b c."""
+    (ux, uz), (vx, vz) = (b[0] - a[0], b[1] - a[1]), (c[0] - b[0], c[1] - b[1])
+    return (ux * vz - uz * vx) / (hypot(ux, uz) * hypot(vx, vz))
+
+
+def _close_on_slider(arms: ComplexArray, chord: ComplexArray) -> ComplexArray:
+    """Return the second arm [1, n] of a chain on a slider, whose horizontal part is that of the chord [n]."""
+    level = chord.real
+    return np.asarray(level + 1j * np.sign(arms[1].imag) * np.sqrt(np.maximum(np.abs(arms[1]) ** 2 - level**2, 0.0)))[
+        None, :
+    ]
+
+
+def _close_pinned(arms: ComplexArray, chord: ComplexArray) -> ComplexArray:
+    """Return the second and third arm [2, n] of a pinned chain: the triangle B C D over the chord from B to D."""
+    b, c = np.abs(arms[1]), np.abs(arms[2])
+    length = np.abs(chord)
+    along = (length**2 + b**2 - c**2) / (2 * length)
+    side = np.sign((arms[1] * np.conj(arms[1] + arms[2])).imag)
+    second = chord / length * (along + 1j * side * np.sqrt(np.maximum(b**2 - along**2, 0.0)))
+    return np.array([second, chord - second])
+
+
+def _slider_rates(arms: ComplexArray, load: ComplexArray) -> FloatArray:
+    """Return the turning [1, n] of the second block on a slider, from the horizontal part of `load` [n]."""
+    return np.asarray(load.imag / arms[1].imag, dtype=np.float64)[None, :]
+
+
+def _pinned_rates(arms: ComplexArray, load: ComplexArray) -> FloatArray:
+    """Solve arm 2 turning 2 + arm 3 turning 3 = `load` [n] for the turnings of the second and third block [2, n]."""
+    turnings = np.array([cross(load, arms[2]), cross(arms[1], load)])
+    return np.asarray(turnings / cross(arms[1], arms[2]), dtype=np.float64)
 
 
 def _overturning_causes(chain: Chain, rest: Work) -> str:

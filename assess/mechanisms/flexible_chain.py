@@ -196,14 +196,6 @@ class FlexibleChain(ShortRepr):
         )
 
 
-def _fixed_shift(joint: Joint, force: float, *, where: str) -> float:
-    """Return the distance of the fixed hinge of a joint from its edge [m]."""
-    if joint.model == "rigid":
-        found = contact(joint.section, joint.law, normal_force=force, rotation=PLASTIC, where=where)
-        return float(found.resultant[0])
-    return semi_flexible_shift(joint.section, joint.law, normal_force=force, where=where)
-
-
 @dataclass(frozen=True, repr=False)
 class Configuration(ShortRepr):
     """The positions of the blocks at n rotations.
@@ -393,19 +385,6 @@ def solve_joint_equilibrium(
     )
 
 
-def _contacts_of(jointed: JointedChain, configuration: Configuration, normal: FloatArray) -> Contacts:
-    """Return the contact of each joint under its normal force [hinges, n] [N]."""
-    psi = jointed.relative(configuration)
-    found: list[Contact | None] = []
-    for joint, force, turned, where in zip(jointed.joints, normal, psi, jointed.places, strict=True):
-        if joint is None:
-            found.append(None)
-            continue
-        slope = np.sin(np.clip(turned, 0.0, np.pi / 2)) * (turned > LEVEL)
-        found.append(contact(joint.section, joint.law, normal_force=force, rotation=slope, where=where))
-    return tuple(found)
-
-
 def contact_arrays(contacts: Contacts, name: str, shape: tuple[int, ...]) -> FloatArray:
     """Return one array of every contact.
 
@@ -421,24 +400,6 @@ def contact_arrays(contacts: Contacts, name: str, shape: tuple[int, ...]) -> Flo
         Zeros for a rigid joint.
     """
     return np.array([np.zeros(shape[1]) if found is None else getattr(found, name) for found in contacts])
-
-
-def _require_open(jointed: JointedChain, configuration: Configuration) -> None:
-    """Raise MechanismError if a joint would open at its hinge."""
-    for joint, turned, where in zip(jointed.joints, jointed.relative(configuration), jointed.places, strict=True):
-        if joint and turned.min() < -OPENING:
-            raise MechanismError(
-                f"{where}: its faces turn by {-turned.min():.3g} rad away from the hinge, which would open there; "
-                "put the hinge at the other face"
-            )
-
-
-def _anderson_share(residual: FloatArray, before: FloatArray) -> FloatArray:
-    """Return the share of the last step to take back at each rotation [n], for the least residual [2, hinges, n]."""
-    step = residual - before
-    square = np.sum(step * step, axis=(0, 1))
-    share = np.sum(residual * step, axis=(0, 1)) / np.where(square > 0.0, square, 1.0)
-    return np.asarray(share, dtype=np.float64)
 
 
 def block_forces(
@@ -492,6 +453,71 @@ def hinge_reactions(points: ComplexArray, force: ComplexArray, moment: FloatArra
     return np.array([third - force[0] - force[1], third - force[1], third, third + force[2]])
 
 
+def load_force(jointed: JointedChain, load: Load, here: ComplexArray) -> ComplexArray:
+    """Return the force of a load.
+
+    Parameters
+    ----------
+    jointed : the chain that carries it
+    load : a mass, force or tie
+    here : its point now [n] [m]
+
+    Returns
+    -------
+    ComplexArray
+        [n] [N]
+    """
+    if isinstance(load, PointMass):
+        return np.full_like(here, -1j * g * load.mass * load.bearing)
+    if isinstance(load, Force):
+        return np.full_like(here, complex(*load.force))
+    if load in jointed.slack:
+        return np.zeros_like(here)
+    if load.anchor is None:
+        return np.full_like(here, complex(*pull_at_rest(load)))
+    towards = complex(*load.anchor) - here
+    return load.tension * towards / np.abs(towards)
+
+
+def _fixed_shift(joint: Joint, force: float, *, where: str) -> float:
+    """Return the distance of the fixed hinge of a joint from its edge [m]."""
+    if joint.model == "rigid":
+        found = contact(joint.section, joint.law, normal_force=force, rotation=PLASTIC, where=where)
+        return float(found.resultant[0])
+    return semi_flexible_shift(joint.section, joint.law, normal_force=force, where=where)
+
+
+def _contacts_of(jointed: JointedChain, configuration: Configuration, normal: FloatArray) -> Contacts:
+    """Return the contact of each joint under its normal force [hinges, n] [N]."""
+    psi = jointed.relative(configuration)
+    found: list[Contact | None] = []
+    for joint, force, turned, where in zip(jointed.joints, normal, psi, jointed.places, strict=True):
+        if joint is None:
+            found.append(None)
+            continue
+        slope = np.sin(np.clip(turned, 0.0, np.pi / 2)) * (turned > LEVEL)
+        found.append(contact(joint.section, joint.law, normal_force=force, rotation=slope, where=where))
+    return tuple(found)
+
+
+def _require_open(jointed: JointedChain, configuration: Configuration) -> None:
+    """Raise MechanismError if a joint would open at its hinge."""
+    for joint, turned, where in zip(jointed.joints, jointed.relative(configuration), jointed.places, strict=True):
+        if joint and turned.min() < -OPENING:
+            raise MechanismError(
+                f"{where}: its faces turn by {-turned.min():.3g} rad away from the hinge, which would open there; "
+                "put the hinge at the other face"
+            )
+
+
+def _anderson_share(residual: FloatArray, before: FloatArray) -> FloatArray:
+    """Return the share of the last step to take back at each rotation [n], for the least residual [2, hinges, n]."""
+    step = residual - before
+    square = np.sum(step * step, axis=(0, 1))
+    share = np.sum(residual * step, axis=(0, 1)) / np.where(square > 0.0, square, 1.0)
+    return np.asarray(share, dtype=np.float64)
+
+
 def _normal_forces(jointed: JointedChain, configuration: Configuration, reactions: ComplexArray) -> FloatArray:
     """Return the normal force of each joint [hinges, n] [N], 0 for a rigid one."""
     forces = np.zeros(reactions.shape)
@@ -528,29 +554,3 @@ def _holding_moment(
     reactions = hinge_reactions(points, force, moment)
     passed_on = cross(points[1], reactions[1]) if len(force) > 1 else 0.0
     return np.asarray(cross(points[0], reactions[0]) + moment[0] - passed_on, dtype=np.float64)
-
-
-def load_force(jointed: JointedChain, load: Load, here: ComplexArray) -> ComplexArray:
-    """Return the force of a load.
-
-    Parameters
-    ----------
-    jointed : the chain that carries it
-    load : a mass, force or tie
-    here : its point now [n] [m]
-
-    Returns
-    -------
-    ComplexArray
-        [n] [N]
-    """
-    if isinstance(load, PointMass):
-        return np.full_like(here, -1j * g * load.mass * load.bearing)
-    if isinstance(load, Force):
-        return np.full_like(here, complex(*load.force))
-    if load in jointed.slack:
-        return np.zeros_like(here)
-    if load.anchor is None:
-        return np.full_like(here, complex(*pull_at_rest(load)))
-    towards = complex(*load.anchor) - here
-    return load.tension * towards / np.abs(towards)

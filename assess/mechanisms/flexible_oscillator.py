@@ -72,18 +72,6 @@ def flexible_oscillator(pair: ChainPair, front: Stages, back: Stages) -> Oscilla
     )
 
 
-def _share_rest(positive: Chain, negative: Chain) -> bool:
-    """Return whether both directions use the same joints, and so share one equilibrium.
-
-    An arch opens other joints each way: each direction then counts from the equilibrium of its own joints.
-    """
-    if positive.parts:
-        return positive.parts == tuple(
-            (replace(block, centroid=mirror_point(block.centroid)), number) for block, number in negative.parts
-        )
-    return True
-
-
 def flexible_moments(chain: Chain, *, name: str) -> ActionMoments:
     """Return the moments of the actions on a chain, each as its joints move."""
     flexible = FlexibleChain(chain, name)
@@ -137,21 +125,6 @@ def branch_from_rest(side: FlexibleSide, other: FlexibleSide | None) -> Branch:
 def same_stages(one: Stages, other: Stages) -> bool:
     """Return whether two sides, each in its own sign, are equal to the last digit."""
     return _same_chain(one[0].chain, other[0].chain) and stage_signature(one) == stage_signature(other)
-
-
-def _same_chain(one: Chain, other: Chain) -> bool:
-    """Return whether two chains, each in its own sign, are equal to the last digit."""
-    return (one.blocks, one.hinges, one.loads) == (other.blocks, other.hinges, other.loads) and (
-        [_joint_values(joint) for joint in one.joints] == [_joint_values(joint) for joint in other.joints]
-    )
-
-
-def _joint_values(joint: Joint | None) -> tuple[object, ...] | None:
-    """Return the parts of a joint as values that compare."""
-    if joint is None:
-        return None
-    section = joint.section
-    return (joint.inward, joint.law, joint.model, section.depth, section.pieces.tolist(), section.discs.tolist())
 
 
 FINE = 0.05  # step of the table over rotation, as moments go with the power -1/2 of it
@@ -345,6 +318,33 @@ def make_flexible_side(stages: Stages, *, name: str, restitution: float) -> Flex
         starts=tuple(stage.start for stage in stages),
         rigid=staged_branch(rigid, restitution=restitution, name=name),
     )
+
+
+def _share_rest(positive: Chain, negative: Chain) -> bool:
+    """Return whether both directions use the same joints, and so share one equilibrium.
+
+    An arch opens other joints each way: each direction then counts from the equilibrium of its own joints.
+    """
+    if positive.parts:
+        return positive.parts == tuple(
+            (replace(block, centroid=mirror_point(block.centroid)), number) for block, number in negative.parts
+        )
+    return True
+
+
+def _same_chain(one: Chain, other: Chain) -> bool:
+    """Return whether two chains, each in its own sign, are equal to the last digit."""
+    return (one.blocks, one.hinges, one.loads) == (other.blocks, other.hinges, other.loads) and (
+        [_joint_values(joint) for joint in one.joints] == [_joint_values(joint) for joint in other.joints]
+    )
+
+
+def _joint_values(joint: Joint | None) -> tuple[object, ...] | None:
+    """Return the parts of a joint as values that compare."""
+    if joint is None:
+        return None
+    section = joint.section
+    return (joint.inward, joint.law, joint.model, section.depth, section.pieces.tolist(), section.discs.tolist())
 
 
 def _branch_columns(rotation: FloatArray, work: Work) -> FloatArray:

@@ -112,6 +112,68 @@ def four_hinge(
     )
 
 
+@dataclass(frozen=True)
+class ArchHinges:
+    """A mechanism of an arch: its four joints, their hinges A to D, and its uplift multiplier [-]."""
+
+    joints: tuple[int, int, int, int]
+    hinges: tuple[Point, Point, Point, Point]
+    multiplier: float
+
+
+def weakest_hinges(voussoirs: Sequence[RigidBlock], joints: Sequence[Line], *, name: str) -> ArchHinges:
+    """Find the four hinges, at alternate faces, that open under the least horizontal acceleration along +x.
+
+    Parameters
+    ----------
+    voussoirs : from the springing on the left to that on the right
+    joints : before, between and after them, each by its two ends (x, z) [m]; first ends on one face, second ends on
+        the other
+    name : of the mechanism, for errors
+
+    Raises
+    ------
+    MechanismError : fewer than three voussoirs, no four joints make a mechanism that resists, or the arch does not
+        stand under its own weight
+    """
+    if len(joints) < 4 or len(joints) != len(voussoirs) + 1:
+        raise MechanismError(
+            f'mechanism "{name}": {len(voussoirs)} voussoirs with {len(joints)} joints; an arch that hinges has at '
+            "least three voussoirs and one joint more than voussoirs"
+        )
+    ends = np.array([[complex(*end) for end in joint] for joint in joints])
+    least, face, chosen = min(_least_multiplier(voussoirs, ends, face=face) for face in (0, 1))
+    if least == -np.inf:
+        falling = ", ".join(str(joint + 1) for joint in chosen)
+        raise MechanismError(
+            f'mechanism "{name}": already falling: its own weight opens joints {falling}, counted from the first; '
+            "the arch is too thin, or its joints are not those it has"
+        )
+    if least == np.inf:
+        raise MechanismError(
+            f'mechanism "{name}": no four of its joints make a mechanism that resists; check the joints'
+        )
+    places = [ends[joint, (face + number) % 2] for number, joint in enumerate(chosen)]
+    a, b, c, d = ((float(at.real), float(at.imag)) for at in places)
+    first, second, third, last = chosen
+    return ArchHinges((first, second, third, last), (a, b, c, d), least)
+
+
+def divide_arch(voussoirs: Sequence[PlanarBody], hinging: ArchHinges) -> tuple[list[PlanarBody], Chain]:
+    """Divide an arch into the three blocks between its hinges; return the blocks and their chain.
+
+    Parameters
+    ----------
+    voussoirs : from the springing on the left to that on the right
+    hinging : the joints that open and their hinges
+    """
+    spans = list(pairwise(hinging.joints))
+    bodies = [join_planar(voussoirs[a:b], name=f"block {n}") for n, (a, b) in enumerate(spans, start=1)]
+    numbers = [next((n for n, (a, b) in enumerate(spans) if a <= i < b), None) for i in range(len(voussoirs))]
+    parts = tuple((_rigid_block(part), number) for part, number in zip(voussoirs, numbers, strict=True))
+    return bodies, Chain(tuple(_rigid_block(body) for body in bodies), hinging.hinges, parts=parts)
+
+
 def _build_four_hinge(
     name: str,
     definition: FourHinge,
@@ -310,68 +372,6 @@ def _voussoir_body(solids: Sequence[Solid], direction: Sequence[float], number: 
     return replace(
         join_bodies([planar_body(solid, direction=direction) for solid in solids]), name=f"voussoir {number}"
     )
-
-
-@dataclass(frozen=True)
-class ArchHinges:
-    """A mechanism of an arch: its four joints, their hinges A to D, and its uplift multiplier [-]."""
-
-    joints: tuple[int, int, int, int]
-    hinges: tuple[Point, Point, Point, Point]
-    multiplier: float
-
-
-def weakest_hinges(voussoirs: Sequence[RigidBlock], joints: Sequence[Line], *, name: str) -> ArchHinges:
-    """Find the four hinges, at alternate faces, that open under the least horizontal acceleration along +x.
-
-    Parameters
-    ----------
-    voussoirs : from the springing on the left to that on the right
-    joints : before, between and after them, each by its two ends (x, z) [m]; first ends on one face, second ends on
-        the other
-    name : of the mechanism, for errors
-
-    Raises
-    ------
-    MechanismError : fewer than three voussoirs, no four joints make a mechanism that resists, or the arch does not
-        stand under its own weight
-    """
-    if len(joints) < 4 or len(joints) != len(voussoirs) + 1:
-        raise MechanismError(
-            f'mechanism "{name}": {len(voussoirs)} voussoirs with {len(joints)} joints; an arch that hinges has at '
-            "least three voussoirs and one joint more than voussoirs"
-        )
-    ends = np.array([[complex(*end) for end in joint] for joint in joints])
-    least, face, chosen = min(_least_multiplier(voussoirs, ends, face=face) for face in (0, 1))
-    if least == -np.inf:
-        falling = ", ".join(str(joint + 1) for joint in chosen)
-        raise MechanismError(
-            f'mechanism "{name}": already falling: its own weight opens joints {falling}, counted from the first; '
-            "the arch is too thin, or its joints are not those it has"
-        )
-    if least == np.inf:
-        raise MechanismError(
-            f'mechanism "{name}": no four of its joints make a mechanism that resists; check the joints'
-        )
-    places = [ends[joint, (face + number) % 2] for number, joint in enumerate(chosen)]
-    a, b, c, d = ((float(at.real), float(at.imag)) for at in places)
-    first, second, third, last = chosen
-    return ArchHinges((first, second, third, last), (a, b, c, d), least)
-
-
-def divide_arch(voussoirs: Sequence[PlanarBody], hinging: ArchHinges) -> tuple[list[PlanarBody], Chain]:
-    """Divide an arch into the three blocks between its hinges; return the blocks and their chain.
-
-    Parameters
-    ----------
-    voussoirs : from the springing on the left to that on the right
-    hinging : the joints that open and their hinges
-    """
-    spans = list(pairwise(hinging.joints))
-    bodies = [join_planar(voussoirs[a:b], name=f"block {n}") for n, (a, b) in enumerate(spans, start=1)]
-    numbers = [next((n for n, (a, b) in enumerate(spans) if a <= i < b), None) for i in range(len(voussoirs))]
-    parts = tuple((_rigid_block(part), number) for part, number in zip(voussoirs, numbers, strict=True))
-    return bodies, Chain(tuple(_rigid_block(body) for body in bodies), hinging.hinges, parts=parts)
 
 
 def _rigid_block(body: PlanarBody) -> RigidBlock:

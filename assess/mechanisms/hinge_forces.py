@@ -49,6 +49,59 @@ def chain_at_start(chain: Chain, *, name: str) -> Chain:
     return fixed if incipient_motion(fixed).multiplier > 0.0 else chain
 
 
+def is_top_support(chain: Chain, number: int) -> bool:
+    """Return whether a hinge is the support at the top of a wall.
+
+    Parameters
+    ----------
+    chain : of two blocks, if it is a wall held at its top
+    number : of the hinge, from 0 at the base
+    """
+    return len(chain.blocks) == number == 2
+
+
+@dataclass(frozen=True, repr=False)
+class IncipientMotion(ShortRepr):
+    """A chain at incipient motion, under horizontal forces of `multiplier` times all weights along the direction.
+
+    forces : (x, z) of each hinge on the block above it [hinges, 2] [N]; of D on the ground
+    """
+
+    multiplier: float
+    forces: FloatArray
+
+
+def incipient_motion(chain: Chain) -> IncipientMotion:
+    """Solve the equilibrium of every block at incipient motion: as many equations as unknowns."""
+    count, hinges = len(chain.blocks), len(chain.hinges)
+    rows, right = np.zeros((3 * count, 2 * hinges + 1)), np.zeros(3 * count)
+    for number in range(count):
+        own = slice(3 * number, 3 * number + 3)
+        rows[own, 2 * number : 2 * number + 2] = _moment_arms(chain.hinges[number])
+        if number + 1 < hinges:
+            rows[own, 2 * number + 2 : 2 * number + 4] = -_moment_arms(chain.hinges[number + 1])
+    for number, at, force, inertia_force in _loads(chain):
+        own = slice(3 * number, 3 * number + 3)
+        rows[own, -1] += _moment_arms(at) @ (inertia_force, 0.0)
+        right[own] -= _moment_arms(at) @ force
+    known = [2 * hinges - 1] if count == 2 else []  # C slides: it has no vertical reaction
+    free = [column for column in range(2 * hinges + 1) if column not in known]
+    solved = np.zeros(2 * hinges + 1)
+    solved[free] = np.linalg.solve(rows[:, free], right)
+    return IncipientMotion(float(solved[-1]), solved[:-1].reshape(-1, 2))
+
+
+def hinge_compressions(chain: Chain) -> tuple[float, ...]:
+    """Return the vertical compression between the blocks that each hinge joins [N]; negative for tension.
+
+    Of two blocks the one with the higher centroid rests on the other; the ground carries both A and D.
+    """
+    ground = float("-inf")
+    heights = [ground, *(block.centroid[1] for block in chain.blocks), ground]
+    up = incipient_motion(chain).forces[:, 1]
+    return tuple(float(u if high >= low else -u) + 0.0 for u, (low, high) in zip(up, pairwise(heights), strict=False))
+
+
 def _chain_hinge_forces(chain: Chain, faces: tuple[Face, ...], *, positive: bool) -> list[HingeForces]:
     """Return the forces of the hinges of one branch in its own sign."""
     found, mark, single = incipient_motion(chain), "" if positive else "'", len(chain.blocks) == 1
@@ -88,17 +141,6 @@ def _force_on_pressing_block(chain: Chain, found: IncipientMotion, number: int) 
     return (x, z) if number < 2 else (-x, -z)
 
 
-def is_top_support(chain: Chain, number: int) -> bool:
-    """Return whether a hinge is the support at the top of a wall.
-
-    Parameters
-    ----------
-    chain : of two blocks, if it is a wall held at its top
-    number : of the hinge, from 0 at the base
-    """
-    return len(chain.blocks) == number == 2
-
-
 def _rests_on_top(load: Load, chain: Chain) -> bool:
     """Return whether a load rests on the top of a wall."""
     top, height = chain.hinges[2][1], chain.hinges[2][1] - chain.hinges[0][1]
@@ -111,52 +153,10 @@ def _resolve_pressure(force: Vector, normal: Vector) -> Pressure:
     return Pressure(x * n_x + z * n_z, x * n_z - z * n_x)
 
 
-@dataclass(frozen=True, repr=False)
-class IncipientMotion(ShortRepr):
-    """A chain at incipient motion, under horizontal forces of `multiplier` times all weights along the direction.
-
-    forces : (x, z) of each hinge on the block above it [hinges, 2] [N]; of D on the ground
-    """
-
-    multiplier: float
-    forces: FloatArray
-
-
-def incipient_motion(chain: Chain) -> IncipientMotion:
-    """Solve the equilibrium of every block at incipient motion: as many equations as unknowns."""
-    count, hinges = len(chain.blocks), len(chain.hinges)
-    rows, right = np.zeros((3 * count, 2 * hinges + 1)), np.zeros(3 * count)
-    for number in range(count):
-        own = slice(3 * number, 3 * number + 3)
-        rows[own, 2 * number : 2 * number + 2] = _moment_arms(chain.hinges[number])
-        if number + 1 < hinges:
-            rows[own, 2 * number + 2 : 2 * number + 4] = -_moment_arms(chain.hinges[number + 1])
-    for number, at, force, inertia_force in _loads(chain):
-        own = slice(3 * number, 3 * number + 3)
-        rows[own, -1] += _moment_arms(at) @ (inertia_force, 0.0)
-        right[own] -= _moment_arms(at) @ force
-    known = [2 * hinges - 1] if count == 2 else []  # C slides: it has no vertical reaction
-    free = [column for column in range(2 * hinges + 1) if column not in known]
-    solved = np.zeros(2 * hinges + 1)
-    solved[free] = np.linalg.solve(rows[:, free], right)
-    return IncipientMotion(float(solved[-1]), solved[:-1].reshape(-1, 2))
-
-
 def _force_at_rest(chain: Chain) -> Point:
     """Return the force (x, z) of the hinge on a single block at rest [N]."""
     x, z = (-sum(force[i] for _, _, force, _ in _loads(chain)) + 0.0 for i in (0, 1))
     return (x, z)
-
-
-def hinge_compressions(chain: Chain) -> tuple[float, ...]:
-    """Return the vertical compression between the blocks that each hinge joins [N]; negative for tension.
-
-    Of two blocks the one with the higher centroid rests on the other; the ground carries both A and D.
-    """
-    ground = float("-inf")
-    heights = [ground, *(block.centroid[1] for block in chain.blocks), ground]
-    up = incipient_motion(chain).forces[:, 1]
-    return tuple(float(u if high >= low else -u) + 0.0 for u, (low, high) in zip(up, pairwise(heights), strict=False))
 
 
 def _moment_arms(at: Point) -> FloatArray:

@@ -237,10 +237,6 @@ class Mechanism:
         )
 
 
-def _pressing_joints(chain: Chain) -> tuple[Joint | None, ...]:
-    return chain.joints[:2] if len(chain.blocks) == 2 and chain.joints[2] is None else chain.joints
-
-
 LEVEL = (0.0, 1.0)
 NO_FRICTION = Term("give blocks with geometry and a material with friction")
 
@@ -355,23 +351,6 @@ def limits(mechanism: Mechanism) -> tuple[Limit, ...]:
     return () if rocker is None else tuple(_limits(rocker, mechanism.actions))
 
 
-def _limits(rocker: Oscillator, acting: Sequence[ChainActions]) -> Iterator[Limit]:
-    """Yield the limits of each branch of an oscillator."""
-    sides = zip(acting, rocker.branches, BRANCHES, rocker.equilibria, strict=False)
-    for one, branch, name, rest in sides:
-        jumps = branch.rotation[1:][np.diff(branch.rotation) == 0.0]
-        ends = [(k, end - rest) for k, end in enumerate(one.ends) if 0.0 < end < inf and one.resists_at(k, end)]
-        found = [Limit("break", one.actions[k].name, name, end) for k, end in ends if _is_jump(end, jumps)]
-        masses = [load for load in one.chain.loads if isinstance(load, PointMass) and load.bearing]
-        found += [Limit("seat", mass.name, name, unseating_rotation(one.chain, mass) - rest) for mass in masses]
-        yield from (limit for limit in found if limit.rotation <= branch.rotation[-1])
-
-
-def _is_jump(rotation: float, jumps: FloatArray) -> bool:
-    """Return whether a table jumps at a rotation [rad]; jumps : of the table [n]."""
-    return bool(np.isclose(jumps, rotation, rtol=AT_JUMP, atol=0.0).any())
-
-
 @dataclass(frozen=True)
 class SeatTravel:
     """How far the point of a load moves on its seat [m] over the rotation of a branch, counted as its table [rad] [n].
@@ -388,16 +367,6 @@ class SeatTravel:
 def open_seats(mechanism: Mechanism) -> tuple[SeatTravel, ...]:
     """Return the movement of each bearing mass (floor, beam) whose length of seat is not given, in each branch."""
     return tuple(_open_seats(mechanism))
-
-
-def _open_seats(mechanism: Mechanism) -> Iterator[SeatTravel]:
-    rocker = mechanism.variants.deciding
-    chains = [chain for chain in (mechanism.positive, mechanism.negative) if chain is not None]
-    for chain, name, rest in zip(chains, BRANCHES, rocker.equilibria, strict=False):
-        for mass in (each for each in chain.loads if isinstance(each, PointMass) and each.bearing):
-            if mass.seat is None:
-                rotation = scan_rotations(chain)
-                yield SeatTravel(mass.name, name, rotation - rest, travel_on_seat(chain, mass, rotation))
 
 
 def height_of_support(mechanism: Mechanism) -> float:
@@ -419,3 +388,34 @@ def height_of_highest_tie(mechanism: Mechanism) -> float:
         and (lasts(action) or isinstance(action.until, float))
     ]
     return max(heights, default=0.0)
+
+
+def _pressing_joints(chain: Chain) -> tuple[Joint | None, ...]:
+    return chain.joints[:2] if len(chain.blocks) == 2 and chain.joints[2] is None else chain.joints
+
+
+def _limits(rocker: Oscillator, acting: Sequence[ChainActions]) -> Iterator[Limit]:
+    """Yield the limits of each branch of an oscillator."""
+    sides = zip(acting, rocker.branches, BRANCHES, rocker.equilibria, strict=False)
+    for one, branch, name, rest in sides:
+        jumps = branch.rotation[1:][np.diff(branch.rotation) == 0.0]
+        ends = [(k, end - rest) for k, end in enumerate(one.ends) if 0.0 < end < inf and one.resists_at(k, end)]
+        found = [Limit("break", one.actions[k].name, name, end) for k, end in ends if _is_jump(end, jumps)]
+        masses = [load for load in one.chain.loads if isinstance(load, PointMass) and load.bearing]
+        found += [Limit("seat", mass.name, name, unseating_rotation(one.chain, mass) - rest) for mass in masses]
+        yield from (limit for limit in found if limit.rotation <= branch.rotation[-1])
+
+
+def _is_jump(rotation: float, jumps: FloatArray) -> bool:
+    """Return whether a table jumps at a rotation [rad]; jumps : of the table [n]."""
+    return bool(np.isclose(jumps, rotation, rtol=AT_JUMP, atol=0.0).any())
+
+
+def _open_seats(mechanism: Mechanism) -> Iterator[SeatTravel]:
+    rocker = mechanism.variants.deciding
+    chains = [chain for chain in (mechanism.positive, mechanism.negative) if chain is not None]
+    for chain, name, rest in zip(chains, BRANCHES, rocker.equilibria, strict=False):
+        for mass in (each for each in chain.loads if isinstance(each, PointMass) and each.bearing):
+            if mass.seat is None:
+                rotation = scan_rotations(chain)
+                yield SeatTravel(mass.name, name, rotation - rest, travel_on_seat(chain, mass, rotation))

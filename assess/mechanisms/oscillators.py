@@ -116,17 +116,6 @@ def overturning_rotations(rocker: Oscillator) -> tuple[float, ...]:
     return tuple(branch.unstable + rest for branch, rest in sides)
 
 
-def _falls_before(one: Oscillator, other: Oscillator) -> bool:
-    """Return whether a mechanism first falls at a smaller rotation than another of its variants.
-
-    On soft joints one that loses a tie may fall to the equilibrium without it: then the curve without it is used.
-    """
-    return any(
-        first < then * (1.0 - AT_OVERTURNING)
-        for first, then in zip(overturning_rotations(one), overturning_rotations(other), strict=True)
-    )
-
-
 def collapse_branch(chain: Chain, *, name: str) -> Branch:
     """Tabulate a chain on rigid hinges with the actions that drive or are shown to last to collapse; no restitution.
 
@@ -147,33 +136,6 @@ def collapse_branch(chain: Chain, *, name: str) -> Branch:
     return staged_branch(acting.up_to(_lasting_to_collapse(acting, found.overturning)), restitution=0.0, name=name)
 
 
-def _oscillator_or_none(pair: ChainPair, sides: Sequence[Stages]) -> Oscillator | None:
-    """Return the oscillator of a mechanism with the stages of its chains; None if it falls at rest."""
-    try:
-        return _make_oscillator(pair, sides[0], sides[-1])
-    except (MechanismError, InterfaceError):
-        return None
-
-
-def _lasting_to_collapse(acting: ChainActions, overturning: float) -> tuple[float, ...]:
-    """Return the ends of the actions that act up to overturning [rad]; 0 for the others."""
-    return tuple(end if end >= overturning * (1.0 - AT_OVERTURNING) else 0.0 for end in acting.lasting_ends)
-
-
-def _depends_on(acting: Sequence[ChainActions], sides: Sequence[Stages]) -> tuple[str, ...]:
-    """Return the names of the actions missing at rest where a side falls; if none does at once, of all missing."""
-    both = list(zip(acting, sides, strict=True))
-    falling = [one.actions[number].name for one, side in both if _falls_at_rest(side[0]) for number in side[0].absent]
-    missing = [one.actions[number].name for one, side in both for stage in side for number in stage.absent]
-    return tuple(dict.fromkeys(falling or missing))
-
-
-def _falls_at_rest(stage: ChainStage) -> bool:
-    """Return whether a chain falls at rest as its blocks rotate about their hinges."""
-    rigid = replace(stage.chain, joints=())
-    return bool(virtual_work(rigid, np.zeros(1)).restoring[0] <= 0.0)
-
-
 ROUNDING = 1e-12
 """Largest difference, relative to the largest value of a column, between the two ways of a symmetric body."""
 COLUMNS = ("rotation", "inertia", "restoring", "excitation", "participation", "lift")
@@ -183,44 +145,6 @@ NUMBERS = ("restitution", "overturning", "critical", "unstable")
 def oscillator_at_start(pair: ChainPair) -> Oscillator:
     """Return the oscillator with every action that is there at rest."""
     return _make_oscillator(pair, single_stage(pair.positive), single_stage(pair.negative or pair.positive))
-
-
-def _make_oscillator(pair: ChainPair, front: Stages, back: Stages) -> Oscillator:
-    """Return the oscillator of a mechanism whose actions end.
-
-    Directions that are the same but for ROUNDING share one branch, so that both directions and both polarities of a
-    motion are computed once, and no result depends on the last digits of a mesh.
-
-    Parameters
-    ----------
-    pair : the chains of both directions
-    front, back : the stages of the positive and of the negative chain; back is ignored for one-sided rocking
-    """
-    made = flexible_oscillator(pair, front, back) if pair.has_joints else _rigid_oscillator(pair, front, back)
-    if made.negative is None or not _same_branch(made.positive, made.negative):
-        return made
-    return replace(made, negative=made.positive)
-
-
-def _rigid_oscillator(pair: ChainPair, front: Stages, back: Stages) -> Oscillator:
-    """Return the oscillator of chains on rigid hinges."""
-    first, second = pair.restitution
-    positive = staged_branch(front, restitution=first, name=pair.name)
-    if pair.negative is None:
-        return Oscillator(positive, None, pair.positive.mass)
-    same = same_stages(front, back) and first == second
-    return Oscillator(
-        positive=positive,
-        negative=positive if same else staged_branch(back, restitution=second, name=pair.name),
-        mass=pair.positive.mass,
-    )
-
-
-def _same_branch(one: Branch, other: Branch) -> bool:
-    """Return whether two branches are the same but for ROUNDING."""
-    shape = [(branch.rotation.size, branch.overturning_flexible is None) for branch in (one, other)]
-    pairs = [(getattr(one, name), getattr(other, name)) for name in (*NUMBERS, *COLUMNS)]
-    return shape[0] == shape[1] and all(np.abs(a - b).max() <= ROUNDING * np.abs(a).max() for a, b in pairs)
 
 
 @dataclass(frozen=True)
@@ -275,6 +199,82 @@ def mechanism_actions(pair: ChainPair, starting: Oscillator) -> tuple[ChainActio
         for chain, branch, rest in sides
         if chain is not None
     )
+
+
+def _falls_before(one: Oscillator, other: Oscillator) -> bool:
+    """Return whether a mechanism first falls at a smaller rotation than another of its variants.
+
+    On soft joints one that loses a tie may fall to the equilibrium without it: then the curve without it is used.
+    """
+    return any(
+        first < then * (1.0 - AT_OVERTURNING)
+        for first, then in zip(overturning_rotations(one), overturning_rotations(other), strict=True)
+    )
+
+
+def _oscillator_or_none(pair: ChainPair, sides: Sequence[Stages]) -> Oscillator | None:
+    """Return the oscillator of a mechanism with the stages of its chains; None if it falls at rest."""
+    try:
+        return _make_oscillator(pair, sides[0], sides[-1])
+    except (MechanismError, InterfaceError):
+        return None
+
+
+def _lasting_to_collapse(acting: ChainActions, overturning: float) -> tuple[float, ...]:
+    """Return the ends of the actions that act up to overturning [rad]; 0 for the others."""
+    return tuple(end if end >= overturning * (1.0 - AT_OVERTURNING) else 0.0 for end in acting.lasting_ends)
+
+
+def _depends_on(acting: Sequence[ChainActions], sides: Sequence[Stages]) -> tuple[str, ...]:
+    """Return the names of the actions missing at rest where a side falls; if none does at once, of all missing."""
+    both = list(zip(acting, sides, strict=True))
+    falling = [one.actions[number].name for one, side in both if _falls_at_rest(side[0]) for number in side[0].absent]
+    missing = [one.actions[number].name for one, side in both for stage in side for number in stage.absent]
+    return tuple(dict.fromkeys(falling or missing))
+
+
+def _falls_at_rest(stage: ChainStage) -> bool:
+    """Return whether a chain falls at rest as its blocks rotate about their hinges."""
+    rigid = replace(stage.chain, joints=())
+    return bool(virtual_work(rigid, np.zeros(1)).restoring[0] <= 0.0)
+
+
+def _make_oscillator(pair: ChainPair, front: Stages, back: Stages) -> Oscillator:
+    """Return the oscillator of a mechanism whose actions end.
+
+    Directions that are the same but for ROUNDING share one branch, so that both directions and both polarities of a
+    motion are computed once, and no result depends on the last digits of a mesh.
+
+    Parameters
+    ----------
+    pair : the chains of both directions
+    front, back : the stages of the positive and of the negative chain; back is ignored for one-sided rocking
+    """
+    made = flexible_oscillator(pair, front, back) if pair.has_joints else _rigid_oscillator(pair, front, back)
+    if made.negative is None or not _same_branch(made.positive, made.negative):
+        return made
+    return replace(made, negative=made.positive)
+
+
+def _rigid_oscillator(pair: ChainPair, front: Stages, back: Stages) -> Oscillator:
+    """Return the oscillator of chains on rigid hinges."""
+    first, second = pair.restitution
+    positive = staged_branch(front, restitution=first, name=pair.name)
+    if pair.negative is None:
+        return Oscillator(positive, None, pair.positive.mass)
+    same = same_stages(front, back) and first == second
+    return Oscillator(
+        positive=positive,
+        negative=positive if same else staged_branch(back, restitution=second, name=pair.name),
+        mass=pair.positive.mass,
+    )
+
+
+def _same_branch(one: Branch, other: Branch) -> bool:
+    """Return whether two branches are the same but for ROUNDING."""
+    shape = [(branch.rotation.size, branch.overturning_flexible is None) for branch in (one, other)]
+    pairs = [(getattr(one, name), getattr(other, name)) for name in (*NUMBERS, *COLUMNS)]
+    return shape[0] == shape[1] and all(np.abs(a - b).max() <= ROUNDING * np.abs(a).max() for a, b in pairs)
 
 
 def _chain_actions(chain: Chain, *, name: str, end: float) -> ChainActions:

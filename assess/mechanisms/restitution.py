@@ -130,90 +130,6 @@ def default_rule(ending: Chain, starting: Chain, *, rules: ImpactRules) -> Resti
     return "momentum" if _adds_energy(kept, ending=ending, starting=starting) else "thesis"
 
 
-def _compare_rules(
-    rule: RestitutionRule, kept: RestitutionCoefficient, *, ending: Chain, starting: Chain, rules: ImpactRules
-) -> tuple[Message, ...]:
-    """Return what the other rule gives, and loads that slide on their seats; nothing if the value is the same."""
-    other: RestitutionRule = "thesis" if rule == "momentum" else "momentum"
-    value = rules.two_sided[other](ending, starting).value
-    messages: tuple[Message, ...] = ()
-    if abs(value - kept.value) > SAME:
-        messages = (message("restitution-other", {"rule": other, "value": Quantity(value, "ratio", 3)}),)
-    if rule != "momentum" or not _moving_masses(ending, starting):
-        return messages
-    new = velocity_field(starting, sliding=True)
-    slid = -_kinetic_product(velocity_field(ending, sliding=True), new) / _inertia_at_rest(new)
-    if abs(slid - kept.value) <= NOTABLE:
-        return messages
-    return (*messages, message("restitution-sliding", {"value": Quantity(slid, "ratio", 3)}))
-
-
-def _moving_masses(*chains: Chain) -> tuple[str, ...]:
-    """Return the names of the loads that move with the mechanism, bearing or not."""
-    return tuple(dict.fromkeys(load.name for chain in chains for load in chain.loads if isinstance(load, PointMass)))
-
-
-def _high_dissipation_warning(given: float, *, ending: Chain, starting: Chain | None) -> Message | None:
-    """Return a warning if a given restitution takes more energy at each impact than momentum does."""
-    by_momentum = 1.0 if starting is None else conserve_momentum(ending, starting).value
-    if starting is None or given >= by_momentum - NOTABLE:
-        return None
-    values = {"given": Quantity(given, figures=3), "momentum": Quantity(by_momentum, figures=3)}
-    return warning("restitution-takes-more", **values)
-
-
-def _stopped_at_impact(kept: RestitutionCoefficient) -> RestitutionCoefficient:
-    """Return the coefficient of a mechanism that an impact brings to rest: by the rule it would move backwards."""
-    stops = warning("restitution-stops", value=Quantity(kept.value, figures=3), source=kept.source[0])
-    return replace(kept, value=0.0, warning=stops, stopped=kept.value)
-
-
-def _with_warning(kept: RestitutionCoefficient, *, ending: Chain, starting: Chain) -> RestitutionCoefficient:
-    """Add a warning to a coefficient above 1, or well above that of the blocks without their loads."""
-    if kept.value > 1.0:
-        return replace(kept, warning=_above_one_warning(kept, ending=ending, starting=starting))
-    loads = _moving_masses(ending, starting)
-    if not loads:
-        return kept
-    plain = conserve_momentum(*(_without_masses(chain) for chain in (ending, starting))).value
-    if kept.value <= plain + NOTABLE:
-        return kept
-    values: dict[str, Value] = {"value": Quantity(kept.value, figures=3), "plain": Quantity(plain, figures=3)}
-    return replace(kept, warning=warning("restitution-of-high-mass", loads=", ".join(loads), **values))
-
-
-def _without_masses(chain: Chain) -> Chain:
-    """Return the chain without the loads that move with it."""
-    return replace(chain, loads=tuple(load for load in chain.loads if not isinstance(load, PointMass)))
-
-
-def _above_one_warning(kept: RestitutionCoefficient, *, ending: Chain, starting: Chain) -> Message:
-    """Return a warning that explains a coefficient above 1 without a gain of energy."""
-    share = _inertia_at_rest(velocity_field(starting)) / _inertia_at_rest(velocity_field(ending))
-    return warning(
-        "restitution-above-one",
-        value=Quantity(kept.value),
-        share=Quantity(share, figures=3),
-        kept=Quantity(100.0 * kept.value**2 * share, "percent", 3),
-    )
-
-
-def _adds_energy(kept: RestitutionCoefficient, *, ending: Chain, starting: Chain) -> bool:
-    """Return whether an impact would add energy."""
-    return kept.value > 0.0 and kept.value**2 * _inertia_at_rest(velocity_field(starting)) > _inertia_at_rest(
-        velocity_field(ending)
-    ) * (1 + 1e-9)
-
-
-def _require_no_gain(kept: RestitutionCoefficient, *, ending: Chain, starting: Chain, name: str) -> None:
-    """Raise MechanismError for a coefficient that would add energy."""
-    if _adds_energy(kept, ending=ending, starting=starting):
-        raise MechanismError(
-            f'mechanism "{name}": restitution {kept.value:.3g} ({source_phrase(kept.source)}) would add energy at the '
-            'impact, for the two hinges differ; use "momentum" or a number'
-        )
-
-
 def conserve_momentum(ending: Chain, starting: Chain) -> RestitutionCoefficient:
     """Conserve momentum: the impulses at the new hinges do no work on the new motion, so project the old field onto it.
 
@@ -332,6 +248,90 @@ def velocity_field(chain: Chain, *, sliding: bool = False) -> VelocityField:
         path = trace_point(motion, block=number, at=at)
         rows.append((horizontal_mass, vertical_mass, turned, path.dx[0], path.dz[0], motion.rate[number, 0], *at))
     return VelocityField(*np.array(rows, dtype=np.float64).T)
+
+
+def _compare_rules(
+    rule: RestitutionRule, kept: RestitutionCoefficient, *, ending: Chain, starting: Chain, rules: ImpactRules
+) -> tuple[Message, ...]:
+    """Return what the other rule gives, and loads that slide on their seats; nothing if the value is the same."""
+    other: RestitutionRule = "thesis" if rule == "momentum" else "momentum"
+    value = rules.two_sided[other](ending, starting).value
+    messages: tuple[Message, ...] = ()
+    if abs(value - kept.value) > SAME:
+        messages = (message("restitution-other", {"rule": other, "value": Quantity(value, "ratio", 3)}),)
+    if rule != "momentum" or not _moving_masses(ending, starting):
+        return messages
+    new = velocity_field(starting, sliding=True)
+    slid = -_kinetic_product(velocity_field(ending, sliding=True), new) / _inertia_at_rest(new)
+    if abs(slid - kept.value) <= NOTABLE:
+        return messages
+    return (*messages, message("restitution-sliding", {"value": Quantity(slid, "ratio", 3)}))
+
+
+def _moving_masses(*chains: Chain) -> tuple[str, ...]:
+    """Return the names of the loads that move with the mechanism, bearing or not."""
+    return tuple(dict.fromkeys(load.name for chain in chains for load in chain.loads if isinstance(load, PointMass)))
+
+
+def _high_dissipation_warning(given: float, *, ending: Chain, starting: Chain | None) -> Message | None:
+    """Return a warning if a given restitution takes more energy at each impact than momentum does."""
+    by_momentum = 1.0 if starting is None else conserve_momentum(ending, starting).value
+    if starting is None or given >= by_momentum - NOTABLE:
+        return None
+    values = {"given": Quantity(given, figures=3), "momentum": Quantity(by_momentum, figures=3)}
+    return warning("restitution-takes-more", **values)
+
+
+def _stopped_at_impact(kept: RestitutionCoefficient) -> RestitutionCoefficient:
+    """Return the coefficient of a mechanism that an impact brings to rest: by the rule it would move backwards."""
+    stops = warning("restitution-stops", value=Quantity(kept.value, figures=3), source=kept.source[0])
+    return replace(kept, value=0.0, warning=stops, stopped=kept.value)
+
+
+def _with_warning(kept: RestitutionCoefficient, *, ending: Chain, starting: Chain) -> RestitutionCoefficient:
+    """Add a warning to a coefficient above 1, or well above that of the blocks without their loads."""
+    if kept.value > 1.0:
+        return replace(kept, warning=_above_one_warning(kept, ending=ending, starting=starting))
+    loads = _moving_masses(ending, starting)
+    if not loads:
+        return kept
+    plain = conserve_momentum(*(_without_masses(chain) for chain in (ending, starting))).value
+    if kept.value <= plain + NOTABLE:
+        return kept
+    values: dict[str, Value] = {"value": Quantity(kept.value, figures=3), "plain": Quantity(plain, figures=3)}
+    return replace(kept, warning=warning("restitution-of-high-mass", loads=", ".join(loads), **values))
+
+
+def _without_masses(chain: Chain) -> Chain:
+    """Return the chain without the loads that move with it."""
+    return replace(chain, loads=tuple(load for load in chain.loads if not isinstance(load, PointMass)))
+
+
+def _above_one_warning(kept: RestitutionCoefficient, *, ending: Chain, starting: Chain) -> Message:
+    """Return a warning that explains a coefficient above 1 without a gain of energy."""
+    share = _inertia_at_rest(velocity_field(starting)) / _inertia_at_rest(velocity_field(ending))
+    return warning(
+        "restitution-above-one",
+        value=Quantity(kept.value),
+        share=Quantity(share, figures=3),
+        kept=Quantity(100.0 * kept.value**2 * share, "percent", 3),
+    )
+
+
+def _adds_energy(kept: RestitutionCoefficient, *, ending: Chain, starting: Chain) -> bool:
+    """Return whether an impact would add energy."""
+    return kept.value > 0.0 and kept.value**2 * _inertia_at_rest(velocity_field(starting)) > _inertia_at_rest(
+        velocity_field(ending)
+    ) * (1 + 1e-9)
+
+
+def _require_no_gain(kept: RestitutionCoefficient, *, ending: Chain, starting: Chain, name: str) -> None:
+    """Raise MechanismError for a coefficient that would add energy."""
+    if _adds_energy(kept, ending=ending, starting=starting):
+        raise MechanismError(
+            f'mechanism "{name}": restitution {kept.value:.3g} ({source_phrase(kept.source)}) would add energy at the '
+            'impact, for the two hinges differ; use "momentum" or a number'
+        )
 
 
 def _kinetic_product(ending: VelocityField, starting: VelocityField) -> float:

@@ -129,53 +129,6 @@ def build_single_block(
     return mechanism, pieces
 
 
-def _require_stable(chain: Chain, *, name: str, towards: str) -> None:
-    """Raise MechanismError unless the centroid of the block with its loads is above its hinge and behind it."""
-    block = plain_block(chain)
-    behind, height = block.radius * sin(block.slenderness), block.radius * cos(block.slenderness)
-    if height <= 0:
-        raise MechanismError(
-            f'mechanism "{name}": the centroid lies {-height:.4g} m below the hinge of {towards} rotation; '
-            "a rocking block has its centroid above the hinge: check hinges and cut"
-        )
-    if behind <= 0:
-        raise FallingError(
-            f'mechanism "{name}": already falling in {towards} rotation: the centroid lies {-behind:.4g} m beyond '
-            "the hinge; check the geometry, the direction, the hinges and the loads"
-        )
-
-
-def _off_base_warnings(body: PlanarBody, hinge: Point | None, label: str) -> list[Message]:
-    """Return a warning if a given hinge does not lie on the base of the body."""
-    if hinge is None or body.base is None:
-        return []
-    low, high = body.base
-    width = high[0] - low[0]
-    tolerance = 0.01 * width
-    elevation = low[1] + (hinge[0] - low[0]) * (high[1] - low[1]) / (width or 1.0)
-    if low[0] - tolerance <= hinge[0] <= high[0] + tolerance and abs(hinge[1] - elevation) <= tolerance:
-        return []
-    ends = lengths(low_x=low[0], low_z=low[1], high_x=high[0], high_z=high[1])
-    return [warning("hinge-off-base", hinge=label, **point_values(hinge), **ends)]
-
-
-def _edge_hinge(body: PlanarBody, towards: Literal["positive", "negative"], *, name: str) -> Point:
-    """Return the edge of the base about which the body rocks."""
-    if body.base is None:
-        raise MechanismError(
-            f'mechanism "{name}": its body has no geometry, so its base is not known; '
-            "give hinges = { A = [x, z] } and, for two-sided rocking, hinges_negative = { A = [x, z] }"
-        )
-    low, high = body.base
-    width = high[0] - low[0]
-    if width <= 1e-6 * hypot(body.centroid[0] - low[0], body.centroid[1] - low[1]):
-        raise MechanismError(
-            f'mechanism "{name}": the body touches the ground on an edge or a point (width {width:.3g} m), '
-            "so it has no base to rock on; give hinges, a cut just above, or mend the geometry"
-        )
-    return high if towards == "positive" else low
-
-
 @dataclass(frozen=True, kw_only=True)
 class EquivalentBlock:
     """A mechanism by its rocking parameters, as published tables give them.
@@ -242,6 +195,53 @@ def equivalent_block(
         outlines=((outline,),),
         warnings=(impossible,) if k < 1.0 else (),
     )
+
+
+def _require_stable(chain: Chain, *, name: str, towards: str) -> None:
+    """Raise MechanismError unless the centroid of the block with its loads is above its hinge and behind it."""
+    block = plain_block(chain)
+    behind, height = block.radius * sin(block.slenderness), block.radius * cos(block.slenderness)
+    if height <= 0:
+        raise MechanismError(
+            f'mechanism "{name}": the centroid lies {-height:.4g} m below the hinge of {towards} rotation; '
+            "a rocking block has its centroid above the hinge: check hinges and cut"
+        )
+    if behind <= 0:
+        raise FallingError(
+            f'mechanism "{name}": already falling in {towards} rotation: the centroid lies {-behind:.4g} m beyond '
+            "the hinge; check the geometry, the direction, the hinges and the loads"
+        )
+
+
+def _off_base_warnings(body: PlanarBody, hinge: Point | None, label: str) -> list[Message]:
+    """Return a warning if a given hinge does not lie on the base of the body."""
+    if hinge is None or body.base is None:
+        return []
+    low, high = body.base
+    width = high[0] - low[0]
+    tolerance = 0.01 * width
+    elevation = low[1] + (hinge[0] - low[0]) * (high[1] - low[1]) / (width or 1.0)
+    if low[0] - tolerance <= hinge[0] <= high[0] + tolerance and abs(hinge[1] - elevation) <= tolerance:
+        return []
+    ends = lengths(low_x=low[0], low_z=low[1], high_x=high[0], high_z=high[1])
+    return [warning("hinge-off-base", hinge=label, **point_values(hinge), **ends)]
+
+
+def _edge_hinge(body: PlanarBody, towards: Literal["positive", "negative"], *, name: str) -> Point:
+    """Return the edge of the base about which the body rocks."""
+    if body.base is None:
+        raise MechanismError(
+            f'mechanism "{name}": its body has no geometry, so its base is not known; '
+            "give hinges = { A = [x, z] } and, for two-sided rocking, hinges_negative = { A = [x, z] }"
+        )
+    low, high = body.base
+    width = high[0] - low[0]
+    if width <= 1e-6 * hypot(body.centroid[0] - low[0], body.centroid[1] - low[1]):
+        raise MechanismError(
+            f'mechanism "{name}": the body touches the ground on an edge or a point (width {width:.3g} m), '
+            "so it has no base to rock on; give hinges, a cut just above, or mend the geometry"
+        )
+    return high if towards == "positive" else low
 
 
 def _build_equivalent_block(

@@ -62,6 +62,48 @@ def on_rigid_hinges(name: str, definition: BlockMechanism, bodies: Bodies) -> Me
     return replace(mechanism, warnings=(*warnings, *load_set.warnings)), members
 
 
+@dataclass(frozen=True)
+class PressedHinge:
+    """A hinge of one branch, and what it presses on.
+
+    number : of the hinge; name : of the mechanism; sign : -1 for the branch that is mirrored
+    """
+
+    number: int
+    chain: Chain
+    name: str
+    definition: BlockMechanism
+    interface: Interface
+    pieces: tuple[Piece, ...]
+    sign: float
+
+    @property
+    def hinge_name(self) -> str:
+        """The interface, as messages name it."""
+        return hinge_names(self.chain)[self.number] + "'" * (self.sign < 0)
+
+    @property
+    def where(self) -> str:
+        """The mechanism and the interface, as errors name them."""
+        return f'mechanism "{self.name}", interface {self.hinge_name}'
+
+    @property
+    def point(self) -> tuple[float, float]:
+        """The place of the hinge (x, z) [m]."""
+        return self.chain.hinges[self.number]
+
+    @property
+    def motion_plane(self) -> MotionPlane:
+        """The plane of motion of the branch."""
+        return MotionPlane.towards(self.definition.towards, sign=self.sign)
+
+    def plane(self) -> JointPlane:
+        """Find the plane of the joint; raise GeometryError if no faces meet at the hinge."""
+        return find_joint_plane(
+            self.number, self.point, self.definition, self.pieces, self.motion_plane, where=self.where
+        )
+
+
 def _cut_into_blocks(name: str, definition: BlockMechanism, bodies: Bodies) -> tuple[Sequence[Piece], Crack | None]:
     """Cut the bodies into blocks; a wall of one body is cut at its crack, which is returned too."""
     pieces = pieces_of(name, definition, bodies)
@@ -125,48 +167,6 @@ def _contact_offset_warnings(mechanism: Mechanism, joints: Sequence[Sequence[Joi
     if abs(ahead + behind) > NEAR * front.section.depth:
         distance, depth = (Quantity(each, "length", 3) for each in (abs(ahead + behind), front.section.depth))
         yield warning("contacts-apart", distance=distance, depth=depth)
-
-
-@dataclass(frozen=True)
-class PressedHinge:
-    """A hinge of one branch, and what it presses on.
-
-    number : of the hinge; name : of the mechanism; sign : -1 for the branch that is mirrored
-    """
-
-    number: int
-    chain: Chain
-    name: str
-    definition: BlockMechanism
-    interface: Interface
-    pieces: tuple[Piece, ...]
-    sign: float
-
-    @property
-    def hinge_name(self) -> str:
-        """The interface, as messages name it."""
-        return hinge_names(self.chain)[self.number] + "'" * (self.sign < 0)
-
-    @property
-    def where(self) -> str:
-        """The mechanism and the interface, as errors name them."""
-        return f'mechanism "{self.name}", interface {self.hinge_name}'
-
-    @property
-    def point(self) -> tuple[float, float]:
-        """The place of the hinge (x, z) [m]."""
-        return self.chain.hinges[self.number]
-
-    @property
-    def motion_plane(self) -> MotionPlane:
-        """The plane of motion of the branch."""
-        return MotionPlane.towards(self.definition.towards, sign=self.sign)
-
-    def plane(self) -> JointPlane:
-        """Find the plane of the joint; raise GeometryError if no faces meet at the hinge."""
-        return find_joint_plane(
-            self.number, self.point, self.definition, self.pieces, self.motion_plane, where=self.where
-        )
 
 
 def _joint_at(hinge: PressedHinge, bodies: Bodies) -> tuple[Joint | None, tuple[Message, ...]]:

@@ -191,13 +191,6 @@ def mesh(
     return Body(name=name, solid=made, material=masonry)
 
 
-def _masonry(density: float | Material, name: str) -> Material:
-    """Return the masonry of a body; raise GeometryError for a name that mechanisms cannot call it by."""
-    if not isinstance(name, str) or not name:
-        raise GeometryError(f"name = {name!r:.60}: give a text, by which mechanisms call the body")
-    return density if isinstance(density, Material) else Material(name=name, density=density)
-
-
 def pieces_of(name: str, definition: BlockMechanism, bodies: Bodies) -> tuple[Piece, ...]:
     """Return the blocks of a mechanism, base first, each above the cut if there is one.
 
@@ -225,21 +218,6 @@ def pieces_of(name: str, definition: BlockMechanism, bodies: Bodies) -> tuple[Pi
     )
 
 
-def _uncut_block(block: Sequence[str], direction: Sequence[float], bodies: Bodies) -> Piece:
-    """Return the bodies of a block uncut."""
-    standing = tuple(solid for body in block if (solid := bodies[body].solid) is not None)
-    seen = [bodies[body].in_plane(direction) for body in block]
-    return Piece(join_bodies(seen), standing, lowest_corners(standing) if standing else None)
-
-
-def _block_above_cut(
-    name: str, block: Sequence[str], plane: Plane, direction: Sequence[float], bodies: Bodies
-) -> Piece:
-    """Return the part of a block above a cut."""
-    parts = divide(_solids_to_cut(name, block, bodies), plane, where=f'mechanism "{name}"')
-    return replace(piece_above_cut(parts, direction), fixed=parts.below)
-
-
 def piece_above_cut(parts: Division, direction: Sequence[float]) -> Piece:
     """Return the upper side of a cut as a block."""
     body = join_bodies([planar_body(solid, direction=direction) for solid in parts.above])
@@ -259,12 +237,6 @@ def scene_of(pieces: Sequence[Piece], direction: Sequence[float]) -> Scene | Non
     )
 
 
-def _crosses_plane(block: Sequence[str], plane: Plane, bodies: Bodies) -> bool:
-    """Return whether a body of the block reaches below the plane."""
-    corners = [solid.vertices for body in block if (solid := bodies[body].solid) is not None]
-    return any(bool(((points - plane.point) @ plane.normal < 0.0).any()) for points in corners)
-
-
 def cut_of(definition: BlockMechanism, *, where: str) -> Plane | None:
     """Return the plane of the cut; raise GeometryError if its normal does not point up.
 
@@ -277,20 +249,6 @@ def cut_of(definition: BlockMechanism, *, where: str) -> Plane | None:
         x, y, _ = definition.along
         return inclined_plane(cut.point, (sin(cut.angle) * x, sin(cut.angle) * y, cos(cut.angle)), where=where)
     return None if cut is None else level_plane(cut)
-
-
-def _solids_to_cut(name: str, block: Sequence[str], bodies: Bodies) -> list[Solid]:
-    """Return the solids of a block; raise GeometryError for a body without geometry."""
-    found = []
-    for body in block:
-        solid = bodies[body].solid
-        if solid is None:
-            raise GeometryError(
-                f'mechanism "{name}": body "{body}" has no geometry to cut; give it a mesh, box or profile, or remove '
-                "the cut and give the values of what lies above"
-            )
-        found.append(solid)
-    return found
 
 
 Gap = dict[str, Value]
@@ -318,12 +276,6 @@ def gaps_of(definitions: Mapping[str, Definition], bodies: Bodies) -> Iterator[M
         )
 
 
-def _block_solids(block: Sequence[str], bodies: Bodies) -> list[Solid]:
-    """Return the solids of a block; none if a body has no geometry, as its extent is not known."""
-    found = [solid for body in block if (solid := bodies[body].solid) is not None]
-    return found if len(found) == len(block) else []
-
-
 def gaps_in_block(block: Sequence[Solid]) -> Iterator[Gap]:
     """Find each gap that would have to be closed for the bodies of a block to touch one another."""
     pairs = list(combinations(range(len(block)), 2))
@@ -347,16 +299,6 @@ def gaps_at_hinge(one: Sequence[Solid], other: Sequence[Solid]) -> Iterator[Gap]
     yield _gap_values(*pairs[int(np.argmin(distances))], min(distances))
 
 
-def _in_contact(one: Solid, other: Solid) -> bool:
-    """Return whether two bodies are closer than the thickness of a joint."""
-    return shortest_distance(one, other, limit=CONTACT_TOLERANCE) < CONTACT_TOLERANCE
-
-
-def _gap_values(one: Solid, other: Solid, distance: float) -> Gap:
-    """Return the values of a warning: which two bodies are apart, and by how much [m]."""
-    return {"one": one.name, "other": other.name, "distance": Quantity(distance, "length", 3)}
-
-
 def overlaps_of(definitions: Mapping[str, Definition], bodies: Bodies) -> Iterator[Message]:
     """Warn of each two bodies of a mechanism's blocks that overlap.
 
@@ -369,3 +311,61 @@ def overlaps_of(definitions: Mapping[str, Definition], bodies: Bodies) -> Iterat
         names = dict.fromkeys(definition.bodies if isinstance(definition, BlockMechanism) else ())
         known = [solid for body in names if (solid := bodies[body].solid) is not None]
         yield from overlap_warnings(known, where=f"mechanisms.{name}")
+
+
+def _masonry(density: float | Material, name: str) -> Material:
+    """Return the masonry of a body; raise GeometryError for a name that mechanisms cannot call it by."""
+    if not isinstance(name, str) or not name:
+        raise GeometryError(f"name = {name!r:.60}: give a text, by which mechanisms call the body")
+    return density if isinstance(density, Material) else Material(name=name, density=density)
+
+
+def _uncut_block(block: Sequence[str], direction: Sequence[float], bodies: Bodies) -> Piece:
+    """Return the bodies of a block uncut."""
+    standing = tuple(solid for body in block if (solid := bodies[body].solid) is not None)
+    seen = [bodies[body].in_plane(direction) for body in block]
+    return Piece(join_bodies(seen), standing, lowest_corners(standing) if standing else None)
+
+
+def _block_above_cut(
+    name: str, block: Sequence[str], plane: Plane, direction: Sequence[float], bodies: Bodies
+) -> Piece:
+    """Return the part of a block above a cut."""
+    parts = divide(_solids_to_cut(name, block, bodies), plane, where=f'mechanism "{name}"')
+    return replace(piece_above_cut(parts, direction), fixed=parts.below)
+
+
+def _crosses_plane(block: Sequence[str], plane: Plane, bodies: Bodies) -> bool:
+    """Return whether a body of the block reaches below the plane."""
+    corners = [solid.vertices for body in block if (solid := bodies[body].solid) is not None]
+    return any(bool(((points - plane.point) @ plane.normal < 0.0).any()) for points in corners)
+
+
+def _solids_to_cut(name: str, block: Sequence[str], bodies: Bodies) -> list[Solid]:
+    """Return the solids of a block; raise GeometryError for a body without geometry."""
+    found = []
+    for body in block:
+        solid = bodies[body].solid
+        if solid is None:
+            raise GeometryError(
+                f'mechanism "{name}": body "{body}" has no geometry to cut; give it a mesh, box or profile, or remove '
+                "the cut and give the values of what lies above"
+            )
+        found.append(solid)
+    return found
+
+
+def _block_solids(block: Sequence[str], bodies: Bodies) -> list[Solid]:
+    """Return the solids of a block; none if a body has no geometry, as its extent is not known."""
+    found = [solid for body in block if (solid := bodies[body].solid) is not None]
+    return found if len(found) == len(block) else []
+
+
+def _in_contact(one: Solid, other: Solid) -> bool:
+    """Return whether two bodies are closer than the thickness of a joint."""
+    return shortest_distance(one, other, limit=CONTACT_TOLERANCE) < CONTACT_TOLERANCE
+
+
+def _gap_values(one: Solid, other: Solid, distance: float) -> Gap:
+    """Return the values of a warning: which two bodies are apart, and by how much [m]."""
+    return {"one": one.name, "other": other.name, "distance": Quantity(distance, "length", 3)}

@@ -100,15 +100,6 @@ def mechanism_as_given(name: str, definition: Definition, bodies: Bodies) -> Bui
     return mechanism_of(name, definition, bodies)
 
 
-CLEARLY = 0.95  # of a given direction's multiplier: a candidate below it is clearly weaker
-LISTED = 4
-
-
-def _has_geometry(definition: BlockMechanism, bodies: Bodies) -> bool:
-    """Return whether all bodies of a mechanism have geometry."""
-    return all(bodies[body].solid is not None for body in definition.bodies)
-
-
 def build_in_weakest_direction(search: DirectionSearch) -> Built:
     """Build the mechanism in its weakest direction; raise ProjectError with the candidates if it must be given."""
     candidates = _evaluate_candidates(search)
@@ -130,6 +121,82 @@ def build_in_weakest_direction(search: DirectionSearch) -> Built:
     ]
     messages += [_left_out_warning(each, search.where) for each in candidates if each.reason not in ("", OTHER_SIDE)]
     return _with_messages(built, candidates, messages, search)
+
+
+NEAR = 1.1  # multipliers up to this many times the least are compared by d0*
+MUCH_STRONGER = 1.5  # of the least multiplier: a free direction so strong does not stand for a weak axis held both ways
+ON_SIDE = (0.5, 1.1)  # of the half width of the base: a given hinge is on the side towards which it is as far out
+OTHER_SIDE = "the hinge that is given lies on another side"
+DIGITS = 6  # candidates that agree to so many are as weak
+Towards = Callable[[Vector], Mechanism]
+
+
+@dataclass(frozen=True)
+class DirectionSearch:
+    """A mechanism whose directions are compared.
+
+    definition : as stated; foot : corners [k, 3] of what it stands on [m]; obstacles : the bodies beside it
+    angles : of the candidates [deg]
+    mechanism_towards : the mechanism towards a direction, of one side and on rigid hinges
+    """
+
+    name: str
+    definition: BlockMechanism
+    bodies: Bodies
+    foot: FloatArray
+    obstacles: tuple[Obstacle, ...]
+    angles: tuple[float, ...]
+    mechanism_towards: Towards
+
+    @property
+    def where(self) -> str:
+        """The table, as messages name it."""
+        return f"mechanisms.{self.name}"
+
+
+def uplift_multiplier(chain: Chain) -> float:
+    """Return the uplift multiplier of a chain on rigid hinges [-]."""
+    work = virtual_work(chain, np.zeros(1))
+    return float(work.restoring[0] / (g * work.excitation[0]))
+
+
+@dataclass(frozen=True)
+class StandingBlock:
+    """A block above its cut, before a direction is chosen.
+
+    solids : what it is made of; foot : corners it stands on [k, 3] [m]; fixed : what lies below the cut and stays
+    """
+
+    solids: tuple[Solid, ...]
+    foot: FloatArray
+    fixed: tuple[Solid, ...] = ()
+
+
+FOOT = 0.1  # of the height of the masonry: what touches it lower, as a pavement does, does not stop it
+AHEAD = 0.7  # cosine between a touched face and the motion that the contact stops: within 45 degrees
+SMALLEST = 0.01  # m2: less contact is a slip of drawing
+
+
+@dataclass(frozen=True)
+class Obstacle:
+    """A body that touches the part of a mechanism above its hinge, and the faces of that part which it touches."""
+
+    body: str
+    faces: FacePatches
+
+    def stops(self, direction: Vector) -> bool:
+        """Return whether it stops a motion towards `direction`, a horizontal unit vector."""
+        ahead = self.faces.normal @ np.array(direction) > AHEAD
+        return float(self.faces.area[ahead].sum()) > SMALLEST
+
+
+CLEARLY = 0.95  # of a given direction's multiplier: a candidate below it is clearly weaker
+LISTED = 4
+
+
+def _has_geometry(definition: BlockMechanism, bodies: Bodies) -> bool:
+    """Return whether all bodies of a mechanism have geometry."""
+    return all(bodies[body].solid is not None for body in definition.bodies)
 
 
 def _with_sides(definition: BlocksT, behind: Sequence[str]) -> BlocksT:
@@ -243,37 +310,6 @@ def _with_messages(
     return replace(built, mechanism=found)
 
 
-NEAR = 1.1  # multipliers up to this many times the least are compared by d0*
-MUCH_STRONGER = 1.5  # of the least multiplier: a free direction so strong does not stand for a weak axis held both ways
-ON_SIDE = (0.5, 1.1)  # of the half width of the base: a given hinge is on the side towards which it is as far out
-OTHER_SIDE = "the hinge that is given lies on another side"
-DIGITS = 6  # candidates that agree to so many are as weak
-Towards = Callable[[Vector], Mechanism]
-
-
-@dataclass(frozen=True)
-class DirectionSearch:
-    """A mechanism whose directions are compared.
-
-    definition : as stated; foot : corners [k, 3] of what it stands on [m]; obstacles : the bodies beside it
-    angles : of the candidates [deg]
-    mechanism_towards : the mechanism towards a direction, of one side and on rigid hinges
-    """
-
-    name: str
-    definition: BlockMechanism
-    bodies: Bodies
-    foot: FloatArray
-    obstacles: tuple[Obstacle, ...]
-    angles: tuple[float, ...]
-    mechanism_towards: Towards
-
-    @property
-    def where(self) -> str:
-        """The table, as messages name it."""
-        return f"mechanisms.{self.name}"
-
-
 def _prepare_search(name: str, definition: BlockMechanism, bodies: Bodies) -> DirectionSearch:
     """Find the candidate directions of a mechanism and the bodies beside it."""
     standing, bare = _solids_of_blocks(name, definition, bodies), _one_sided_definition(definition)
@@ -357,12 +393,6 @@ def _hinge_on_side(search: DirectionSearch, direction: Vector) -> bool:
 def _vector_text(direction: Vector) -> str:
     """Write a direction as the project file does."""
     return "[" + ", ".join(f"{round(part, 6) + 0.0:g}" for part in direction) + "]"
-
-
-def uplift_multiplier(chain: Chain) -> float:
-    """Return the uplift multiplier of a chain on rigid hinges [-]."""
-    work = virtual_work(chain, np.zeros(1))
-    return float(work.restoring[0] / (g * work.excitation[0]))
 
 
 def _with_displacement(candidate: CandidateDirection, search: DirectionSearch) -> CandidateDirection:
@@ -499,18 +529,6 @@ def _edge_normals_and_beside(foot: FloatArray) -> FloatArray:
     return np.unique(np.concatenate(beside) % 360.0) if _has_slope(foot) else normals
 
 
-@dataclass(frozen=True)
-class StandingBlock:
-    """A block above its cut, before a direction is chosen.
-
-    solids : what it is made of; foot : corners it stands on [k, 3] [m]; fixed : what lies below the cut and stays
-    """
-
-    solids: tuple[Solid, ...]
-    foot: FloatArray
-    fixed: tuple[Solid, ...] = ()
-
-
 def _standing_above_cut(name: str, definition: SingleBlock, solids: tuple[Solid, ...]) -> StandingBlock:
     """Return the block above its cut, which is the same in every direction."""
     plane = cut_of(definition, where=f'mechanism "{name}"')
@@ -567,24 +585,6 @@ def _resistance_by_direction(mechanism_towards: Callable[[Vector], Mechanism], a
     multipliers, p, overturning = zip(*rows, strict=True)
     weakest = next(a for a, value in zip(around, multipliers, strict=True) if value <= min(multipliers) + TIE)
     return Directions(tuple(around), multipliers, p, overturning, weakest)
-
-
-FOOT = 0.1  # of the height of the masonry: what touches it lower, as a pavement does, does not stop it
-AHEAD = 0.7  # cosine between a touched face and the motion that the contact stops: within 45 degrees
-SMALLEST = 0.01  # m2: less contact is a slip of drawing
-
-
-@dataclass(frozen=True)
-class Obstacle:
-    """A body that touches the part of a mechanism above its hinge, and the faces of that part which it touches."""
-
-    body: str
-    faces: FacePatches
-
-    def stops(self, direction: Vector) -> bool:
-        """Return whether it stops a motion towards `direction`, a horizontal unit vector."""
-        ahead = self.faces.normal @ np.array(direction) > AHEAD
-        return float(self.faces.area[ahead].sum()) > SMALLEST
 
 
 def _obstacles_of(definition: BlockMechanism, standing: Sequence[Solid], bodies: Bodies) -> tuple[Obstacle, ...]:

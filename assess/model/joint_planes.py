@@ -105,6 +105,27 @@ def find_joint_plane(
     return JointPlane(view.project_vector(plane.normal), plane, divide(piece.solids, plane, where=where).region)
 
 
+STEEP = 0.5  # vertical part of a unit normal: of a face 60 degrees off level
+
+
+def faces_of(
+    mechanism: Mechanism, definition: BlockMechanism, pieces: Sequence[Piece], bodies: Bodies
+) -> tuple[tuple[Face, ...], ...]:
+    """Return the faces at the hinges of the positive and of the negative branch, each in its own sign."""
+    frictions = [_friction_at(number, definition, bodies) for number in range(len(mechanism.positive.hinges))]
+    chains = [chain for chain in (mechanism.positive, mechanism.negative) if chain is not None]
+    return tuple(
+        tuple(
+            Face(
+                *_hinge_normal(number, chain, definition, pieces, MotionPlane.towards(definition.towards, sign=sign)),
+                *frictions[number],
+            )
+            for number in range(len(chain.hinges))
+        )
+        for chain, sign in zip(chains, (1.0, -1.0), strict=False)
+    )
+
+
 def _normal_at(
     number: int, hinge: Point, definition: BlockMechanism, pieces: Sequence[Piece], view: MotionPlane, *, where: str
 ) -> Vector:
@@ -224,27 +245,6 @@ def _faces(solid: Solid) -> tuple[FloatArray, FloatArray, FloatArray]:
     area, normal = areas_and_normals(corners)
     kept = area > 0.0
     return corners[kept], normal[kept], area[kept]
-
-
-STEEP = 0.5  # vertical part of a unit normal: of a face 60 degrees off level
-
-
-def faces_of(
-    mechanism: Mechanism, definition: BlockMechanism, pieces: Sequence[Piece], bodies: Bodies
-) -> tuple[tuple[Face, ...], ...]:
-    """Return the faces at the hinges of the positive and of the negative branch, each in its own sign."""
-    frictions = [_friction_at(number, definition, bodies) for number in range(len(mechanism.positive.hinges))]
-    chains = [chain for chain in (mechanism.positive, mechanism.negative) if chain is not None]
-    return tuple(
-        tuple(
-            Face(
-                *_hinge_normal(number, chain, definition, pieces, MotionPlane.towards(definition.towards, sign=sign)),
-                *frictions[number],
-            )
-            for number in range(len(chain.hinges))
-        )
-        for chain, sign in zip(chains, (1.0, -1.0), strict=False)
-    )
 
 
 def _hinge_normal(

@@ -72,6 +72,16 @@ def loads_of(
     )
 
 
+def surroundings(load: BodyLoad, blocks: MechanismBlocks, number: int, bodies: Bodies) -> Surroundings:
+    """Return what stands around a body that loads a block; bodies of the mechanism as they are cut."""
+    pieces = blocks.pieces
+    moving = {solid.name for piece in pieces for solid in piece.solids} | {load.body}
+    others = [each.solid for key, each in bodies.items() if each.solid is not None and key not in moving]
+    others += [solid for place, piece in enumerate(pieces) if place != number for solid in piece.solids]
+    fixed = tuple(solid for piece in pieces for solid in piece.fixed)
+    return Surroundings(pieces[number].solids, tuple(others), fixed, blocks.along, where=blocks.where)
+
+
 def _loads_of_entry(
     number: int,
     load: LoadDefinition,
@@ -145,16 +155,6 @@ def _loads_of_body(
     ]
     loads = tuple(one for part in parts for one in part.loads)
     return LoadSet(loads, (*warnings, *(each for part in parts for each in part.warnings)))
-
-
-def surroundings(load: BodyLoad, blocks: MechanismBlocks, number: int, bodies: Bodies) -> Surroundings:
-    """Return what stands around a body that loads a block; bodies of the mechanism as they are cut."""
-    pieces = blocks.pieces
-    moving = {solid.name for piece in pieces for solid in piece.solids} | {load.body}
-    others = [each.solid for key, each in bodies.items() if each.solid is not None and key not in moving]
-    others += [solid for place, piece in enumerate(pieces) if place != number for solid in piece.solids]
-    fixed = tuple(solid for piece in pieces for solid in piece.fixed)
-    return Surroundings(pieces[number].solids, tuple(others), fixed, blocks.along, where=blocks.where)
 
 
 def _load_in_plane(

@@ -81,6 +81,29 @@ def is_changed(path: Path) -> bool | None:
     return None if not written or written[0] is None else state(path, written[0]) == "changed"
 
 
+def stays_inside(name: str) -> bool:
+    """Return whether a name cannot lead out of its folder, on any system."""
+    paths = (PurePosixPath(name), PureWindowsPath(name))
+    return bool(name) and "\0" not in name and not any(path.anchor or ".." in path.parts for path in paths)
+
+
+def link_above(path: Path, folder: Path) -> Path | None:
+    """Return the link that leads out of `folder` on the way to `path` in it; None if there is none."""
+    above = path.relative_to(folder).parents
+    return next((found for each in above if (found := folder / each) != folder and found.is_symlink()), None)
+
+
+def digest(path: Path) -> str | None:
+    """Return the SHA-256 of a file; None if there is no such file, "" if it is not a regular file or cannot be read."""
+    try:
+        with path.open("rb") as opened:
+            return hashlib.file_digest(opened, "sha256").hexdigest()
+    except FileNotFoundError:
+        return "" if path.is_symlink() else None
+    except OSError:
+        return ""
+
+
 def _manifest_of_earlier_lists(folder: Path) -> Manifest:
     """Return the manifest by lists of earlier versions; a file well younger than its list was changed since."""
     sets: dict[str, dict[str, str | None]] = {}
@@ -103,28 +126,5 @@ def _is_younger(path: Path, written: float) -> bool:
         return False
 
 
-def stays_inside(name: str) -> bool:
-    """Return whether a name cannot lead out of its folder, on any system."""
-    paths = (PurePosixPath(name), PureWindowsPath(name))
-    return bool(name) and "\0" not in name and not any(path.anchor or ".." in path.parts for path in paths)
-
-
-def link_above(path: Path, folder: Path) -> Path | None:
-    """Return the link that leads out of `folder` on the way to `path` in it; None if there is none."""
-    above = path.relative_to(folder).parents
-    return next((found for each in above if (found := folder / each) != folder and found.is_symlink()), None)
-
-
 def _names_inside(files: Mapping[str, Any]) -> dict[str, str | None]:
     return {name: None if sha256 is None else str(sha256) for name, sha256 in files.items() if stays_inside(name)}
-
-
-def digest(path: Path) -> str | None:
-    """Return the SHA-256 of a file; None if there is no such file, "" if it is not a regular file or cannot be read."""
-    try:
-        with path.open("rb") as opened:
-            return hashlib.file_digest(opened, "sha256").hexdigest()
-    except FileNotFoundError:
-        return "" if path.is_symlink() else None
-    except OSError:
-        return ""

@@ -24,20 +24,6 @@ class Terminated(BaseException):
         self.number = number
 
 
-def _is_under_way() -> bool:
-    """Return whether the program is ending: whether what runs now cleans up after Terminated."""
-    error = sys.exc_info()[1]
-    while error is not None and not isinstance(error, Terminated):
-        error = error.__context__
-    return error is not None
-
-
-def _repeat(seconds: float) -> None:
-    """Let SIGALRM come every so many seconds, never for 0; not on Windows."""
-    if sys.platform != "win32":
-        signal.setitimer(signal.ITIMER_REAL, seconds, seconds)
-
-
 @contextmanager
 def raise_on_signals() -> Iterator[None]:
     """Let signals that ask for the end raise Terminated while the block runs.
@@ -83,3 +69,17 @@ def defer_signals() -> Iterator[None]:
             signal.signal(number, handler)
         if came:
             signal.raise_signal(came[0])
+
+
+def _is_under_way() -> bool:
+    """Return whether the program is ending: whether what runs now cleans up after Terminated."""
+    error = sys.exc_info()[1]
+    while error is not None and not isinstance(error, Terminated):
+        error = error.__context__
+    return error is not None
+
+
+def _repeat(seconds: float) -> None:
+    """Let SIGALRM come every so many seconds, never for 0; not on Windows."""
+    if sys.platform != "win32":
+        signal.setitimer(signal.ITIMER_REAL, seconds, seconds)

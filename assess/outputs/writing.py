@@ -180,6 +180,103 @@ def refuse_obstacles(folder: Path, manifest: Manifest, owner: str, expected: Seq
     _raise_output_error(folder, _find_obstacles(folder, manifest, owner, expected))
 
 
+def recover_for_reading(folder: Path, *, tell: TellMessage) -> None:
+    """Recover a folder for a command that only reads in it.
+
+    Waits for a command that is moving files at this moment; does nothing if no command was stopped there.
+
+    Parameters
+    ----------
+    folder : Path
+        The folder.
+    tell : callable
+        Called with a message on what was recovered.
+    """
+    if any((each / JOURNAL).is_file() for each in _stages(folder)):
+        with hold_lock(folder, command="a command that reads there", patient=True):
+            _recover(folder, tell=tell)
+
+
+@dataclass(frozen=True)
+class Move:
+    """The move of one file: `name` below the folder, SHA-256 of the new and of the old file, None for no file."""
+
+    name: str
+    new: str | None
+    old: str | None
+
+
+def write_journal(stage: Path, moves: Sequence[Move]) -> None:
+    """Write the journal, once all files it lists are on the disk."""
+    for folder in [stage / MADE, *(path for path in (stage / MADE).rglob("*") if path.is_dir())]:
+        flush(folder)
+    draft = stage / f"{JOURNAL}.draft"
+    with draft.open("w", encoding="utf-8") as file:
+        json.dump({"format": 1, "moves": [asdict(move) for move in moves]}, file)
+        file.flush()
+        os.fsync(file.fileno())
+    os.replace(draft, stage / JOURNAL)
+    flush(stage)
+
+
+@contextmanager
+def make_stage(place: Path, *, command: str) -> Iterator[Path]:
+    """Give a new hidden folder in `place`, with an empty folder `made`; it is removed unless its journal is open.
+
+    Parameters
+    ----------
+    place : Path
+        The folder to make it in.
+    command : str
+        The command that uses it, named in its lock.
+
+    Yields
+    ------
+    Path
+        The stage.
+
+    Raises
+    ------
+    OutputError
+        If nothing can be written in `place`.
+    """
+    folder = place / f"{PREFIX}{token_hex(6)}"
+    try:
+        _make_hidden_folder(folder)
+        with hold_lock(folder, command=command):
+            try:
+                (folder / MADE).mkdir()
+                yield folder
+            finally:
+                with defer_signals():
+                    _empty_stage(folder)
+    finally:
+        with defer_signals():
+            if not (folder / JOURNAL).exists():
+                _remove_stage(folder)
+
+
+def remove_abandoned_stages(place: Path) -> None:
+    """Remove the abandoned stages in `place` that hold no old files."""
+    for each in _left_behind(place):
+        if not (each / OLD).exists():
+            _remove_stage(each)
+
+
+def flush(path: Path) -> None:
+    """Flush a file, or the names in a folder, to the disk."""
+    if os.name == "nt" and path.is_dir():
+        return  # Windows opens no folders
+    handle = os.open(path, os.O_RDONLY if path.is_dir() else os.O_RDWR)
+    try:
+        os.fsync(handle)
+    except OSError:
+        if not path.is_dir():  # some network disks flush files only
+            raise
+    finally:
+        os.close(handle)
+
+
 def _find_obstacles(folder: Path, manifest: Manifest, owner: str, expected: Sequence[str]) -> dict[str, str]:
     """Return why files in the folder cannot be replaced or removed, by name.
 
@@ -278,23 +375,6 @@ def _refuse_another(made: Path, path: Path) -> None:
         raise OutputError(f"{path}: is there already and holds something else; move it away, or give another name")
 
 
-def recover_for_reading(folder: Path, *, tell: TellMessage) -> None:
-    """Recover a folder for a command that only reads in it.
-
-    Waits for a command that is moving files at this moment; does nothing if no command was stopped there.
-
-    Parameters
-    ----------
-    folder : Path
-        The folder.
-    tell : callable
-        Called with a message on what was recovered.
-    """
-    if any((each / JOURNAL).is_file() for each in _stages(folder)):
-        with hold_lock(folder, command="a command that reads there", patient=True):
-            _recover(folder, tell=tell)
-
-
 def _recover(folder: Path, *, tell: TellMessage) -> None:
     """Recover a folder whose lock the caller holds; remove stages that are left behind."""
     for stage in _left_behind(folder, locked=True):
@@ -330,28 +410,6 @@ def _keep_beside(stage: Path, folder: Path) -> Path:
         except OSError:
             continue
     return stage / MADE
-
-
-@dataclass(frozen=True)
-class Move:
-    """The move of one file: `name` below the folder, SHA-256 of the new and of the old file, None for no file."""
-
-    name: str
-    new: str | None
-    old: str | None
-
-
-def write_journal(stage: Path, moves: Sequence[Move]) -> None:
-    """Write the journal, once all files it lists are on the disk."""
-    for folder in [stage / MADE, *(path for path in (stage / MADE).rglob("*") if path.is_dir())]:
-        flush(folder)
-    draft = stage / f"{JOURNAL}.draft"
-    with draft.open("w", encoding="utf-8") as file:
-        json.dump({"format": 1, "moves": [asdict(move) for move in moves]}, file)
-        file.flush()
-        os.fsync(file.fileno())
-    os.replace(draft, stage / JOURNAL)
-    flush(stage)
 
 
 def _finish_moves(stage: Path, folder: Path, moves: Sequence[Move]) -> None:
@@ -455,43 +513,6 @@ def _remove_empty(folder: Path, names: Sequence[str]) -> None:
             parent.rmdir()
 
 
-@contextmanager
-def make_stage(place: Path, *, command: str) -> Iterator[Path]:
-    """Give a new hidden folder in `place`, with an empty folder `made`; it is removed unless its journal is open.
-
-    Parameters
-    ----------
-    place : Path
-        The folder to make it in.
-    command : str
-        The command that uses it, named in its lock.
-
-    Yields
-    ------
-    Path
-        The stage.
-
-    Raises
-    ------
-    OutputError
-        If nothing can be written in `place`.
-    """
-    folder = place / f"{PREFIX}{token_hex(6)}"
-    try:
-        _make_hidden_folder(folder)
-        with hold_lock(folder, command=command):
-            try:
-                (folder / MADE).mkdir()
-                yield folder
-            finally:
-                with defer_signals():
-                    _empty_stage(folder)
-    finally:
-        with defer_signals():
-            if not (folder / JOURNAL).exists():
-                _remove_stage(folder)
-
-
 def _make_hidden_folder(folder: Path) -> None:
     try:
         folder.mkdir(mode=0o700)
@@ -535,13 +556,6 @@ def _is_older_than_a_day(path: Path) -> bool:
     return time.time() - path.lstat().st_mtime > _DAY
 
 
-def remove_abandoned_stages(place: Path) -> None:
-    """Remove the abandoned stages in `place` that hold no old files."""
-    for each in _left_behind(place):
-        if not (each / OLD).exists():
-            _remove_stage(each)
-
-
 def _remove_stage(found: Path) -> None:
     """Remove a stage; a link is removed, not followed."""
     if found.is_dir() and not found.is_symlink():
@@ -554,17 +568,3 @@ def _remove_stage(found: Path) -> None:
 def _files_in(folder: Path) -> list[str]:
     """Return every file below `folder`, as a sorted list of paths with slashes."""
     return sorted(path.relative_to(folder).as_posix() for path in folder.rglob("*") if not path.is_dir())
-
-
-def flush(path: Path) -> None:
-    """Flush a file, or the names in a folder, to the disk."""
-    if os.name == "nt" and path.is_dir():
-        return  # Windows opens no folders
-    handle = os.open(path, os.O_RDONLY if path.is_dir() else os.O_RDWR)
-    try:
-        os.fsync(handle)
-    except OSError:
-        if not path.is_dir():  # some network disks flush files only
-            raise
-    finally:
-        os.close(handle)

@@ -172,6 +172,55 @@ def run_batch(
     return Portfolio(own, 0, options.place / TABLE)
 
 
+class Ledger:
+    """An open ledger."""
+
+    def __init__(self, connection: sqlite3.Connection, path: Path) -> None:
+        self._connection = connection
+        self.path = path
+
+    def rows(self) -> Iterator[tuple[str, ProjectRow]]:
+        """Yield every row with the identity of its job, in the order of keys."""
+        for identity, text in self._connection.execute("SELECT identity, row FROM rows ORDER BY key"):
+            yield identity, ProjectRow(**json.loads(text))
+
+    def put(self, rows: Iterable[tuple[str, ProjectRow]]) -> None:
+        """Write rows, each with the identity of its job; all of them are on the disk afterwards, or none."""
+        with self._connection:
+            self._connection.executemany(
+                "INSERT OR REPLACE INTO rows VALUES (?, ?, ?)",
+                [
+                    (json.dumps(row.key), identity, json.dumps(asdict(row))) for identity, row in rows
+                ],  # keys of any text
+            )
+
+    def clear(self) -> None:
+        """Remove every row."""
+        with self._connection:
+            self._connection.execute("DELETE FROM rows")
+
+
+@contextmanager
+def open_ledger(path: Path) -> Iterator[Ledger]:
+    """Open a ledger, made if absent; close it at the end.
+
+    Raises
+    ------
+    OutputError : it cannot be written, is damaged, of a newer version, or no ledger
+    """
+    if path.is_symlink() or path.is_dir():
+        raise OutputError(f"{path}: is no file of its own; move it away, or give another folder with -o")
+    try:
+        with closing(sqlite3.connect(path, timeout=WAIT_FOR_WRITER)) as connection:
+            _prepare_ledger(connection, path)
+            yield Ledger(connection, path)
+    except sqlite3.Error as error:
+        raise OutputError(
+            f"{path}: the ledger cannot be used ({error}); if the folder cannot be written give another with -o, and "
+            "if the file is damaged delete it: its projects are then computed again"
+        ) from None
+
+
 @contextmanager
 def _own_ledger(options: BatchOptions) -> Iterator[Ledger]:
     """Open the ledger of the share, which no other command may use meanwhile."""
@@ -246,55 +295,6 @@ def _known_rows(jobs: Mapping[str, Job], options: BatchOptions) -> dict[str, Pro
 def _is_of(jobs: Mapping[str, Job], identity: str, row: ProjectRow) -> bool:
     """Return whether a row is of a project as it is now."""
     return row.key in jobs and jobs[row.key].identity == identity
-
-
-class Ledger:
-    """An open ledger."""
-
-    def __init__(self, connection: sqlite3.Connection, path: Path) -> None:
-        self._connection = connection
-        self.path = path
-
-    def rows(self) -> Iterator[tuple[str, ProjectRow]]:
-        """Yield every row with the identity of its job, in the order of keys."""
-        for identity, text in self._connection.execute("SELECT identity, row FROM rows ORDER BY key"):
-            yield identity, ProjectRow(**json.loads(text))
-
-    def put(self, rows: Iterable[tuple[str, ProjectRow]]) -> None:
-        """Write rows, each with the identity of its job; all of them are on the disk afterwards, or none."""
-        with self._connection:
-            self._connection.executemany(
-                "INSERT OR REPLACE INTO rows VALUES (?, ?, ?)",
-                [
-                    (json.dumps(row.key), identity, json.dumps(asdict(row))) for identity, row in rows
-                ],  # keys of any text
-            )
-
-    def clear(self) -> None:
-        """Remove every row."""
-        with self._connection:
-            self._connection.execute("DELETE FROM rows")
-
-
-@contextmanager
-def open_ledger(path: Path) -> Iterator[Ledger]:
-    """Open a ledger, made if absent; close it at the end.
-
-    Raises
-    ------
-    OutputError : it cannot be written, is damaged, of a newer version, or no ledger
-    """
-    if path.is_symlink() or path.is_dir():
-        raise OutputError(f"{path}: is no file of its own; move it away, or give another folder with -o")
-    try:
-        with closing(sqlite3.connect(path, timeout=WAIT_FOR_WRITER)) as connection:
-            _prepare_ledger(connection, path)
-            yield Ledger(connection, path)
-    except sqlite3.Error as error:
-        raise OutputError(
-            f"{path}: the ledger cannot be used ({error}); if the folder cannot be written give another with -o, and "
-            "if the file is damaged delete it: its projects are then computed again"
-        ) from None
 
 
 def _prepare_ledger(connection: sqlite3.Connection, path: Path) -> None:

@@ -27,6 +27,7 @@ from assess.workers import SpawnedPool, available_cores, end_on_error
 if TYPE_CHECKING:
     from distributed import Client
 
+
 CHUNK_DURATION = 0.5  # s
 LARGEST_CHUNK = 256  # tasks of a chunk
 CHECK_EVERY = 1.0  # s, between checks of the executor
@@ -115,6 +116,57 @@ class _Queue:
         self._pace = now if self._pace is None else 0.5 * (self._pace + now)
 
 
+def processes(jobs: int | None) -> Engine:
+    """Return the engine of `jobs` processes of this machine, as many as it has cores if None."""
+    number = jobs or available_cores()
+
+    @contextmanager
+    def opened() -> Iterator[OpenExecutor]:
+        pool = SpawnedPool(number)
+        with end_on_error(pool):
+            yield OpenExecutor(pool, lambda: number, number, (BrokenExecutor,), 2, lambda: None)
+
+    return opened
+
+
+def dask(address: str) -> Engine:
+    """Return the engine of the workers of the Dask scheduler at `address`, such as "tcp://node1:8786".
+
+    Raises
+    ------
+    AssessError : no address is given, Dask is not installed, or the engine, when it is opened, reaches no scheduler
+    """
+    if "://" not in address:
+        raise AssessError(f"--scheduler '{address}': no address; give the one that `dask scheduler` prints, tcp://…")
+    try:
+        from distributed import Client, KilledWorker
+    except ImportError:
+        raise AssessError("--scheduler: Dask is not installed; install it: pip install distributed") from None
+
+    logging.getLogger("distributed").setLevel(logging.CRITICAL)  # it writes tracebacks of what is handled here
+
+    @contextmanager
+    def opened() -> Iterator[OpenExecutor]:
+        try:
+            client = Client(address, timeout=CONNECT_WITHIN, set_as_default=False)
+        except (OSError, TimeoutError, ValueError) as error:
+            raise AssessError(
+                f"--scheduler {address}: no Dask scheduler answers there ({type(error).__name__}); start one with "
+                "`dask scheduler`, and give the address that it prints"
+            ) from None
+        with client:
+            yield OpenExecutor(
+                client.get_executor(pure=False),
+                lambda: _dask_width(client, address),
+                MOST_WAITING,
+                (KilledWorker,),
+                1,  # after several workers
+                lambda: _check_scheduler(client, address),
+            )
+
+    return opened
+
+
 def _compute_together(queue: _Queue, runner: Runner, opened: OpenExecutor, keep: RowReceiver) -> list[Job]:
     """Compute the jobs in the queue until all are done or a worker has ended; return those that may have ended it."""
     running: dict[Future[Computed], tuple[Job, ...]] = {}
@@ -189,57 +241,6 @@ def _result(future: Future[Computed], opened: OpenExecutor) -> Computed | None:
         raise AssessError("the scheduler gave up the tasks; go on with --resume") from None
     except ImportError as error:
         raise AssessError(f"a worker cannot import the program ({error}); install rocking-assess there") from None
-
-
-def processes(jobs: int | None) -> Engine:
-    """Return the engine of `jobs` processes of this machine, as many as it has cores if None."""
-    number = jobs or available_cores()
-
-    @contextmanager
-    def opened() -> Iterator[OpenExecutor]:
-        pool = SpawnedPool(number)
-        with end_on_error(pool):
-            yield OpenExecutor(pool, lambda: number, number, (BrokenExecutor,), 2, lambda: None)
-
-    return opened
-
-
-def dask(address: str) -> Engine:
-    """Return the engine of the workers of the Dask scheduler at `address`, such as "tcp://node1:8786".
-
-    Raises
-    ------
-    AssessError : no address is given, Dask is not installed, or the engine, when it is opened, reaches no scheduler
-    """
-    if "://" not in address:
-        raise AssessError(f"--scheduler '{address}': no address; give the one that `dask scheduler` prints, tcp://…")
-    try:
-        from distributed import Client, KilledWorker
-    except ImportError:
-        raise AssessError("--scheduler: Dask is not installed; install it: pip install distributed") from None
-
-    logging.getLogger("distributed").setLevel(logging.CRITICAL)  # it writes tracebacks of what is handled here
-
-    @contextmanager
-    def opened() -> Iterator[OpenExecutor]:
-        try:
-            client = Client(address, timeout=CONNECT_WITHIN, set_as_default=False)
-        except (OSError, TimeoutError, ValueError) as error:
-            raise AssessError(
-                f"--scheduler {address}: no Dask scheduler answers there ({type(error).__name__}); start one with "
-                "`dask scheduler`, and give the address that it prints"
-            ) from None
-        with client:
-            yield OpenExecutor(
-                client.get_executor(pure=False),
-                lambda: _dask_width(client, address),
-                MOST_WAITING,
-                (KilledWorker,),
-                1,  # after several workers
-                lambda: _check_scheduler(client, address),
-            )
-
-    return opened
 
 
 def _dask_width(client: Client, address: str) -> int:

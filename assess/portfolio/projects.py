@@ -108,15 +108,6 @@ def find_tasks(
     return _counted(_tasks_of_table(source, template.absolute(), unit_fault), progress)
 
 
-def _counted(tasks: Iterator[Task], progress: Callable[[int], object]) -> tuple[Task, ...]:
-    """Return tasks, counting them as they are found."""
-    found = list[Task]()
-    for task in tasks:
-        found.append(task)
-        progress(len(found))
-    return tuple(found)
-
-
 def project_tree(task: Task) -> dict[str, Any]:
     """Return what a project of a table says: the template with the values of its row.
 
@@ -152,6 +143,126 @@ def row_fault(task: Task, text: str) -> str:
         if fault.startswith(prefix):
             return f"{where}: column {quote(key)}: {fault.removeprefix(prefix)}"
     return f"{where}: with {task.path.name}: {fault}"
+
+
+KeyPath = tuple[str | int, ...]
+TITLE = "title"
+COLUMN_HEADER = re.compile(r"(.*?)\s*(?:\[([^\[\]]*)\])?\s*", re.DOTALL)
+WHOLE_NUMBER = re.compile(r"[+-]?\d{1,18}")
+NUMBER = re.compile(r"[+-]?(\d{1,40}\.?\d{0,40}|\.\d{1,40})([eE][+-]?\d{1,3})?|[+-]?(inf|nan)")
+QUANTITY = re.compile(r"\s*[+-]?(\d|\.\d|inf\b)")
+QUANTITY_WITH_COMMA = re.compile(r"[+-]?\d+,\d+(\s*[^\s\d,;]\S*)?")
+MOST_SHOWN = 60  # characters of a value in a message
+
+
+def read_template(path: Path) -> Mapping[str, Any]:
+    """Read the tables of a template.
+
+    Raises
+    ------
+    ProjectError : it is missing, no TOML, or has no mechanism
+    """
+    try:
+        size, changed = path.stat().st_size, path.stat().st_mtime_ns
+    except (OSError, ValueError):
+        raise ProjectError(f"{path}: no such file; give the project file whose values the table changes") from None
+    return _read_tables(path, size, changed)
+
+
+def keys_of(template: Mapping[str, Any]) -> dict[str, KeyPath]:
+    """Return the keys of all single values of a template, written with dots, each with its place."""
+    return {".".join(map(str, place)): place for place in _places(template, ())} | {TITLE: (TITLE,)}
+
+
+def with_row(template: Mapping[str, Any], cells: Mapping[str, tuple[str, str]]) -> dict[str, Any]:
+    """Return the tables of a template with the values of a row.
+
+    Parameters
+    ----------
+    template : its tables
+    cells : by key, the text of the cell and the unit of its column
+
+    Raises
+    ------
+    ProjectError : a number has a decimal comma
+    """
+    tables, known = deepcopy(dict(template)), keys_of(template)
+    for key, (text, unit) in cells.items():
+        place = known[key]
+        value = value_of(text, unit, like=_value_at(template, place), key=key)
+        holder = _value_at(tables, place[:-1])
+        holder[place[-1]] = value
+    return tables
+
+
+def value_of(text: str, unit: str, *, like: Any, key: str) -> Any:
+    """Return the value of a cell, of the kind that the template has there.
+
+    Text stays text where the template has text. Elsewhere a number is a number, with the unit of its column, and
+    anything else stays as it is written: the project's own check tells whether it may stand there.
+    """
+    if isinstance(like, bool):
+        return {"true": True, "false": False}.get(text.lower(), text)
+    if not isinstance(like, int | float) and not _is_quantity(like):
+        return text
+    if QUANTITY_WITH_COMMA.fullmatch(text):
+        raise ProjectError(f"{key}: {quote(text)}: a decimal comma; write {text.replace(',', '.')[:MOST_SHOWN]}")
+    if NUMBER.fullmatch(text):
+        return f"{text} {unit}" if unit else int(text) if WHOLE_NUMBER.fullmatch(text) else float(text)
+    return text
+
+
+def quote(text: str) -> str:
+    """Write a text of the user's in quotes on one line, shortened if it is long."""
+    written = dumps(text if len(text) <= MOST_SHOWN else text[: MOST_SHOWN - 1] + "…", ensure_ascii=False)
+    return "".join(c if c.isprintable() else c.encode("unicode_escape").decode() for c in written)
+
+
+SEPARATORS = (",", ";", "\t")
+LONGEST_HEADER = 1_000_000  # characters
+
+
+@dataclass(frozen=True)
+class TableRow:
+    """A row of the table: its cells, stripped, and the line of the file on which it begins."""
+
+    number: int
+    cells: tuple[str, ...]
+
+
+def read_table(path: Path) -> Iterator[TableRow]:
+    """Yield the header and then the rows of a table that are not empty, without holding them.
+
+    Cells are separated by comma, semicolon or tab, whichever the header has most of.
+
+    Raises
+    ------
+    ProjectError : the file cannot be read, is not UTF-8, or breaks the rules of quotes
+    """
+    try:
+        with path.open(encoding="utf-8-sig", newline="") as file:
+            header = file.readline(LONGEST_HEADER)
+            if not header.strip():
+                raise ProjectError(f"{path}: line 1: no header; write the keys of the template there")
+            separator = max(SEPARATORS, key=header.count)
+            file.seek(0)
+            yield from _lines(csv.reader(file, delimiter=separator))
+    except UnicodeDecodeError as error:
+        byte = f"byte {error.object[error.start]:#04x}"
+        raise ProjectError(f"{path}: {byte} is not UTF-8; save the table as CSV in UTF-8") from None
+    except csv.Error as error:
+        raise ProjectError(f"{path}: not a table as CSV ({error}); save it again from the spreadsheet") from None
+    except OSError as error:
+        raise ProjectError(f"{path}: cannot be read ({error.strerror}); give a table as CSV") from None
+
+
+def _counted(tasks: Iterator[Task], progress: Callable[[int], object]) -> tuple[Task, ...]:
+    """Return tasks, counting them as they are found."""
+    found = list[Task]()
+    for task in tasks:
+        found.append(task)
+        progress(len(found))
+    return tuple(found)
 
 
 def _tasks_below(folder: Path) -> Iterator[Task]:
@@ -361,30 +472,6 @@ def _file_digest(path: Path) -> bytes:
     return hashlib.sha256(str(path).encode("utf-8", "surrogateescape") + b"\0" + content).digest()
 
 
-KeyPath = tuple[str | int, ...]
-TITLE = "title"
-COLUMN_HEADER = re.compile(r"(.*?)\s*(?:\[([^\[\]]*)\])?\s*", re.DOTALL)
-WHOLE_NUMBER = re.compile(r"[+-]?\d{1,18}")
-NUMBER = re.compile(r"[+-]?(\d{1,40}\.?\d{0,40}|\.\d{1,40})([eE][+-]?\d{1,3})?|[+-]?(inf|nan)")
-QUANTITY = re.compile(r"\s*[+-]?(\d|\.\d|inf\b)")
-QUANTITY_WITH_COMMA = re.compile(r"[+-]?\d+,\d+(\s*[^\s\d,;]\S*)?")
-MOST_SHOWN = 60  # characters of a value in a message
-
-
-def read_template(path: Path) -> Mapping[str, Any]:
-    """Read the tables of a template.
-
-    Raises
-    ------
-    ProjectError : it is missing, no TOML, or has no mechanism
-    """
-    try:
-        size, changed = path.stat().st_size, path.stat().st_mtime_ns
-    except (OSError, ValueError):
-        raise ProjectError(f"{path}: no such file; give the project file whose values the table changes") from None
-    return _read_tables(path, size, changed)
-
-
 @lru_cache(maxsize=4)
 def _read_tables(path: Path, size: int, changed: int) -> Mapping[str, Any]:
     """Read a template of that size and time, once in each process."""
@@ -396,11 +483,6 @@ def _read_tables(path: Path, size: int, changed: int) -> Mapping[str, Any]:
     if not isinstance(tables.get("mechanisms"), Mapping):
         raise ProjectError(f"{path}: no table [mechanisms.NAME]; a template is a whole project file")
     return tables
-
-
-def keys_of(template: Mapping[str, Any]) -> dict[str, KeyPath]:
-    """Return the keys of all single values of a template, written with dots, each with its place."""
-    return {".".join(map(str, place)): place for place in _places(template, ())} | {TITLE: (TITLE,)}
 
 
 def _places(value: Any, place: KeyPath) -> Iterator[KeyPath]:
@@ -474,88 +556,6 @@ def _value_at(tables: Any, place: KeyPath) -> Any:
 def _is_quantity(value: Any) -> bool:
     """Whether a value of the template is a number with its unit, as text."""
     return isinstance(value, str) and QUANTITY.match(value) is not None
-
-
-def with_row(template: Mapping[str, Any], cells: Mapping[str, tuple[str, str]]) -> dict[str, Any]:
-    """Return the tables of a template with the values of a row.
-
-    Parameters
-    ----------
-    template : its tables
-    cells : by key, the text of the cell and the unit of its column
-
-    Raises
-    ------
-    ProjectError : a number has a decimal comma
-    """
-    tables, known = deepcopy(dict(template)), keys_of(template)
-    for key, (text, unit) in cells.items():
-        place = known[key]
-        value = value_of(text, unit, like=_value_at(template, place), key=key)
-        holder = _value_at(tables, place[:-1])
-        holder[place[-1]] = value
-    return tables
-
-
-def value_of(text: str, unit: str, *, like: Any, key: str) -> Any:
-    """Return the value of a cell, of the kind that the template has there.
-
-    Text stays text where the template has text. Elsewhere a number is a number, with the unit of its column, and
-    anything else stays as it is written: the project's own check tells whether it may stand there.
-    """
-    if isinstance(like, bool):
-        return {"true": True, "false": False}.get(text.lower(), text)
-    if not isinstance(like, int | float) and not _is_quantity(like):
-        return text
-    if QUANTITY_WITH_COMMA.fullmatch(text):
-        raise ProjectError(f"{key}: {quote(text)}: a decimal comma; write {text.replace(',', '.')[:MOST_SHOWN]}")
-    if NUMBER.fullmatch(text):
-        return f"{text} {unit}" if unit else int(text) if WHOLE_NUMBER.fullmatch(text) else float(text)
-    return text
-
-
-def quote(text: str) -> str:
-    """Write a text of the user's in quotes on one line, shortened if it is long."""
-    written = dumps(text if len(text) <= MOST_SHOWN else text[: MOST_SHOWN - 1] + "…", ensure_ascii=False)
-    return "".join(c if c.isprintable() else c.encode("unicode_escape").decode() for c in written)
-
-
-SEPARATORS = (",", ";", "\t")
-LONGEST_HEADER = 1_000_000  # characters
-
-
-@dataclass(frozen=True)
-class TableRow:
-    """A row of the table: its cells, stripped, and the line of the file on which it begins."""
-
-    number: int
-    cells: tuple[str, ...]
-
-
-def read_table(path: Path) -> Iterator[TableRow]:
-    """Yield the header and then the rows of a table that are not empty, without holding them.
-
-    Cells are separated by comma, semicolon or tab, whichever the header has most of.
-
-    Raises
-    ------
-    ProjectError : the file cannot be read, is not UTF-8, or breaks the rules of quotes
-    """
-    try:
-        with path.open(encoding="utf-8-sig", newline="") as file:
-            header = file.readline(LONGEST_HEADER)
-            if not header.strip():
-                raise ProjectError(f"{path}: line 1: no header; write the keys of the template there")
-            separator = max(SEPARATORS, key=header.count)
-            file.seek(0)
-            yield from _lines(csv.reader(file, delimiter=separator))
-    except UnicodeDecodeError as error:
-        byte = f"byte {error.object[error.start]:#04x}"
-        raise ProjectError(f"{path}: {byte} is not UTF-8; save the table as CSV in UTF-8") from None
-    except csv.Error as error:
-        raise ProjectError(f"{path}: not a table as CSV ({error}); save it again from the spreadsheet") from None
-    except OSError as error:
-        raise ProjectError(f"{path}: cannot be read ({error.strerror}); give a table as CSV") from None
 
 
 def _lines(reader: Iterator[Sequence[str]]) -> Iterator[TableRow]:

@@ -136,23 +136,6 @@ def compute_rows(runner: Runner, jobs: Sequence[Job]) -> Computed:
     return Computed(tuple(_row_of_job(runner, job) for job in jobs), perf_counter() - start)
 
 
-def _row_of_job(runner: Runner, job: Job) -> ProjectRow:
-    """Return the row of a project; one that cannot be assessed is broken, with the reason in one line."""
-    try:
-        return runner(job)
-    except HeldError:
-        raise
-    except (AssessError, RecordError, SpectrumError) as error:
-        return broken_row(job, str(error), INPUT_IS_WRONG)
-    except MemoryError:
-        return broken_row(job, "not enough memory; resume with fewer --jobs", BUG)
-    except OSError as error:
-        where = f"{error.filename}: " if error.filename else ""
-        return broken_row(job, f"{where}{error.strerror or error}; check the path and its permissions", INPUT_IS_WRONG)
-    except Exception as error:
-        return broken_row(job, f"internal error: {type(error).__name__}: {error} (log: {_write_log(job)})", BUG)
-
-
 def broken_row(job: Job, reason: str, exit_code: int) -> ProjectRow:
     """Return the row of a project that could not be assessed.
 
@@ -170,17 +153,6 @@ def broken_row(job: Job, reason: str, exit_code: int) -> ProjectRow:
         line = f"{line[: LONGEST_REASON - 1]}…"
     task = job.task
     return ProjectRow(task.key, task.title, task.sha256, "broken", reason=line, exit_code=exit_code)
-
-
-def _write_log(job: Job) -> str:
-    """Write the traceback into the folder of the portfolio, under a name that depends on the key alone."""
-    name = f"{LOGS}/{folder_name(job.task.key)}.log"
-    try:
-        (job.place / LOGS).mkdir(exist_ok=True)
-        (job.place / name).write_text(traceback.format_exc(), encoding="utf-8", errors="backslashreplace")
-    except OSError as error:
-        return f"not written, {error.strerror}"
-    return name
 
 
 def row_of_verdict(
@@ -227,16 +199,6 @@ def row_of_verdict(
     )
 
 
-def _mechanism_severity(one: MechanismVerdict) -> tuple[int, float, float]:
-    """Return what sorts mechanisms, the worst first: by outcome, then by margin, then by demand over capacity."""
-    ratios = [answer.ratio for answer in one.answers if answer.ratio is not None]
-    return (WORST_FIRST.index(one.outcome), inf if one.margin is None else one.margin, -max(ratios, default=-inf))
-
-
-def _answer_severity(answer: Answer) -> tuple[int, float]:
-    return (WORST_FIRST.index(answer.outcome), inf if answer.ratio is None else -answer.ratio)
-
-
 def rank(rows: Iterable[ProjectRow]) -> tuple[ProjectRow, ...]:
     """Return the rows in the order in which an owner wants to read them.
 
@@ -244,12 +206,6 @@ def rank(rows: Iterable[ProjectRow]) -> tuple[ProjectRow, ...]:
     each of these the least margin first, then those of unknown margin; equals by key.
     """
     return tuple(sorted(rows, key=_rank_key))
-
-
-def _rank_key(row: ProjectRow) -> tuple[int, float, str]:
-    if row.status == "broken":
-        return len(WORST_FIRST), 0.0, row.key
-    return WORST_FIRST.index(Decision(row.outcome or "incomplete")), margin_of(row), row.key
 
 
 def margin_of(row: ProjectRow) -> float:
@@ -284,3 +240,47 @@ def folder_name(key: str) -> str:
         return key
     kept = _NOT_KEPT.sub("-", key)[:LONGEST_NAME].strip("-") or "project"
     return f"{kept}-{hashlib.sha256(key.encode('utf-8', 'surrogatepass')).hexdigest()[:10]}"
+
+
+def _row_of_job(runner: Runner, job: Job) -> ProjectRow:
+    """Return the row of a project; one that cannot be assessed is broken, with the reason in one line."""
+    try:
+        return runner(job)
+    except HeldError:
+        raise
+    except (AssessError, RecordError, SpectrumError) as error:
+        return broken_row(job, str(error), INPUT_IS_WRONG)
+    except MemoryError:
+        return broken_row(job, "not enough memory; resume with fewer --jobs", BUG)
+    except OSError as error:
+        where = f"{error.filename}: " if error.filename else ""
+        return broken_row(job, f"{where}{error.strerror or error}; check the path and its permissions", INPUT_IS_WRONG)
+    except Exception as error:
+        return broken_row(job, f"internal error: {type(error).__name__}: {error} (log: {_write_log(job)})", BUG)
+
+
+def _write_log(job: Job) -> str:
+    """Write the traceback into the folder of the portfolio, under a name that depends on the key alone."""
+    name = f"{LOGS}/{folder_name(job.task.key)}.log"
+    try:
+        (job.place / LOGS).mkdir(exist_ok=True)
+        (job.place / name).write_text(traceback.format_exc(), encoding="utf-8", errors="backslashreplace")
+    except OSError as error:
+        return f"not written, {error.strerror}"
+    return name
+
+
+def _mechanism_severity(one: MechanismVerdict) -> tuple[int, float, float]:
+    """Return what sorts mechanisms, the worst first: by outcome, then by margin, then by demand over capacity."""
+    ratios = [answer.ratio for answer in one.answers if answer.ratio is not None]
+    return (WORST_FIRST.index(one.outcome), inf if one.margin is None else one.margin, -max(ratios, default=-inf))
+
+
+def _answer_severity(answer: Answer) -> tuple[int, float]:
+    return (WORST_FIRST.index(answer.outcome), inf if answer.ratio is None else -answer.ratio)
+
+
+def _rank_key(row: ProjectRow) -> tuple[int, float, str]:
+    if row.status == "broken":
+        return len(WORST_FIRST), 0.0, row.key
+    return WORST_FIRST.index(Decision(row.outcome or "incomplete")), margin_of(row), row.key

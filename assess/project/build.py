@@ -160,6 +160,39 @@ def study_of(project: Project, *, executor: Executor | None = None) -> Study:
     )
 
 
+def case_of(variant: ProjectVariant, project: Project, files: ProjectFiles, *, names: tuple[str, ...]) -> SweepCase:
+    """Build one case of a sweep."""
+    with locate_errors(variant.name):
+        study = _study_of_mechanisms(variant.content, _files_of_case(variant.content, project, files), names=names)
+    return SweepCase(variant.value, variant.name, study)
+
+
+def cases_of(content: sections.Content, *, project: Project, files: ProjectFiles) -> Cases:
+    """Return what builds the study of one mechanism from other content of the project, whose files are read once."""
+    known = _files_of_case(content, project, files)
+
+    def study_of_case(name: str, replaced: Mapping[str, Solid]) -> Study:
+        solids = {**known.solids, **replaced}
+        return _study_of_mechanisms(content, replace(known, solids=solids), names=(name,), built_by=mechanism_as_given)
+
+    return Cases(known.solids, study_of_case)
+
+
+def levels_of(given: tuple[float, ...] | None, spectrum: Spectrum | None) -> tuple[float, ...]:
+    """Return the levels given and the site's own PGA, at which the verdict is found, in rising order [m/s2]."""
+    if spectrum is None:
+        return tuple(sorted(given or ()))
+    return levels_with_site(tuple(sorted(given or ())), spectrum.pga)
+
+
+def record_files(section: sections.Records, paths: Iterable[Path]) -> tuple[Path, ...]:
+    """Return the files that the records come from; paths: those of the records in use."""
+    if section.lock is not None:
+        return files_of_lock(section.lock)
+    beside = [path for path in (section.flatfile, section.response) if path is not None]
+    return (*(section.files if section.selection is None else paths), *beside)
+
+
 def _deciding_study(
     project: Project, *, executor: Executor | None = None
 ) -> tuple[Study, ProjectFiles, tuple[Message, ...]]:
@@ -278,13 +311,6 @@ def _sweep_of(
     return Sweep(sweep.key, sweep.unit, cases)
 
 
-def case_of(variant: ProjectVariant, project: Project, files: ProjectFiles, *, names: tuple[str, ...]) -> SweepCase:
-    """Build one case of a sweep."""
-    with locate_errors(variant.name):
-        study = _study_of_mechanisms(variant.content, _files_of_case(variant.content, project, files), names=names)
-    return SweepCase(variant.value, variant.name, study)
-
-
 def _study_of_mechanism(
     name: str, content: sections.Content, replaced: Mapping[str, Solid], *, project: Project, files: ProjectFiles
 ) -> Study:
@@ -293,17 +319,6 @@ def _study_of_mechanism(
     Its direction and sides stand in the content.
     """
     return cases_of(content, project=project, files=files).build(name, replaced)
-
-
-def cases_of(content: sections.Content, *, project: Project, files: ProjectFiles) -> Cases:
-    """Return what builds the study of one mechanism from other content of the project, whose files are read once."""
-    known = _files_of_case(content, project, files)
-
-    def study_of_case(name: str, replaced: Mapping[str, Solid]) -> Study:
-        solids = {**known.solids, **replaced}
-        return _study_of_mechanisms(content, replace(known, solids=solids), names=(name,), built_by=mechanism_as_given)
-
-    return Cases(known.solids, study_of_case)
 
 
 def _files_of_case(content: sections.Content, project: Project, files: ProjectFiles) -> ProjectFiles:
@@ -344,13 +359,6 @@ def _same_body(name: str, case: sections.Content, whole: sections.Content) -> bo
     """Whether a body and its material are those of the whole project."""
     material = getattr(case.bodies[name], "material", "")
     return case.bodies[name] == whole.bodies[name] and case.materials.get(material) == whole.materials.get(material)
-
-
-def levels_of(given: tuple[float, ...] | None, spectrum: Spectrum | None) -> tuple[float, ...]:
-    """Return the levels given and the site's own PGA, at which the verdict is found, in rising order [m/s2]."""
-    if spectrum is None:
-        return tuple(sorted(given or ()))
-    return levels_with_site(tuple(sorted(given or ())), spectrum.pga)
 
 
 def _structure_below(section: sections.BuildingSection | None) -> Building | None:
@@ -411,11 +419,3 @@ def _inputs_of(project: Project, records: Sequence[Record], annex: AnnexResult |
     named = [*hazard_files(content), *picture_files(content), *annex_files(project, annex)]
     for path in dict.fromkeys([*bodies, *tables, *used, *named]):
         yield Input(relative_path(path, project.folder), file_sha256(path))
-
-
-def record_files(section: sections.Records, paths: Iterable[Path]) -> tuple[Path, ...]:
-    """Return the files that the records come from; paths: those of the records in use."""
-    if section.lock is not None:
-        return files_of_lock(section.lock)
-    beside = [path for path in (section.flatfile, section.response) if path is not None]
-    return (*(section.files if section.selection is None else paths), *beside)

@@ -71,54 +71,9 @@ class KeyedValue:
         return self.kind is not None or is_number(self.value)
 
 
-def _one_number(value: Any) -> bool:
-    """Whether a key holds a number, or a table that spreads one number over its keys, like restitution."""
-    if isinstance(value, ProjectSection):
-        return all(is_number(item) for _, item in value)
-    return is_number(value)
-
-
 def keyed_values(content: Content) -> dict[str, KeyedValue]:
     """Return every key of the project, with dots and items of lists counted from 0, defaults included."""
     return {".".join(map(str, entry.path)): entry for entry in _keyed_values_below((), content, NO_MARKS)}
-
-
-def _keyed_values_below(path: KeyPath, value: Any, marks: Marks) -> Iterator[KeyedValue]:
-    """Yield every key below `path` that may be swept."""
-    if path in _NOT_SWEPT:
-        return
-    if path:
-        yield KeyedValue(path, value, *marks)
-    if isinstance(value, ProjectSection):
-        below = _marks_of(type(value))
-        for name, item in value.entries().items():
-            yield from _keyed_values_below((*path, name), item, below[name])
-    elif isinstance(value, Mapping):
-        for name, item in value.items():
-            yield from _keyed_values_below((*path, name), item, NO_MARKS)
-    elif isinstance(value, tuple):
-        for index, item in enumerate(value):
-            yield from _keyed_values_below((*path, index), item, marks)
-
-
-@cache
-def _marks_of(table: type[ProjectSection]) -> Mapping[str, Marks]:
-    """Return the marks of every key of a table, which follow from its class."""
-    return {name: _marks(field) for name, field in table.table_keys().items()}
-
-
-def _marks(field: FieldInfo) -> Marks:
-    """Return the quantity that a key holds and whether it may scatter, from its type; None if that is not unique."""
-    found = (*field.metadata, *_metadata(field.annotation))
-    kinds = {each for each in found if isinstance(each, QuantityKind)}
-    uncertain = next((each for each in found if isinstance(each, UncertainMark)), None)
-    return (kinds.pop() if len(kinds) == 1 else None), uncertain
-
-
-def _metadata(annotation: Any) -> Iterator[Any]:
-    yield from getattr(annotation, "__metadata__", ())
-    for part in get_args(annotation):
-        yield from _metadata(part)
 
 
 def swept_value(key: str, by_key: Mapping[str, KeyedValue], *, where: str) -> KeyedValue:
@@ -128,22 +83,6 @@ def swept_value(key: str, by_key: Mapping[str, KeyedValue], *, where: str) -> Ke
         return entry
     what = "unknown key" if entry is None else "holds no number"
     raise ProjectError(f"{where}.key: {value_text(key)}: {what}; {_remedy(key, by_key)}")
-
-
-def _remedy(key: str, by_key: Mapping[str, KeyedValue]) -> str:
-    """Say what to write instead of a key that does not exist or holds no number."""
-    table, _, last = key.rpartition(".")
-    above = by_key.get(table)
-    if last == "angle" and table.endswith(".cut") and above is not None and isinstance(above.value, float):
-        return f'its cut is level: write cut = {{ point = [0, 0, {above.value:.6g}], angle = "0 deg" }} first'
-    near = get_close_matches(key, [name for name, entry in by_key.items() if entry.is_number], n=1)
-    remedy = f'did you mean "{escape_text(near[0])}"?' if near else 'name one like "bodies.NAME.box.height"'
-    return remedy + (" (loads.0 or loads[1] is the first of a list)" if ".loads" in key else "")
-
-
-def _count_from_0(key: str) -> str:
-    """Write a key with dots and items counted from 0; errors print them in brackets, counted from 1."""
-    return re.sub(r"\[([1-9][0-9]{0,3})\]", lambda found: f".{int(found[1]) - 1}", key)
 
 
 def with_value(node: Any, path: Sequence[str | int], value: Any, resolved: Any) -> Any:
@@ -158,20 +97,6 @@ def with_value(node: Any, path: Sequence[str | int], value: Any, resolved: Any) 
     table = dict(node) if isinstance(node, Mapping) else {} if node is None else dict(_as_written(resolved))
     table[str(step)] = with_value(table.get(str(step)), rest, value, _step_down(resolved, step))
     return table
-
-
-def _step_down(value: Any, step: str | int) -> Any:
-    """Take one step down into validated content."""
-    return value.entries()[str(step)] if isinstance(value, ProjectSection) else value[step]
-
-
-def _as_written(value: Any) -> Any:
-    """Write validated content as a file would hold it."""
-    if isinstance(value, ProjectSection):
-        return {key: _as_written(item) for key, item in value.entries().items() if item is not None}
-    if isinstance(value, Mapping):
-        return {key: _as_written(item) for key, item in value.items()}
-    return [_as_written(item) for item in value] if isinstance(value, tuple) else value
 
 
 def value_at(content: Content, path: KeyPath) -> Any:
@@ -201,28 +126,6 @@ def dependents(
         of = {name for name, body in content.bodies.items() if getattr(body, "material", None) == names[0]}
         return tuple(name for name, bodies in used.items() if bodies & of)
     return tuple(content.mechanisms)
-
-
-def _bodies_of_mechanism(mechanism: ProjectSection, content: Content) -> set[str]:
-    """Return the bodies named anywhere in the table of a mechanism: as blocks, floors, overburden."""
-    return set(_texts_in(mechanism)) & set(content.bodies)
-
-
-def _carries_bodies(mechanism: ProjectSection) -> bool:
-    """Whether bodies load the mechanism: what they rest on besides may be any other body of the project."""
-    loads = getattr(mechanism, "loads", ())
-    return any(
-        isinstance(load, BodyLoadSection) or (isinstance(load, OverburdenLoadSection) and load.bodies) for load in loads
-    )
-
-
-def _texts_in(value: Any) -> Iterator[str]:
-    if isinstance(value, str):
-        yield value
-    elif isinstance(value, ProjectSection | Mapping | tuple):
-        table = value.entries() if isinstance(value, ProjectSection) else value
-        for item in table.values() if isinstance(table, Mapping) else table:
-            yield from _texts_in(item)
 
 
 @dataclass(frozen=True)
@@ -267,51 +170,6 @@ def key_sweeps(content: Content, raw: Mapping[str, Any], folder: Path) -> tuple[
         _key_sweep(sweep, swept_value(sweep.key, by_key, where=where), content, raw, folder, where=where)
         for sweep, where in zip(sweeps, names, strict=True)
     )
-
-
-def _key_sweep(
-    sweep: SweepSection, entry: KeyedValue, content: Content, raw: Mapping[str, Any], folder: Path, *, where: str
-) -> KeySweep:
-    variants, units = [], []
-    for given in sweep.values or _values_in_range(sweep, where=where):
-        name = f"{where}: {sweep.key} = {value_text(given)}"
-        read = read_case(with_value(raw, entry.path, given, content), folder, entry.path, given, name=name)
-        number, unit = _number_and_unit_of(given, where=name)
-        units.append(unit)
-        if unit != units[0]:
-            raise ProjectError(f"{name}: not in the unit of the first value; write all in one unit")
-        variants.append(ProjectVariant(number, name, read))
-    symbol = "-" if entry.kind is None else entry.kind.symbol.replace("no unit", "-")
-    return KeySweep(where, sweep.key, entry.path, units[0] or symbol, tuple(variants))
-
-
-def _values_in_range(sweep: SweepSection, *, where: str) -> tuple[WrittenNumber, ...]:
-    """Return evenly spaced values in the unit of both ends."""
-    assert sweep.start is not None  # the schema asks for all three
-    assert sweep.to is not None
-    assert sweep.count is not None
-    low, unit = _number_and_unit_of(sweep.start, where=f"{where}.from: {value_text(sweep.start)}")
-    high, other = _number_and_unit_of(sweep.to, where=f"{where}.to: {value_text(sweep.to)}")
-    if unit != other:
-        raise ProjectError(f"{where}.to: {value_text(sweep.to)}: not in the unit of from; write both in one unit")
-    if low == high:
-        raise ProjectError(f"{where}.to: {value_text(sweep.to)}: the same as from; give another, or values = [ … ]")
-    numbers = [float(f"{number:.12g}") for number in np.linspace(low, high, sweep.count).tolist()]
-    if isinstance(sweep.start, int) and isinstance(sweep.to, int) and all(map(float.is_integer, numbers)):
-        return tuple(map(int, numbers))
-    return tuple(f"{number:.12g} {unit}" if unit else number for number in numbers)
-
-
-def _number_and_unit_of(value: WrittenNumber, *, where: str) -> tuple[float, str]:
-    """Return the number and the unit that the user wrote."""
-    if not isinstance(value, str):
-        return float(value), ""
-    try:
-        number, unit = number_and_unit(value)
-    except QuantityError as error:
-        remedy = "" if "; write " in str(error) else "; write a number, or one with its unit"
-        raise ProjectError(f"{where}: {error}{remedy}") from None
-    return float(number), unit
 
 
 def read_case(raw: Mapping[str, Any], folder: Path, path: KeyPath, value: Any, *, name: str) -> Content:
@@ -363,6 +221,177 @@ def take_means(raw: Mapping[str, Any], folder: Path) -> tuple[dict[str, Any], St
     return means, tuple(found)
 
 
+def uncertain_values(content: Content, stated: StatedUncertainNumbers) -> tuple[UncertainValue, ...]:
+    """Return the uncertain numbers of a project in SI.
+
+    Raises ProjectError for a key whose number may not scatter, and for a scatter without meaning.
+    """
+    if not stated:
+        return ()
+    by_key = keyed_values(content)
+    return tuple(_uncertain_value(path, number, by_key, content) for path, number in stated)
+
+
+def covs_of(values: tuple[UncertainValue, ...]) -> dict[str, float]:
+    """Return the coefficient of variation of each uncertain number, by its key written with dots."""
+    return {".".join(map(str, value.path)): value.given.cov for value in values}
+
+
+def error_line(error: ValidationError, *, raw: Mapping[str, Any]) -> str:
+    """Return the first error as "key: value: what is wrong; remedy", and how many more the `raw` content has."""
+    by_key: dict[KeyPath, ErrorDetails] = {}
+    for found in error.errors(include_url=False):
+        if found["type"] != "default_factory_not_called":
+            by_key.setdefault(_key_in_file(found, raw), found)
+    by_key = {key: found for key, found in by_key.items() if not any(_is_below(other, key) for other in by_key)}
+    key, first = next(iter(by_key.items()))
+    known, value = look_up(raw, key)
+    parts = [key_text(key), *([value_text(value)] if known else []), _sentence(first, known=known)]
+    return ": ".join(parts) + (f" (and {len(by_key) - 1} more)" if len(by_key) > 1 else "")
+
+
+def _one_number(value: Any) -> bool:
+    """Whether a key holds a number, or a table that spreads one number over its keys, like restitution."""
+    if isinstance(value, ProjectSection):
+        return all(is_number(item) for _, item in value)
+    return is_number(value)
+
+
+def _keyed_values_below(path: KeyPath, value: Any, marks: Marks) -> Iterator[KeyedValue]:
+    """Yield every key below `path` that may be swept."""
+    if path in _NOT_SWEPT:
+        return
+    if path:
+        yield KeyedValue(path, value, *marks)
+    if isinstance(value, ProjectSection):
+        below = _marks_of(type(value))
+        for name, item in value.entries().items():
+            yield from _keyed_values_below((*path, name), item, below[name])
+    elif isinstance(value, Mapping):
+        for name, item in value.items():
+            yield from _keyed_values_below((*path, name), item, NO_MARKS)
+    elif isinstance(value, tuple):
+        for index, item in enumerate(value):
+            yield from _keyed_values_below((*path, index), item, marks)
+
+
+@cache
+def _marks_of(table: type[ProjectSection]) -> Mapping[str, Marks]:
+    """Return the marks of every key of a table, which follow from its class."""
+    return {name: _marks(field) for name, field in table.table_keys().items()}
+
+
+def _marks(field: FieldInfo) -> Marks:
+    """Return the quantity that a key holds and whether it may scatter, from its type; None if that is not unique."""
+    found = (*field.metadata, *_metadata(field.annotation))
+    kinds = {each for each in found if isinstance(each, QuantityKind)}
+    uncertain = next((each for each in found if isinstance(each, UncertainMark)), None)
+    return (kinds.pop() if len(kinds) == 1 else None), uncertain
+
+
+def _metadata(annotation: Any) -> Iterator[Any]:
+    yield from getattr(annotation, "__metadata__", ())
+    for part in get_args(annotation):
+        yield from _metadata(part)
+
+
+def _remedy(key: str, by_key: Mapping[str, KeyedValue]) -> str:
+    """Say what to write instead of a key that does not exist or holds no number."""
+    table, _, last = key.rpartition(".")
+    above = by_key.get(table)
+    if last == "angle" and table.endswith(".cut") and above is not None and isinstance(above.value, float):
+        return f'its cut is level: write cut = {{ point = [0, 0, {above.value:.6g}], angle = "0 deg" }} first'
+    near = get_close_matches(key, [name for name, entry in by_key.items() if entry.is_number], n=1)
+    remedy = f'did you mean "{escape_text(near[0])}"?' if near else 'name one like "bodies.NAME.box.height"'
+    return remedy + (" (loads.0 or loads[1] is the first of a list)" if ".loads" in key else "")
+
+
+def _count_from_0(key: str) -> str:
+    """Write a key with dots and items counted from 0; errors print them in brackets, counted from 1."""
+    return re.sub(r"\[([1-9][0-9]{0,3})\]", lambda found: f".{int(found[1]) - 1}", key)
+
+
+def _step_down(value: Any, step: str | int) -> Any:
+    """Take one step down into validated content."""
+    return value.entries()[str(step)] if isinstance(value, ProjectSection) else value[step]
+
+
+def _as_written(value: Any) -> Any:
+    """Write validated content as a file would hold it."""
+    if isinstance(value, ProjectSection):
+        return {key: _as_written(item) for key, item in value.entries().items() if item is not None}
+    if isinstance(value, Mapping):
+        return {key: _as_written(item) for key, item in value.items()}
+    return [_as_written(item) for item in value] if isinstance(value, tuple) else value
+
+
+def _bodies_of_mechanism(mechanism: ProjectSection, content: Content) -> set[str]:
+    """Return the bodies named anywhere in the table of a mechanism: as blocks, floors, overburden."""
+    return set(_texts_in(mechanism)) & set(content.bodies)
+
+
+def _carries_bodies(mechanism: ProjectSection) -> bool:
+    """Whether bodies load the mechanism: what they rest on besides may be any other body of the project."""
+    loads = getattr(mechanism, "loads", ())
+    return any(
+        isinstance(load, BodyLoadSection) or (isinstance(load, OverburdenLoadSection) and load.bodies) for load in loads
+    )
+
+
+def _texts_in(value: Any) -> Iterator[str]:
+    if isinstance(value, str):
+        yield value
+    elif isinstance(value, ProjectSection | Mapping | tuple):
+        table = value.entries() if isinstance(value, ProjectSection) else value
+        for item in table.values() if isinstance(table, Mapping) else table:
+            yield from _texts_in(item)
+
+
+def _key_sweep(
+    sweep: SweepSection, entry: KeyedValue, content: Content, raw: Mapping[str, Any], folder: Path, *, where: str
+) -> KeySweep:
+    variants, units = [], []
+    for given in sweep.values or _values_in_range(sweep, where=where):
+        name = f"{where}: {sweep.key} = {value_text(given)}"
+        read = read_case(with_value(raw, entry.path, given, content), folder, entry.path, given, name=name)
+        number, unit = _number_and_unit_of(given, where=name)
+        units.append(unit)
+        if unit != units[0]:
+            raise ProjectError(f"{name}: not in the unit of the first value; write all in one unit")
+        variants.append(ProjectVariant(number, name, read))
+    symbol = "-" if entry.kind is None else entry.kind.symbol.replace("no unit", "-")
+    return KeySweep(where, sweep.key, entry.path, units[0] or symbol, tuple(variants))
+
+
+def _values_in_range(sweep: SweepSection, *, where: str) -> tuple[WrittenNumber, ...]:
+    """Return evenly spaced values in the unit of both ends."""
+    assert sweep.start is not None  # the schema asks for all three
+    assert sweep.to is not None
+    assert sweep.count is not None
+    low, unit = _number_and_unit_of(sweep.start, where=f"{where}.from: {value_text(sweep.start)}")
+    high, other = _number_and_unit_of(sweep.to, where=f"{where}.to: {value_text(sweep.to)}")
+    if unit != other:
+        raise ProjectError(f"{where}.to: {value_text(sweep.to)}: not in the unit of from; write both in one unit")
+    if low == high:
+        raise ProjectError(f"{where}.to: {value_text(sweep.to)}: the same as from; give another, or values = [ … ]")
+    numbers = [float(f"{number:.12g}") for number in np.linspace(low, high, sweep.count).tolist()]
+    if isinstance(sweep.start, int) and isinstance(sweep.to, int) and all(map(float.is_integer, numbers)):
+        return tuple(map(int, numbers))
+    return tuple(f"{number:.12g} {unit}" if unit else number for number in numbers)
+
+
+def _number_and_unit_of(value: WrittenNumber, *, where: str) -> tuple[float, str]:
+    """Return the number and the unit that the user wrote."""
+    if not isinstance(value, str):
+        return float(value), ""
+    try:
+        number, unit = number_and_unit(value)
+    except QuantityError as error:
+        remedy = "" if "; write " in str(error) else "; write a number, or one with its unit"
+        raise ProjectError(f"{where}: {error}{remedy}") from None
+    return float(number), unit
+
+
 def _is_uncertain(table: Mapping[str, Any]) -> bool:
     """Whether a table is meant as a number with its scatter; tables named "mean" are not."""
     return any(key in table and not isinstance(table[key], Mapping) for key in ("mean", "cov"))
@@ -374,17 +403,6 @@ def _uncertain_number(table: Mapping[str, Any], path: KeyPath, raw: Mapping[str,
     except ValidationError as error:
         line = error_line(error, raw=table)
         raise ProjectError(f"{key_text(path)}.{line}") from None
-
-
-def uncertain_values(content: Content, stated: StatedUncertainNumbers) -> tuple[UncertainValue, ...]:
-    """Return the uncertain numbers of a project in SI.
-
-    Raises ProjectError for a key whose number may not scatter, and for a scatter without meaning.
-    """
-    if not stated:
-        return ()
-    by_key = keyed_values(content)
-    return tuple(_uncertain_value(path, number, by_key, content) for path, number in stated)
 
 
 def _uncertain_value(
@@ -433,24 +451,6 @@ def _check_positive(distribution: Distribution, cov: float, key: str) -> None:
     if distribution == "uniform" and cov >= 1.0 / sqrt(3.0):
         remedy = "write less than 0.577, or another distribution"
         raise ProjectError(f"{key}.cov: {cov:.4g}: its lower bound, mean (1 - √3 cov), is beyond zero; {remedy}")
-
-
-def covs_of(values: tuple[UncertainValue, ...]) -> dict[str, float]:
-    """Return the coefficient of variation of each uncertain number, by its key written with dots."""
-    return {".".join(map(str, value.path)): value.given.cov for value in values}
-
-
-def error_line(error: ValidationError, *, raw: Mapping[str, Any]) -> str:
-    """Return the first error as "key: value: what is wrong; remedy", and how many more the `raw` content has."""
-    by_key: dict[KeyPath, ErrorDetails] = {}
-    for found in error.errors(include_url=False):
-        if found["type"] != "default_factory_not_called":
-            by_key.setdefault(_key_in_file(found, raw), found)
-    by_key = {key: found for key, found in by_key.items() if not any(_is_below(other, key) for other in by_key)}
-    key, first = next(iter(by_key.items()))
-    known, value = look_up(raw, key)
-    parts = [key_text(key), *([value_text(value)] if known else []), _sentence(first, known=known)]
-    return ": ".join(parts) + (f" (and {len(by_key) - 1} more)" if len(by_key) > 1 else "")
 
 
 _SENTENCES: dict[str, Callable[[Mapping[str, Any]], str]] = {

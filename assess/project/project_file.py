@@ -139,6 +139,122 @@ def load_tree(tables: dict[str, Any], file: Path, *, sha256: str) -> Project:
     return project
 
 
+def resolve(project: Project) -> dict[str, ResolvedValue]:
+    """Return every key, written with dots, with its value in SI and whether it was given or is a default.
+
+    Paths are written relative to the project file.
+    """
+    found = dict(_resolved("", project.content, True, project.folder))
+    kinds = {key: place.kind.name for key, place in keyed_values(project.content).items() if place.kind is not None}
+    covs = covs_of(project.uncertain)
+    return {key: replace(each, dimensions=_below(key, kinds), cov=_covs(key, covs)) for key, each in found.items()}
+
+
+HUGE = 60.0  # m: a body larger than this, by a number alone, was rather meant in another unit
+BUILT = {"thickness": (0.1, 6.0), "length": (0.2, HUGE), "height": (0.2, HUGE)}  # m, of what is assessed
+SHORTER = ("mm", "in", "cm", "ft")  # units that sizes are typed in, besides m
+WEAK = 0.1 * g  # m/s2: below it a number alone was rather meant in g
+SPECTRUM: KeyPath = ("site", "spectrum")
+ACCELERATION_KEYS: tuple[KeyPath, ...] = (
+    ("site", "pga"),
+    *((*SPECTRUM, key) for key in ("s_ds", "s_d1", "s_s", "s_1", "a_g")),
+)
+MATERIALS: Mapping[str, tuple[str, tuple[tuple[float, float, str], ...]]] = {
+    "density": ("density", ((1.0, 4.0, "t/m^3"), (10.0, 35.0, "kN/m^3"), (60.0, 200.0, "lb/ft^3"))),
+    "young_modulus": ("stress", ((0.05, 100.0, "GPa"), (100.0, 1e5, "MPa"), (1e5, 2e7, "psi"))),
+    "compressive_strength": ("stress", ((0.1, 200.0, "MPa"), (200.0, 5e4, "psi"))),
+    "tensile_strength": ("stress", ((0.001, 10.0, "MPa"), (10.0, 2e3, "psi"))),
+}
+"""For each number of a material its dimension and the ranges in SI that no masonry has, each with the unit meant."""
+
+
+def bare_number_messages(raw: Mapping[str, Any]) -> Iterator[Message]:
+    """Warn of each plain number of the file that is implausible for an earthquake, a wall or a masonry."""
+    yield from _acceleration_messages(raw)
+    for name, body in _tables(raw, "bodies"):
+        yield from _size_messages(("bodies", name), body)
+    for name, material in _tables(raw, "materials"):
+        yield from _material_messages(("materials", name), material)
+
+
+TITLE = "Project file of assess"
+"""Title of the schema, by which its file is known."""
+_REFERENCE = "#/$defs/"
+
+
+def schema_text() -> str:
+    """Return the JSON Schema of the project file as the text of a file."""
+    return json.dumps(json_schema(), indent=2, ensure_ascii=False) + "\n"
+
+
+def json_schema() -> dict[str, Any]:
+    """Return the JSON Schema (draft 2020-12) of the project file."""
+    head = {"$schema": "https://json-schema.org/draft/2020-12/schema", "title": TITLE}
+    found = with_quantity_patterns(with_uncertain_numbers(Content.model_json_schema()))
+    return {**with_located_faults(found), **head}
+
+
+def with_uncertain_numbers(schema: dict[str, Any]) -> dict[str, Any]:
+    """Return the JSON Schema of a project file with { mean, cov } allowed at every key that is marked."""
+    defined: dict[str, Any] = {}
+
+    def allow(node: Any) -> Any:
+        if isinstance(node, list):
+            return [allow(each) for each in node]
+        if not isinstance(node, dict):
+            return node
+        plain = {key: allow(each) for key, each in node.items() if key != UNCERTAIN_MARK}
+        if UNCERTAIN_MARK not in node:
+            return plain
+        kept = {key: plain.pop(key) for key in ("description", "title", "default") if key in plain}
+        kind = _quantity_kind(plain)
+        name = f"{UncertainNumber.__name__}-of-{kind}".replace(" ", "-")
+        defined[name] = _uncertain_number_schema(kind)
+        return {"anyOf": [plain, {"$ref": f"#/$defs/{name}"}], **kept} if plain else kept
+
+    found = allow(schema)
+    return {**found, "$defs": {**found["$defs"], **dict(sorted(defined.items()))}}
+
+
+def with_quantity_patterns(schema: dict[str, Any]) -> dict[str, Any]:
+    """Return a JSON Schema in which every marked key refers to the definition of its quantity."""
+    defined: dict[str, Any] = {}
+
+    def refer(node: Any) -> Any:
+        if isinstance(node, list):
+            return [refer(each) for each in node]
+        if not isinstance(node, dict):
+            return node
+        plain = {key: refer(each) for key, each in node.items() if key != PATTERN_MARK}
+        if PATTERN_MARK not in node:
+            return plain
+        kind, form = node[PATTERN_MARK]
+        name = f"{form} of {kind}".replace(" ", "-")
+        defined[name] = {"type": plain.pop("type"), "pattern": quantity_pattern(kind, form)}
+        return {"$ref": f"#/$defs/{name}", **plain}
+
+    found = refer(schema)
+    return {**found, "$defs": {**found["$defs"], **dict(sorted(defined.items()))}}
+
+
+def with_located_faults(schema: dict[str, Any]) -> dict[str, Any]:
+    """Return a JSON Schema of a TOML file that accepts the same, and whose faults lie as deep as they can.
+
+    TOML has no null: an alternative of one schema and null is that schema, and a default of null is none.
+    """
+    definitions = schema["$defs"]
+
+    def locate(node: Any) -> Any:
+        if isinstance(node, list):
+            return [locate(each) for each in node]
+        if not isinstance(node, dict):
+            return node
+        plain = {key: locate(each) for key, each in node.items() if (key, each) != ("default", None)}
+        return _without_choice(_without_null(plain), definitions)
+
+    return {key: locate(each) for key, each in schema.items()}
+
+
 def _check_sources(project: Project) -> None:
     """Check that every key of [report.sources] is one of the file, or the beginning of one."""
     if not project.content.report.sources:
@@ -231,17 +347,6 @@ def _upgraded(raw: dict[str, Any]) -> dict[str, Any]:
     return raw
 
 
-def resolve(project: Project) -> dict[str, ResolvedValue]:
-    """Return every key, written with dots, with its value in SI and whether it was given or is a default.
-
-    Paths are written relative to the project file.
-    """
-    found = dict(_resolved("", project.content, True, project.folder))
-    kinds = {key: place.kind.name for key, place in keyed_values(project.content).items() if place.kind is not None}
-    covs = covs_of(project.uncertain)
-    return {key: replace(each, dimensions=_below(key, kinds), cov=_covs(key, covs)) for key, each in found.items()}
-
-
 def _covs(key: str, covs: Mapping[str, float]) -> dict[str, float]:
     """Return the scatter of the numbers at and below a key; one number may stand for the keys of a table, above it."""
     above = [cov for written, cov in covs.items() if key.startswith(f"{written}.")]
@@ -274,33 +379,6 @@ def _plain(value: Any, folder: Path) -> Any:
     if isinstance(value, ProjectSection):
         return {key: _plain(item, folder) for key, item in value.entries().items()}
     return [_plain(item, folder) for item in value] if isinstance(value, tuple) else value
-
-
-HUGE = 60.0  # m: a body larger than this, by a number alone, was rather meant in another unit
-BUILT = {"thickness": (0.1, 6.0), "length": (0.2, HUGE), "height": (0.2, HUGE)}  # m, of what is assessed
-SHORTER = ("mm", "in", "cm", "ft")  # units that sizes are typed in, besides m
-WEAK = 0.1 * g  # m/s2: below it a number alone was rather meant in g
-SPECTRUM: KeyPath = ("site", "spectrum")
-ACCELERATION_KEYS: tuple[KeyPath, ...] = (
-    ("site", "pga"),
-    *((*SPECTRUM, key) for key in ("s_ds", "s_d1", "s_s", "s_1", "a_g")),
-)
-MATERIALS: Mapping[str, tuple[str, tuple[tuple[float, float, str], ...]]] = {
-    "density": ("density", ((1.0, 4.0, "t/m^3"), (10.0, 35.0, "kN/m^3"), (60.0, 200.0, "lb/ft^3"))),
-    "young_modulus": ("stress", ((0.05, 100.0, "GPa"), (100.0, 1e5, "MPa"), (1e5, 2e7, "psi"))),
-    "compressive_strength": ("stress", ((0.1, 200.0, "MPa"), (200.0, 5e4, "psi"))),
-    "tensile_strength": ("stress", ((0.001, 10.0, "MPa"), (10.0, 2e3, "psi"))),
-}
-"""For each number of a material its dimension and the ranges in SI that no masonry has, each with the unit meant."""
-
-
-def bare_number_messages(raw: Mapping[str, Any]) -> Iterator[Message]:
-    """Warn of each plain number of the file that is implausible for an earthquake, a wall or a masonry."""
-    yield from _acceleration_messages(raw)
-    for name, body in _tables(raw, "bodies"):
-        yield from _size_messages(("bodies", name), body)
-    for name, material in _tables(raw, "materials"):
-        yield from _material_messages(("materials", name), material)
 
 
 def _tables(raw: Mapping[str, Any], table: str) -> Iterable[tuple[str, Mapping[str, Any]]]:
@@ -383,45 +461,6 @@ def _weight_density_messages(content: Content, raw: Mapping[str, Any]) -> Iterat
             yield note("weight-density", key_text(place.path), given=typed, density=density)
 
 
-TITLE = "Project file of assess"
-"""Title of the schema, by which its file is known."""
-_REFERENCE = "#/$defs/"
-
-
-def schema_text() -> str:
-    """Return the JSON Schema of the project file as the text of a file."""
-    return json.dumps(json_schema(), indent=2, ensure_ascii=False) + "\n"
-
-
-def json_schema() -> dict[str, Any]:
-    """Return the JSON Schema (draft 2020-12) of the project file."""
-    head = {"$schema": "https://json-schema.org/draft/2020-12/schema", "title": TITLE}
-    found = with_quantity_patterns(with_uncertain_numbers(Content.model_json_schema()))
-    return {**with_located_faults(found), **head}
-
-
-def with_uncertain_numbers(schema: dict[str, Any]) -> dict[str, Any]:
-    """Return the JSON Schema of a project file with { mean, cov } allowed at every key that is marked."""
-    defined: dict[str, Any] = {}
-
-    def allow(node: Any) -> Any:
-        if isinstance(node, list):
-            return [allow(each) for each in node]
-        if not isinstance(node, dict):
-            return node
-        plain = {key: allow(each) for key, each in node.items() if key != UNCERTAIN_MARK}
-        if UNCERTAIN_MARK not in node:
-            return plain
-        kept = {key: plain.pop(key) for key in ("description", "title", "default") if key in plain}
-        kind = _quantity_kind(plain)
-        name = f"{UncertainNumber.__name__}-of-{kind}".replace(" ", "-")
-        defined[name] = _uncertain_number_schema(kind)
-        return {"anyOf": [plain, {"$ref": f"#/$defs/{name}"}], **kept} if plain else kept
-
-    found = allow(schema)
-    return {**found, "$defs": {**found["$defs"], **dict(sorted(defined.items()))}}
-
-
 def _quantity_kind(node: dict[str, Any]) -> str:
     """Return the kind of quantity that a key holds, a ratio where it has no unit, as a restitution."""
     marks = (each[PATTERN_MARK] for each in (node, *node.get("anyOf", ())) if PATTERN_MARK in each)
@@ -436,45 +475,6 @@ def _uncertain_number_schema(kind: str) -> dict[str, Any]:
     mean.update(quantity_schema(kind))
     sd["anyOf"][0].update(quantity_schema(kind))
     return schema
-
-
-def with_quantity_patterns(schema: dict[str, Any]) -> dict[str, Any]:
-    """Return a JSON Schema in which every marked key refers to the definition of its quantity."""
-    defined: dict[str, Any] = {}
-
-    def refer(node: Any) -> Any:
-        if isinstance(node, list):
-            return [refer(each) for each in node]
-        if not isinstance(node, dict):
-            return node
-        plain = {key: refer(each) for key, each in node.items() if key != PATTERN_MARK}
-        if PATTERN_MARK not in node:
-            return plain
-        kind, form = node[PATTERN_MARK]
-        name = f"{form} of {kind}".replace(" ", "-")
-        defined[name] = {"type": plain.pop("type"), "pattern": quantity_pattern(kind, form)}
-        return {"$ref": f"#/$defs/{name}", **plain}
-
-    found = refer(schema)
-    return {**found, "$defs": {**found["$defs"], **dict(sorted(defined.items()))}}
-
-
-def with_located_faults(schema: dict[str, Any]) -> dict[str, Any]:
-    """Return a JSON Schema of a TOML file that accepts the same, and whose faults lie as deep as they can.
-
-    TOML has no null: an alternative of one schema and null is that schema, and a default of null is none.
-    """
-    definitions = schema["$defs"]
-
-    def locate(node: Any) -> Any:
-        if isinstance(node, list):
-            return [locate(each) for each in node]
-        if not isinstance(node, dict):
-            return node
-        plain = {key: locate(each) for key, each in node.items() if (key, each) != ("default", None)}
-        return _without_choice(_without_null(plain), definitions)
-
-    return {key: locate(each) for key, each in schema.items()}
 
 
 def _without_null(node: dict[str, Any]) -> dict[str, Any]:

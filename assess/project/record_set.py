@@ -125,23 +125,6 @@ def periods_of(selection: sections.Select, spectrum: Spectrum, mechanisms: Itera
     return max(SHARE_OF_SHORTEST * least, float(PERIODS[0])), min(MULTIPLE_OF_LONGEST * largest, longest)
 
 
-def _criteria_of_section(section: sections.Records, selection: sections.Select, over: Band) -> SuiteCriteria:
-    """Return the criteria of the selection."""
-    filters = CandidateFilters(
-        selection.magnitude, selection.distance, selection.vs30, selection.pga, selection.duration, selection.events
-    )
-    return SuiteCriteria(
-        count=selection.count,
-        band=over,
-        filters=filters,
-        scale_limits=selection.scale_limits,
-        one_per_event=selection.one_per_event,
-        fit=selection.fit,
-        components=selection.components,
-        scale_to=section.scale_to,
-    )
-
-
 def horizontal_records(records: Sequence[Record]) -> tuple[Record, ...]:
     """Return the records without vertical components; raise ProjectError if there are no others."""
     kept = tuple(record for record in records if not is_vertical(record.component))
@@ -217,6 +200,23 @@ def files_of_lock(path: Path) -> tuple[Path, ...]:
     records = read_lock(path)[0].records
     named = [name for one in records for name in (one.file, one.response) if name is not None]
     return (path, *(path.parent / name for name in dict.fromkeys(named)))
+
+
+def _criteria_of_section(section: sections.Records, selection: sections.Select, over: Band) -> SuiteCriteria:
+    """Return the criteria of the selection."""
+    filters = CandidateFilters(
+        selection.magnitude, selection.distance, selection.vs30, selection.pga, selection.duration, selection.events
+    )
+    return SuiteCriteria(
+        count=selection.count,
+        band=over,
+        filters=filters,
+        scale_limits=selection.scale_limits,
+        one_per_event=selection.one_per_event,
+        fit=selection.fit,
+        components=selection.components,
+        scale_to=section.scale_to,
+    )
 
 
 def _locked_record(one: LockedRecord, *, path: Path, folder: Path) -> Record:

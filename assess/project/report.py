@@ -133,6 +133,109 @@ def read_picture(path: Path, *, key: str, folder: Path, caption: str = "") -> Pi
     return Picture(name, caption, MEDIA_TYPES[kind], *image.size, data)
 
 
+ANNEX_KEY = "report.verification"
+
+KEYS_OF_LOOK = ("report.language", "report.paper", "report.units")
+"""Keys that say how the annex of a project looks."""
+
+
+def with_project(results: VerificationResults, project: Project) -> VerificationResults:
+    """Return results with the front matter of the project whose cases these are.
+
+    Parameters
+    ----------
+    results : of the cases
+    project : as read
+    """
+    values = {key: each for key, each in resolve(project).items() if key in ("title", *KEYS_OF_LOOK)}
+    return replace(
+        results,
+        inputs=(Input(project.path.name, project.sha256),),
+        project=values,
+        report=report_matter_of(project.content, project.folder),
+    )
+
+
+def annex_file(project: Project) -> Path | None:
+    """Return the verification.json that a project names, or that stands in its default place; None if there is none."""
+    named = project.content.report.verification
+    if named is not None:
+        return named
+    place = project.folder / f"{project.path.stem}-verification" / VERIFICATION
+    return place if place.is_file() else None
+
+
+def annex_files(project: Project, annex: AnnexResult | None) -> tuple[Path, ...]:
+    """Return the files of the annex that the report names: its results, and the PDF beside them; none without one."""
+    file = None if annex is None else annex_file(project)
+    return () if file is None else tuple(each for each in (file, file.with_suffix(".pdf")) if each.is_file())
+
+
+def annex_of(project: Project, uses: Sequence[str]) -> tuple[AnnexResult | None, tuple[Message, ...]]:
+    """Return what a run says of its annex, None if there is none, and the messages on it.
+
+    An annex in the default place that cannot be read gets a message, and the run goes on as without one.
+
+    Parameters
+    ----------
+    project : as read
+    uses : what it uses, in the words of `assess.results.verification`
+
+    Raises
+    ------
+    ProjectError : the project names a file that cannot be read as verification.json, was changed since it was written,
+        or has no cases
+    """
+    file = annex_file(project)
+    if file is None:
+        return None, ()
+    try:
+        annex = _read_annex(file, project, uses)
+    except ResultsError as error:
+        if project.content.report.verification is not None:
+            raise ProjectError(f"{ANNEX_KEY}: {error}") from None
+        path, why = relative_path(file, project.folder), str(error).removeprefix(f"{file}: ")
+        return None, (warning("annex-left-aside", ANNEX_KEY, file=path, why=why),)
+    return annex, tuple(_annex_messages(annex))
+
+
+USE_OF_BODY: Mapping[type[ProjectSection], str] = {
+    sections.MeshBody: "mesh",
+    sections.BoxBody: "box",
+    ProfileBody: "profile",
+}
+
+USE_OF_RESTITUTION: Mapping[str, str] = {
+    str(HOUSNER[0]): "restitution housner",
+    str(MOMENTUM[0]): "restitution momentum",
+    str(ABOUT_BASE[0]): "restitution sorrentino",
+}
+SPECTRUM_OF_CODE: Mapping[str, str] = {"ibc2009": "asce7-05"}  # codes whose spectrum is that of another
+
+
+def uses_of(content: sections.Content, study: Study) -> tuple[str, ...]:
+    """Return what a project uses, each word once, in the order of the table.
+
+    Parameters
+    ----------
+    content : of the project file
+    study : built from it
+    """
+    found = {
+        *_uses_of_bodies(content),
+        *(word for section in content.mechanisms.values() for word in _uses_of_section(section)),
+        *(word for mechanism in study.mechanisms for word in _uses_of_mechanism(mechanism)),
+        *_uses_of_site(content, study),
+        *_uses_of_motion(content, study),
+        *study.procedures,
+        *study.offered,
+        *_uses_of_analysis(content),
+    }
+    if unknown := found - set(USES):
+        raise KeyError(f"no word of assess.results.verification: {', '.join(sorted(unknown))}")
+    return tuple(word for word in USES if word in found)
+
+
 def _bytes(path: Path, where: str) -> bytes:
     try:
         size = path.stat().st_size
@@ -196,44 +299,6 @@ def _encode(image: Image, kind: PictureFormat) -> bytes:
     return file.getvalue()
 
 
-ANNEX_KEY = "report.verification"
-
-KEYS_OF_LOOK = ("report.language", "report.paper", "report.units")
-"""Keys that say how the annex of a project looks."""
-
-
-def with_project(results: VerificationResults, project: Project) -> VerificationResults:
-    """Return results with the front matter of the project whose cases these are.
-
-    Parameters
-    ----------
-    results : of the cases
-    project : as read
-    """
-    values = {key: each for key, each in resolve(project).items() if key in ("title", *KEYS_OF_LOOK)}
-    return replace(
-        results,
-        inputs=(Input(project.path.name, project.sha256),),
-        project=values,
-        report=report_matter_of(project.content, project.folder),
-    )
-
-
-def annex_file(project: Project) -> Path | None:
-    """Return the verification.json that a project names, or that stands in its default place; None if there is none."""
-    named = project.content.report.verification
-    if named is not None:
-        return named
-    place = project.folder / f"{project.path.stem}-verification" / VERIFICATION
-    return place if place.is_file() else None
-
-
-def annex_files(project: Project, annex: AnnexResult | None) -> tuple[Path, ...]:
-    """Return the files of the annex that the report names: its results, and the PDF beside them; none without one."""
-    file = None if annex is None else annex_file(project)
-    return () if file is None else tuple(each for each in (file, file.with_suffix(".pdf")) if each.is_file())
-
-
 def _annex_messages(annex: AnnexResult) -> Iterator[Message]:
     """Yield what limits the annex that a run names."""
     where = ANNEX_KEY
@@ -254,34 +319,6 @@ def _annex_messages(annex: AnnexResult) -> Iterator[Message]:
         yield warning(
             "annex-uncovered", where, file=annex.path, uses=list_values(*map(USES.__getitem__, annex.uncovered))
         )
-
-
-def annex_of(project: Project, uses: Sequence[str]) -> tuple[AnnexResult | None, tuple[Message, ...]]:
-    """Return what a run says of its annex, None if there is none, and the messages on it.
-
-    An annex in the default place that cannot be read gets a message, and the run goes on as without one.
-
-    Parameters
-    ----------
-    project : as read
-    uses : what it uses, in the words of `assess.results.verification`
-
-    Raises
-    ------
-    ProjectError : the project names a file that cannot be read as verification.json, was changed since it was written,
-        or has no cases
-    """
-    file = annex_file(project)
-    if file is None:
-        return None, ()
-    try:
-        annex = _read_annex(file, project, uses)
-    except ResultsError as error:
-        if project.content.report.verification is not None:
-            raise ProjectError(f"{ANNEX_KEY}: {error}") from None
-        path, why = relative_path(file, project.folder), str(error).removeprefix(f"{file}: ")
-        return None, (warning("annex-left-aside", ANNEX_KEY, file=path, why=why),)
-    return annex, tuple(_annex_messages(annex))
 
 
 def _read_annex(file: Path, project: Project, uses: Sequence[str]) -> AnnexResult:
@@ -305,43 +342,6 @@ def _read_annex(file: Path, project: Project, uses: Sequence[str]) -> AnnexResul
         foreign=len(found.foreign),
         pdf_as_written=bool(pdf_sha256) and pdf_sha256 == found.pdf_sha256,
     )
-
-
-USE_OF_BODY: Mapping[type[ProjectSection], str] = {
-    sections.MeshBody: "mesh",
-    sections.BoxBody: "box",
-    ProfileBody: "profile",
-}
-
-USE_OF_RESTITUTION: Mapping[str, str] = {
-    str(HOUSNER[0]): "restitution housner",
-    str(MOMENTUM[0]): "restitution momentum",
-    str(ABOUT_BASE[0]): "restitution sorrentino",
-}
-SPECTRUM_OF_CODE: Mapping[str, str] = {"ibc2009": "asce7-05"}  # codes whose spectrum is that of another
-
-
-def uses_of(content: sections.Content, study: Study) -> tuple[str, ...]:
-    """Return what a project uses, each word once, in the order of the table.
-
-    Parameters
-    ----------
-    content : of the project file
-    study : built from it
-    """
-    found = {
-        *_uses_of_bodies(content),
-        *(word for section in content.mechanisms.values() for word in _uses_of_section(section)),
-        *(word for mechanism in study.mechanisms for word in _uses_of_mechanism(mechanism)),
-        *_uses_of_site(content, study),
-        *_uses_of_motion(content, study),
-        *study.procedures,
-        *study.offered,
-        *_uses_of_analysis(content),
-    }
-    if unknown := found - set(USES):
-        raise KeyError(f"no word of assess.results.verification: {', '.join(sorted(unknown))}")
-    return tuple(word for word in USES if word in found)
 
 
 def _uses_of_bodies(content: sections.Content) -> Iterator[str]:

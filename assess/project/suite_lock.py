@@ -179,21 +179,6 @@ def read_lock(path: Path) -> tuple[SuiteLock, bool]:
         raise ProjectError(f"{path}: cannot be read ({error.strerror}); {AGAIN}") from None
 
 
-@lru_cache(maxsize=64)
-def _parse_lock(path: Path, sha256: str) -> tuple[SuiteLock, bool]:
-    """Read the lock whose file has this SHA-256."""
-    try:
-        text = path.read_bytes().decode("utf-8")
-        raw = tomllib.loads(text)
-        return SuiteLock.model_validate(raw), is_sealed(text)
-    except ValidationError as error:
-        raise ProjectError(f"{path}: {error_line(error, raw=raw)}; {AGAIN}") from None
-    except (ValueError, RecursionError) as error:
-        raise ProjectError(
-            f"{path}: no suite lock, for it is not valid TOML: {escape_text(str(error))}; {AGAIN}"
-        ) from None
-
-
 def is_sealed(text: str) -> bool:
     """Return whether a text is that of a lock as it was written."""
     found = _SEAL.fullmatch(text)
@@ -206,46 +191,6 @@ def is_replaceable(path: Path) -> bool:
         return is_sealed(path.read_bytes().decode("utf-8"))
     except (OSError, UnicodeDecodeError):
         return False
-
-
-def _lock_text(
-    target: LockedTarget,
-    chosen: LockedChoice,
-    *,
-    artificial: LockedArtificial | None,
-    records: Sequence[LockedRecord],
-) -> str:
-    """Return the text of a lock, with its seal."""
-    single = {"target": target, "chosen": chosen, "artificial": artificial}
-    tables: list[tuple[str, ProjectSection]] = [
-        ("[" + name + "]", table) for name, table in single.items() if table is not None
-    ]
-    tables += [("[[records]]", record) for record in records]
-    body = "".join("\n".join(("", head, *_table_lines(table), "")) for head, table in tables)
-    return f'{HEAD}format = 1\nseal = "{_sha256(body)}"\n{body}'
-
-
-def _sha256(text: str) -> str:
-    return hashlib.sha256(text.encode()).hexdigest()
-
-
-def _table_lines(table: ProjectSection) -> Iterator[str]:
-    """Yield the keys of a table that are not at their default."""
-    defaults: Mapping[str, Any] = {key: field.default for key, field in table.table_keys().items()}
-    for key, value in table.entries().items():
-        if value != defaults[key]:
-            yield f"{key} = {_toml_value(value)}"
-
-
-def _toml_value(value: Any) -> str:
-    """Return a value as TOML: a list of lists on lines of their own, numbers at full precision."""
-    if isinstance(value, tuple):
-        parts = [_toml_value(each) for each in value]
-        nested = any(isinstance(each, tuple) for each in value) or len(", ".join(parts)) > 100
-        return "[\n" + "".join(f"    {part},\n" for part in parts) + "]" if nested else f"[{', '.join(parts)}]"
-    if isinstance(value, str):
-        return json.dumps(value, ensure_ascii=False).replace("\x7f", "\\u007f")
-    return str(value).lower() if isinstance(value, bool) else repr(value)
 
 
 DIGITS = 12  # after the point, of a peak ground acceleration in g
@@ -311,6 +256,61 @@ def write_lock(path: Path, text: str) -> None:
         raise OutputError(f"{path}: {_why_not_replaceable(path)}; move it away, and a new one is written")
     with replace_file(path, command=COMMAND, is_replaceable=is_replaceable) as made:
         made.write_text(text, encoding="utf-8", newline="\n")
+
+
+@lru_cache(maxsize=64)
+def _parse_lock(path: Path, sha256: str) -> tuple[SuiteLock, bool]:
+    """Read the lock whose file has this SHA-256."""
+    try:
+        text = path.read_bytes().decode("utf-8")
+        raw = tomllib.loads(text)
+        return SuiteLock.model_validate(raw), is_sealed(text)
+    except ValidationError as error:
+        raise ProjectError(f"{path}: {error_line(error, raw=raw)}; {AGAIN}") from None
+    except (ValueError, RecursionError) as error:
+        raise ProjectError(
+            f"{path}: no suite lock, for it is not valid TOML: {escape_text(str(error))}; {AGAIN}"
+        ) from None
+
+
+def _lock_text(
+    target: LockedTarget,
+    chosen: LockedChoice,
+    *,
+    artificial: LockedArtificial | None,
+    records: Sequence[LockedRecord],
+) -> str:
+    """Return the text of a lock, with its seal."""
+    single = {"target": target, "chosen": chosen, "artificial": artificial}
+    tables: list[tuple[str, ProjectSection]] = [
+        ("[" + name + "]", table) for name, table in single.items() if table is not None
+    ]
+    tables += [("[[records]]", record) for record in records]
+    body = "".join("\n".join(("", head, *_table_lines(table), "")) for head, table in tables)
+    return f'{HEAD}format = 1\nseal = "{_sha256(body)}"\n{body}'
+
+
+def _sha256(text: str) -> str:
+    return hashlib.sha256(text.encode()).hexdigest()
+
+
+def _table_lines(table: ProjectSection) -> Iterator[str]:
+    """Yield the keys of a table that are not at their default."""
+    defaults: Mapping[str, Any] = {key: field.default for key, field in table.table_keys().items()}
+    for key, value in table.entries().items():
+        if value != defaults[key]:
+            yield f"{key} = {_toml_value(value)}"
+
+
+def _toml_value(value: Any) -> str:
+    """Return a value as TOML: a list of lists on lines of their own, numbers at full precision."""
+    if isinstance(value, tuple):
+        parts = [_toml_value(each) for each in value]
+        nested = any(isinstance(each, tuple) for each in value) or len(", ".join(parts)) > 100
+        return "[\n" + "".join(f"    {part},\n" for part in parts) + "]" if nested else f"[{', '.join(parts)}]"
+    if isinstance(value, str):
+        return json.dumps(value, ensure_ascii=False).replace("\x7f", "\\u007f")
+    return str(value).lower() if isinstance(value, bool) else repr(value)
 
 
 def _why_not_replaceable(path: Path) -> str:

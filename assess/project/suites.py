@@ -87,15 +87,6 @@ def suite_of_project(path: Path, *, executor: Executor | None = None) -> ScaledS
     return _suite_of(study, motions_of(replace(study, artificial=None), require_spectrum(study)))
 
 
-def _suite_of(study: Study, motions: tuple[ScaledRecord, ...]) -> ScaledSuite:
-    """Return the suite of a study as scaled, with the messages on its records."""
-    spectrum = require_spectrum(study)
-    found = ground_motion(study, spectrum, motions)
-    assert found is not None  # there are records
-    messages = tuple(each for each in study.messages if each.where.startswith("records"))
-    return ScaledSuite(results_of(motions, spectrum, study.fitting), found, messages)
-
-
 def lock_project(path: Path, *, executor: Executor | None = None) -> tuple[ScaledSuite, Path]:
     """Write the lock of a project: its records as [records] finds, makes and scales them, whatever its lock says.
 
@@ -222,30 +213,6 @@ def select_for_target(
     return SelectedSuite(suite, motions, spectrum, chosen.fitting, criteria.scale_to)
 
 
-def _criteria_of_options(options: SuiteOptions) -> SuiteCriteria:
-    """Return the criteria in SI; raise AssessError for an unknown word or a range that falls."""
-    spans = {**options.spans, "scale-limits": options.scale_limits}
-    for name, span in spans.items():
-        if span is not None and (isnan(span[0]) or isnan(span[1])):
-            raise AssessError(f"--{name} {span[0]:g} {span[1]:g}: not a number; give two numbers, the lesser first")
-        if span is not None and span[0] > span[1]:
-            raise AssessError(f"--{name} {span[0]:g} {span[1]:g}: the first is larger than the second")
-    si = {
-        name: None if span is None else (span[0] * UNITS[name], span[1] * UNITS[name])
-        for name, span in options.spans.items()
-    }
-    return SuiteCriteria(
-        count=options.count,
-        band=band(*options.periods),
-        filters=CandidateFilters(**si, events=options.events),
-        scale_limits=options.scale_limits,
-        one_per_event=options.one_per_event,
-        fit=_one_of("fit", options.fit, Fit),
-        components=_one_of("components", options.components, Components),
-        scale_to=_one_of("scale-to", options.scale_to, ScaleTo),
-    )
-
-
 def write_scaled_files(
     target: Path, files: Sequence[Path], *, to: str, at: float | None, periods: Range, overrides: HeaderOverrides
 ) -> tuple[tuple[ScaledRecord, ...], ScaledSuite]:
@@ -283,6 +250,45 @@ def write_scaled_files(
     return motions, ScaledSuite(results_of(motions, spectrum, fitting), motion, tuple(suites.record_messages(records)))
 
 
+def results_of(motions: Sequence[ScaledRecord], spectrum: Spectrum, fitting: Fitting) -> tuple[RecordResult, ...]:
+    """Return the records as results.json has them."""
+    numbers = dict(fitting.nga)
+    return tuple(record_result(motion, spectrum, nga=numbers.get(motion.record.id)) for motion in motions)
+
+
+def _suite_of(study: Study, motions: tuple[ScaledRecord, ...]) -> ScaledSuite:
+    """Return the suite of a study as scaled, with the messages on its records."""
+    spectrum = require_spectrum(study)
+    found = ground_motion(study, spectrum, motions)
+    assert found is not None  # there are records
+    messages = tuple(each for each in study.messages if each.where.startswith("records"))
+    return ScaledSuite(results_of(motions, spectrum, study.fitting), found, messages)
+
+
+def _criteria_of_options(options: SuiteOptions) -> SuiteCriteria:
+    """Return the criteria in SI; raise AssessError for an unknown word or a range that falls."""
+    spans = {**options.spans, "scale-limits": options.scale_limits}
+    for name, span in spans.items():
+        if span is not None and (isnan(span[0]) or isnan(span[1])):
+            raise AssessError(f"--{name} {span[0]:g} {span[1]:g}: not a number; give two numbers, the lesser first")
+        if span is not None and span[0] > span[1]:
+            raise AssessError(f"--{name} {span[0]:g} {span[1]:g}: the first is larger than the second")
+    si = {
+        name: None if span is None else (span[0] * UNITS[name], span[1] * UNITS[name])
+        for name, span in options.spans.items()
+    }
+    return SuiteCriteria(
+        count=options.count,
+        band=band(*options.periods),
+        filters=CandidateFilters(**si, events=options.events),
+        scale_limits=options.scale_limits,
+        one_per_event=options.one_per_event,
+        fit=_one_of("fit", options.fit, Fit),
+        components=_one_of("components", options.components, Components),
+        scale_to=_one_of("scale-to", options.scale_to, ScaleTo),
+    )
+
+
 def _check_period(at: float | None) -> None:
     """Refuse a period at which spectra of records mean nothing; 0 is that of the peak."""
     if at is not None and at != 0.0 and not PERIODS[0] <= at <= PERIODS[-1]:
@@ -301,12 +307,6 @@ def _spectrum_at(target: Path) -> Spectrum:
             "acceleration in .csv or .txt; this is neither"
         )
     return spectrum_of(site_of(target))
-
-
-def results_of(motions: Sequence[ScaledRecord], spectrum: Spectrum, fitting: Fitting) -> tuple[RecordResult, ...]:
-    """Return the records as results.json has them."""
-    numbers = dict(fitting.nga)
-    return tuple(record_result(motion, spectrum, nga=numbers.get(motion.record.id)) for motion in motions)
 
 
 def _one_of(option: str, word: str, known: Any) -> Any:

@@ -131,37 +131,6 @@ def key_value(value: Any, kind: QuantityKind) -> float:
     return number
 
 
-def _finite(value: int | float | Fraction, kind: QuantityKind) -> float:
-    try:
-        number = float(value)
-    except OverflowError:
-        number = math.inf
-    if not math.isfinite(number):
-        raise QuantityError(f"not a finite number; {_remedy(kind)}")
-    if number and not SMALLEST <= abs(number) <= LARGEST:
-        raise QuantityError(f"beyond anything built ({number:.3g} {kind.symbol}); {_remedy(kind)}")
-    return number
-
-
-def _from_text(text: str, kind: QuantityKind) -> Fraction:
-    try:
-        number, unit = number_and_unit(text)
-    except QuantityError as error:
-        reason = str(error)
-        raise QuantityError(reason if "; write " in reason else f"{reason}; {_remedy(kind)}") from None
-    if not math.isfinite(float(number)):
-        raise QuantityError(f"not a finite number; {_remedy(kind)}")
-    return Fraction(number) * _factor(unit, kind)
-
-
-def _remedy(kind: QuantityKind) -> str:
-    if kind.unit == "dimensionless":
-        return f"write a {kind.name} without unit, like {kind.example}"
-    article = "an" if kind.name[0] in "aeiou" else "a"
-    weighing = f' or "{kind.weighing}"' if kind.weighing else ""
-    return f'write {article} {kind.name} like "{kind.example}"{weighing}, or a number in {kind.symbol}'
-
-
 LONGEST = 60  # characters
 NUMBER = r"[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d{1,3})?"
 _NUMBER = re.compile(rf"\s*({NUMBER})\s*")
@@ -189,73 +158,6 @@ def number_and_unit(text: str) -> tuple[str, str]:
     return found[1], unit
 
 
-def _separated(text: str) -> str:
-    """Say what is wrong with a number that has commas or separated thousands; empty if nothing is."""
-    found = _SEPARATED.match(text)
-    if found is None or re.fullmatch(r"\d+\.\d+", found[2]):
-        return ""
-    sign, number, rest = found[1], found[2], text[found.end() :]
-    grouped = _GROUPED.fullmatch(number)
-    whole, point = (f"{sign}{digits}{rest}" for digits in (re.sub(r"\D", "", number), number.replace(",", ".")))
-    if re.fullmatch(r"[1-9]\d{0,2},\d{3}", number):
-        return f'a comma that may mean two things; write "{point}" for a decimal comma, "{whole}" for thousands'
-    if re.fullmatch(r"\d*,\d+", number):
-        return f'a decimal comma; write "{point if number[0] != "," else point.replace(".", "0.", 1)}"'
-    if grouped is None:
-        return 'more in the number than one decimal point; write it like "1250.5"'
-    decimals = f".{grouped[2]}" if grouped[2] else ""
-    return f'thousands set apart; write "{sign}{re.sub(r"[^0-9]", "", grouped[1])}{decimals}{rest}"'
-
-
-def _pointless(text: str) -> str:
-    """Say what is wrong with a number that has lost its decimal point behind a zero, like "05 m"; else empty."""
-    found = re.match(r"[+-]?0+([0-9][0-9.]*)", text)
-    return f'a 0 before the digits; write "{found[1]}", or "0.{found[1]}" if a point was lost' if found else ""
-
-
-def _in_two_units(unit: str) -> str:
-    """Say what is wrong with feet and inches in one quantity."""
-    return 'feet and inches in one; write it in one of them, like "4.5 ft"' if _FEET_AND_INCHES.match(unit) else ""
-
-
-_POWER = r"(?:(?:\^|\*\*)?-?[1-9]|[⁻]?[¹²³⁴])?"
-SIGNS = "%‰°'\""
-
-
-def _name_pattern(letter: str) -> str:
-    """Return the pattern of a unit's name, of a class of letters."""
-    return f"{letter}+(?:_{letter}+)*"
-
-
-def _unit_pattern(letter: str) -> str:
-    """Return the pattern of a unit: names and signs with their powers, multiplied and divided."""
-    factor = rf"(?:1(?=\s*/)|{_name_pattern(letter)}|[{SIGNS}]){_POWER}"
-    return rf"{factor}(?:\s*[*/·]\s*{factor}|\s+{factor})*"
-
-
-_UNIT = re.compile(_unit_pattern(r"[^\W\d_]"))
-UNITS_OF_ACCELERATION = ("g", "gal")
-
-
-def _factor(unit: str, kind: QuantityKind) -> Fraction:
-    """Return how many SI units of `kind` one `unit` is."""
-    if kind.name == "acceleration" and unit in UNITS_OF_ACCELERATION:
-        return Fraction(str(g)) if unit == "g" else Fraction(1, 100)
-    if not unit and kind.unit == "dimensionless":
-        return Fraction(1)
-    if not unit:
-        raise QuantityError(f"no unit; {_remedy(kind)}")
-    if _UNIT.fullmatch(unit) is None:
-        raise QuantityError(f'"{unit}" is not a unit; {_remedy(kind)}')
-    if re.search(r"(?<![^\W\d_])g(?![^\W\d_])", unit):
-        raise QuantityError(f'"g" is standard gravity, alone and for accelerations only; {_remedy(kind)}')
-    for word in re.findall(r"[^\W\d]+", unit.lower()):
-        if word in AMBIGUOUS:
-            raise QuantityError(f'"{word}" is {AMBIGUOUS[word]}')
-    usual = USUAL.get(kind.name, {}).get(unit)
-    return pint_factor(unit, kind) if usual is None else usual
-
-
 def reads_unit(unit: str, kind: QuantityKind) -> bool:
     """Whether `unit` is one of `kind`, as it is typed behind a number."""
     try:
@@ -263,16 +165,6 @@ def reads_unit(unit: str, kind: QuantityKind) -> bool:
     except QuantityError:
         return False
     return True
-
-
-def _has_dimension(unit: str, kind: QuantityKind) -> bool:
-    """Whether a unit of pint's has the dimension of `kind`, or that of its weight."""
-    return _dimension(_as_pint(unit, kind)) in [_dimension(each) for each in (kind.unit, kind.weight) if each]
-
-
-@cache
-def _dimension(unit: str) -> Any:
-    return _registry().parse_units(unit).dimensionality
 
 
 def is_weight(value: str, kind: QuantityKind) -> bool:
@@ -309,46 +201,19 @@ def pint_factor(unit: str, kind: QuantityKind) -> Fraction:
     return Fraction(factor)
 
 
-@cache
-def _registry() -> Any:
-    """Make the pint registry in exact fractions, which takes half a second."""
-    import pint
-
-    registry: Any = pint.UnitRegistry(non_int_type=Fraction)
-    for definition in DEFINED:
-        registry.define(definition)
-    return registry
-
-
 def prefixes_and_names(kind: QuantityKind) -> tuple[list[str], list[str]]:
     """Return the prefixes of units and the names, without prefix and plural, that units of `kind` have by pint."""
     names = [name for name, root in _names().items() if _allows(kind, root) and _has_dimension(name, kind)]
     return sorted(filter(None, _registry()._prefixes)), sorted(names)
 
 
-@cache
-def _names() -> dict[str, str]:
-    """Return pint's names of units that can be typed, each with the unit that it is of; none with a prefix."""
-    found: dict[str, str] = {}
-    for name in [each for each in _registry()._units if each.replace("_", "").isalpha()]:
-        with suppress(AttributeError):  # of a few names that pint lists and does not know
-            prefix, root, _ = _registry().parse_unit_name(name)[0]
-            found |= {} if prefix else {name: root}
-            _dimension(name)
-    return found
+_POWER = r"(?:(?:\^|\*\*)?-?[1-9]|[⁻]?[¹²³⁴])?"
+SIGNS = "%‰°'\""
 
 
-def _allows(kind: QuantityKind, name: str) -> bool:
-    """Whether a unit of the right dimension is one of `kind`."""
-    return name not in kind.never and (not kind.only or name in kind.only)
-
-
-def _as_pint(unit: str, kind: QuantityKind) -> str:
-    """Write `m/s2`, `kg·m²` and `5 %` for pint; a prime is a foot, or a minute of an angle."""
-    powers = re.sub(r"(?<=[^\W\d_])(-?\d)", r"**\1", unit)
-    prime, double = ("arcminute", "arcsecond") if kind.name == "angle" else ("foot", "inch")
-    plain = powers.replace("'", prime).replace('"', double)
-    return plain.replace("%", "percent").replace("‰", "permille").replace("·", "*").replace("°", "degree")
+def _name_pattern(letter: str) -> str:
+    """Return the pattern of a unit's name, of a class of letters."""
+    return f"{letter}+(?:_{letter}+)*"
 
 
 INCH, FOOT = Fraction("0.0254"), Fraction("0.3048")
@@ -438,6 +303,141 @@ def quantity_pattern(kind: str, form: QuantityForm = "quantity") -> str:
     elif form == "change":
         either.append(rf"\s*{NUMBER}\s*{_any_of(SHARE_UNITS)}\s*")
     return f"^(?:{'|'.join(either)})$"
+
+
+def _finite(value: int | float | Fraction, kind: QuantityKind) -> float:
+    try:
+        number = float(value)
+    except OverflowError:
+        number = math.inf
+    if not math.isfinite(number):
+        raise QuantityError(f"not a finite number; {_remedy(kind)}")
+    if number and not SMALLEST <= abs(number) <= LARGEST:
+        raise QuantityError(f"beyond anything built ({number:.3g} {kind.symbol}); {_remedy(kind)}")
+    return number
+
+
+def _from_text(text: str, kind: QuantityKind) -> Fraction:
+    try:
+        number, unit = number_and_unit(text)
+    except QuantityError as error:
+        reason = str(error)
+        raise QuantityError(reason if "; write " in reason else f"{reason}; {_remedy(kind)}") from None
+    if not math.isfinite(float(number)):
+        raise QuantityError(f"not a finite number; {_remedy(kind)}")
+    return Fraction(number) * _factor(unit, kind)
+
+
+def _remedy(kind: QuantityKind) -> str:
+    if kind.unit == "dimensionless":
+        return f"write a {kind.name} without unit, like {kind.example}"
+    article = "an" if kind.name[0] in "aeiou" else "a"
+    weighing = f' or "{kind.weighing}"' if kind.weighing else ""
+    return f'write {article} {kind.name} like "{kind.example}"{weighing}, or a number in {kind.symbol}'
+
+
+def _separated(text: str) -> str:
+    """Say what is wrong with a number that has commas or separated thousands; empty if nothing is."""
+    found = _SEPARATED.match(text)
+    if found is None or re.fullmatch(r"\d+\.\d+", found[2]):
+        return ""
+    sign, number, rest = found[1], found[2], text[found.end() :]
+    grouped = _GROUPED.fullmatch(number)
+    whole, point = (f"{sign}{digits}{rest}" for digits in (re.sub(r"\D", "", number), number.replace(",", ".")))
+    if re.fullmatch(r"[1-9]\d{0,2},\d{3}", number):
+        return f'a comma that may mean two things; write "{point}" for a decimal comma, "{whole}" for thousands'
+    if re.fullmatch(r"\d*,\d+", number):
+        return f'a decimal comma; write "{point if number[0] != "," else point.replace(".", "0.", 1)}"'
+    if grouped is None:
+        return 'more in the number than one decimal point; write it like "1250.5"'
+    decimals = f".{grouped[2]}" if grouped[2] else ""
+    return f'thousands set apart; write "{sign}{re.sub(r"[^0-9]", "", grouped[1])}{decimals}{rest}"'
+
+
+def _pointless(text: str) -> str:
+    """Say what is wrong with a number that has lost its decimal point behind a zero, like "05 m"; else empty."""
+    found = re.match(r"[+-]?0+([0-9][0-9.]*)", text)
+    return f'a 0 before the digits; write "{found[1]}", or "0.{found[1]}" if a point was lost' if found else ""
+
+
+def _in_two_units(unit: str) -> str:
+    """Say what is wrong with feet and inches in one quantity."""
+    return 'feet and inches in one; write it in one of them, like "4.5 ft"' if _FEET_AND_INCHES.match(unit) else ""
+
+
+def _unit_pattern(letter: str) -> str:
+    """Return the pattern of a unit: names and signs with their powers, multiplied and divided."""
+    factor = rf"(?:1(?=\s*/)|{_name_pattern(letter)}|[{SIGNS}]){_POWER}"
+    return rf"{factor}(?:\s*[*/·]\s*{factor}|\s+{factor})*"
+
+
+_UNIT = re.compile(_unit_pattern(r"[^\W\d_]"))
+UNITS_OF_ACCELERATION = ("g", "gal")
+
+
+def _factor(unit: str, kind: QuantityKind) -> Fraction:
+    """Return how many SI units of `kind` one `unit` is."""
+    if kind.name == "acceleration" and unit in UNITS_OF_ACCELERATION:
+        return Fraction(str(g)) if unit == "g" else Fraction(1, 100)
+    if not unit and kind.unit == "dimensionless":
+        return Fraction(1)
+    if not unit:
+        raise QuantityError(f"no unit; {_remedy(kind)}")
+    if _UNIT.fullmatch(unit) is None:
+        raise QuantityError(f'"{unit}" is not a unit; {_remedy(kind)}')
+    if re.search(r"(?<![^\W\d_])g(?![^\W\d_])", unit):
+        raise QuantityError(f'"g" is standard gravity, alone and for accelerations only; {_remedy(kind)}')
+    for word in re.findall(r"[^\W\d]+", unit.lower()):
+        if word in AMBIGUOUS:
+            raise QuantityError(f'"{word}" is {AMBIGUOUS[word]}')
+    usual = USUAL.get(kind.name, {}).get(unit)
+    return pint_factor(unit, kind) if usual is None else usual
+
+
+def _has_dimension(unit: str, kind: QuantityKind) -> bool:
+    """Whether a unit of pint's has the dimension of `kind`, or that of its weight."""
+    return _dimension(_as_pint(unit, kind)) in [_dimension(each) for each in (kind.unit, kind.weight) if each]
+
+
+@cache
+def _dimension(unit: str) -> Any:
+    return _registry().parse_units(unit).dimensionality
+
+
+@cache
+def _registry() -> Any:
+    """Make the pint registry in exact fractions, which takes half a second."""
+    import pint
+
+    registry: Any = pint.UnitRegistry(non_int_type=Fraction)
+    for definition in DEFINED:
+        registry.define(definition)
+    return registry
+
+
+@cache
+def _names() -> dict[str, str]:
+    """Return pint's names of units that can be typed, each with the unit that it is of; none with a prefix."""
+    found: dict[str, str] = {}
+    for name in [each for each in _registry()._units if each.replace("_", "").isalpha()]:
+        with suppress(AttributeError):  # of a few names that pint lists and does not know
+            prefix, root, _ = _registry().parse_unit_name(name)[0]
+            found |= {} if prefix else {name: root}
+            _dimension(name)
+    return found
+
+
+def _allows(kind: QuantityKind, name: str) -> bool:
+    """Whether a unit of the right dimension is one of `kind`."""
+    return name not in kind.never and (not kind.only or name in kind.only)
+
+
+def _as_pint(unit: str, kind: QuantityKind) -> str:
+    """Write `m/s2`, `kg·m²` and `5 %` for pint; a prime is a foot, or a minute of an angle."""
+    powers = re.sub(r"(?<=[^\W\d_])(-?\d)", r"**\1", unit)
+    prime, double = ("arcminute", "arcsecond") if kind.name == "angle" else ("foot", "inch")
+    plain = powers.replace("'", prime).replace('"', double)
+    return plain.replace("%", "percent").replace("‰", "permille").replace("·", "*").replace("°", "degree")
 
 
 def _pattern_of_unit(kind: QuantityKind) -> str:

@@ -96,6 +96,151 @@ def variables_of(
     return tuple(found)
 
 
+def numbers_of(subject: VariedMechanism) -> Iterator[VariedNumber]:
+    """Yield the numbers of the project file that a mechanism depends on and that are seldom well known."""
+    section, materials = subject.section, subject.project.content.materials
+    if isinstance(section, sections.EquivalentBlockSection):
+        yield VariedNumber("uplift", ("mechanisms", subject.name, "uplift"))
+        yield VariedNumber("p", ("mechanisms", subject.name, "p"), "1/s")
+        return
+    for name in subject.materials:
+        yield VariedNumber("density", ("materials", name, "density"), "kg/m^3")
+    yield from _joint_numbers(subject, section)
+    if subject.amplified.by_stiffness:
+        for name in subject.materials:
+            if materials[name].young_modulus is not None:
+                yield VariedNumber("stiffness", ("materials", name, "young_modulus"), "Pa")
+    for name in subject.materials:
+        if materials[name].friction:
+            yield VariedNumber("friction", ("materials", name, "friction"))
+    yield from _load_numbers(subject, section)
+
+
+class BlockBase(NamedTuple):
+    """The base of the blocks along the direction of motion: its width and the place of its middle [m]."""
+
+    width: float
+    middle: float
+
+
+def fixed_thickness_reason(subject: VariedMechanism, section: sections.ChainSection) -> str:
+    """Say why the thickness of a mechanism's blocks cannot be varied; empty if it can."""
+    direct = [name for block in section.blocks for name in block if subject.solids[name] is None]
+    if direct:
+        return f'body "{direct[0]}" has no geometry'
+    if isinstance(section, sections.FourHingeSection) and section.joints is not None:
+        return "the thickness of an arch is not its size along the direction"
+    hinges = (getattr(section, key, None) for key in ("hinges", "hinges_negative"))
+    if any(each is not None for each in hinges):
+        return "its hinges are given as points, which do not move with the faces"
+    definition: BlockMechanism = definition_of(section)
+    joints = (definition.interface_at(hinge_name) for hinge_name in hinge_names(subject.mechanism.positive))
+    if any(joint.shape != "outline" for joint in joints):
+        return "the shape of a joint is given by its sizes, which do not follow"
+    return ""
+
+
+LOAD_TOLERANCE = 0.05  # share
+
+
+def survey_of(
+    project: Project, study: Study, solids: Mapping[str, Solid | None], build_study: StudyOfMechanism
+) -> Survey:
+    """Return what gives the numbers of a mechanism that the survey's tolerance bears on, by its name."""
+    mechanisms = {mechanism.name: mechanism for mechanism in study.mechanisms}
+
+    def variables(name: str) -> tuple[Variable, ...]:
+        mechanism = mechanisms[name]
+        subject = VariedMechanism(
+            mechanism, study.amplified[name], _fix_direction(project, mechanism), solids, build_study
+        )
+        return tuple(_surveyed_variables(subject, tolerance=project.content.verdict.survey_tolerance))
+
+    return variables
+
+
+THICKNESS_GROUP = "thickness"
+"""The group of the sizes that [analysis.uncertainty] thickness varies."""
+UNCERTAINTY_KEY = "analysis.uncertainty"
+
+
+class Cases(NamedTuple):
+    """The bodies of a case by name, and what builds the study of one mechanism with some of them replaced."""
+
+    solids: Solids
+    build: Callable[[str, Mapping[str, Solid]], Study]
+
+
+CasesOf = Callable[[sections.Content], Cases]
+
+
+@dataclass(frozen=True)
+class SampledThickness:
+    """The blocks of a mechanism whose thickness is sampled: the table, and the base that they are scaled about."""
+
+    section: sections.ChainSection
+    base: BlockBase
+
+
+def sampling_of(project: Project, study: Study, solids: Solids, cases_of: CasesOf) -> Sampling | None:
+    """Return how the uncertain numbers of a project are sampled; None if it does not ask for that.
+
+    Raises ProjectError if it asks and has none.
+    """
+    section = project.content.analysis.uncertainty
+    if section is None:
+        return None
+    changed = _mechanisms_in_sweeps(project)
+    swept = [mechanism.name for mechanism in study.mechanisms if mechanism.name in changed]
+    directed = reduce(_fix_direction, (each for each in study.mechanisms if each.name not in swept), project)
+    beside = {mechanism.name: mechanism.adjacent_bodies for mechanism in study.mechanisms}
+    numbers = [
+        SampledNumber(
+            value.given,
+            value.least,
+            value.most,
+            tuple(name for name in dependents(directed.content, value.path, beside=beside) if name not in swept),
+        )
+        for value in project.uncertain
+    ]
+    thicknesses: dict[str, SampledThickness] = {}
+
+    def build_study(name: str, content: sections.Content, replaced: Mapping[str, Solid]) -> Study:
+        return cases_of(content).build(name, replaced)
+
+    notes = [note("uncertainty-left-out", f"mechanisms.{name}", why=Term(SWEPT)) for name in swept]
+    if section.thickness is not None:
+        found = dict(_sampled_thicknesses(directed, study, solids, build_study, swept))
+        thicknesses = {name: each for name, each in found.items() if isinstance(each, SampledThickness)}
+        for name, each in found.items():
+            if isinstance(each, str):
+                notes.append(note("uncertainty-thickness-left-out", f"mechanisms.{name}", why=Term(each)))
+            else:
+                key, mean = _key_of_thickness(each.section), each.base.width
+                given = UncertainInput(key, "m", mean, section.thickness, "lognormal", THICKNESS_GROUP)
+                numbers.append(SampledNumber(given, 0.0, float("inf"), (name,)))
+    if not numbers:
+        remedy = "write numbers as { mean, cov }, or thickness = 0.05 here"
+        raise ProjectError(f"{UNCERTAINTY_KEY}: no number of the project is uncertain; {remedy}")
+    study_at = partial(_study_at_samples, directed, project.uncertain, thicknesses, cases_of)
+    return Sampling(section.samples, section.seed, tuple(numbers), study_at, tuple(notes))
+
+
+def uncertainty_messages(project: Project) -> Iterator[Message]:
+    """Report uncertain numbers that are used at their means, and hinges that stay while faces move."""
+    content = project.content
+    if project.uncertain and content.analysis.uncertainty is None:
+        keys = ", ".join(value.given.key for value in project.uncertain)
+        yield note("uncertainty-means", UNCERTAINTY_KEY, keys=keys)
+        return
+    for value in project.uncertain:
+        if value.path[0] == "bodies" and value.path[-1] == "thickness":
+            yield from (
+                warning("uncertainty-hinges-stay", key_text(path), key=value.given.key)
+                for path in _given_hinges(content, str(value.path[1]))
+            )
+
+
 def _mechanisms_in_sweeps(project: Project) -> set[str]:
     """Return the mechanisms that a parametric study of the project changes."""
     return {name for each in project.sweeps for name in dependents(project.content, each.path)}
@@ -126,26 +271,6 @@ def _variables_of_mechanism(
             yield _vary_at_key(subject, number, change)
     if sensitivity.restitution is not None:
         yield _vary_restitution(subject, sensitivity.restitution)
-
-
-def numbers_of(subject: VariedMechanism) -> Iterator[VariedNumber]:
-    """Yield the numbers of the project file that a mechanism depends on and that are seldom well known."""
-    section, materials = subject.section, subject.project.content.materials
-    if isinstance(section, sections.EquivalentBlockSection):
-        yield VariedNumber("uplift", ("mechanisms", subject.name, "uplift"))
-        yield VariedNumber("p", ("mechanisms", subject.name, "p"), "1/s")
-        return
-    for name in subject.materials:
-        yield VariedNumber("density", ("materials", name, "density"), "kg/m^3")
-    yield from _joint_numbers(subject, section)
-    if subject.amplified.by_stiffness:
-        for name in subject.materials:
-            if materials[name].young_modulus is not None:
-                yield VariedNumber("stiffness", ("materials", name, "young_modulus"), "Pa")
-    for name in subject.materials:
-        if materials[name].friction:
-            yield VariedNumber("friction", ("materials", name, "friction"))
-    yield from _load_numbers(subject, section)
 
 
 def _joint_numbers(subject: VariedMechanism, section: sections.ChainSection) -> Iterator[VariedNumber]:
@@ -253,13 +378,6 @@ def _vary_thickness(
     )
 
 
-class BlockBase(NamedTuple):
-    """The base of the blocks along the direction of motion: its width and the place of its middle [m]."""
-
-    width: float
-    middle: float
-
-
 def _block_base(subject: VariedMechanism, section: sections.ChainSection) -> BlockBase | str:
     """Return the base about whose middle the blocks are scaled; or say why their thickness cannot be varied."""
     reason = fixed_thickness_reason(subject, section)
@@ -277,23 +395,6 @@ def _key_of_thickness(section: sections.ChainSection) -> str:
     return f"thickness of {', '.join(name for block in section.blocks for name in block)}"
 
 
-def fixed_thickness_reason(subject: VariedMechanism, section: sections.ChainSection) -> str:
-    """Say why the thickness of a mechanism's blocks cannot be varied; empty if it can."""
-    direct = [name for block in section.blocks for name in block if subject.solids[name] is None]
-    if direct:
-        return f'body "{direct[0]}" has no geometry'
-    if isinstance(section, sections.FourHingeSection) and section.joints is not None:
-        return "the thickness of an arch is not its size along the direction"
-    hinges = (getattr(section, key, None) for key in ("hinges", "hinges_negative"))
-    if any(each is not None for each in hinges):
-        return "its hinges are given as points, which do not move with the faces"
-    definition: BlockMechanism = definition_of(section)
-    joints = (definition.interface_at(hinge_name) for hinge_name in hinge_names(subject.mechanism.positive))
-    if any(joint.shape != "outline" for joint in joints):
-        return "the shape of a joint is given by its sizes, which do not follow"
-    return ""
-
-
 def _study_with_thickness(
     subject: VariedMechanism, section: sections.ChainSection, value: float, *, width: float, middle: float
 ) -> Study:
@@ -307,25 +408,6 @@ def _thick_blocks(section: sections.ChainSection, solids: Solids, *, factor: flo
     bodies = {name: solid for block in section.blocks for name in block if (solid := solids[name]) is not None}
     towards = definition_of(section).towards
     return {name: scale_along(each, direction=towards, middle=middle, factor=factor) for name, each in bodies.items()}
-
-
-LOAD_TOLERANCE = 0.05  # share
-
-
-def survey_of(
-    project: Project, study: Study, solids: Mapping[str, Solid | None], build_study: StudyOfMechanism
-) -> Survey:
-    """Return what gives the numbers of a mechanism that the survey's tolerance bears on, by its name."""
-    mechanisms = {mechanism.name: mechanism for mechanism in study.mechanisms}
-
-    def variables(name: str) -> tuple[Variable, ...]:
-        mechanism = mechanisms[name]
-        subject = VariedMechanism(
-            mechanism, study.amplified[name], _fix_direction(project, mechanism), solids, build_study
-        )
-        return tuple(_surveyed_variables(subject, tolerance=project.content.verdict.survey_tolerance))
-
-    return variables
 
 
 def _surveyed_variables(subject: VariedMechanism, *, tolerance: float) -> Iterator[Variable]:
@@ -362,73 +444,6 @@ def _study_with_moved_hinge(
     raw = with_value(project.raw, path, moved, project.content)
     content = sections.Content.model_validate(raw, context={"folder": project.folder})
     return subject.build_study(subject.name, content, {})
-
-
-THICKNESS_GROUP = "thickness"
-"""The group of the sizes that [analysis.uncertainty] thickness varies."""
-UNCERTAINTY_KEY = "analysis.uncertainty"
-
-
-class Cases(NamedTuple):
-    """The bodies of a case by name, and what builds the study of one mechanism with some of them replaced."""
-
-    solids: Solids
-    build: Callable[[str, Mapping[str, Solid]], Study]
-
-
-CasesOf = Callable[[sections.Content], Cases]
-
-
-@dataclass(frozen=True)
-class SampledThickness:
-    """The blocks of a mechanism whose thickness is sampled: the table, and the base that they are scaled about."""
-
-    section: sections.ChainSection
-    base: BlockBase
-
-
-def sampling_of(project: Project, study: Study, solids: Solids, cases_of: CasesOf) -> Sampling | None:
-    """Return how the uncertain numbers of a project are sampled; None if it does not ask for that.
-
-    Raises ProjectError if it asks and has none.
-    """
-    section = project.content.analysis.uncertainty
-    if section is None:
-        return None
-    changed = _mechanisms_in_sweeps(project)
-    swept = [mechanism.name for mechanism in study.mechanisms if mechanism.name in changed]
-    directed = reduce(_fix_direction, (each for each in study.mechanisms if each.name not in swept), project)
-    beside = {mechanism.name: mechanism.adjacent_bodies for mechanism in study.mechanisms}
-    numbers = [
-        SampledNumber(
-            value.given,
-            value.least,
-            value.most,
-            tuple(name for name in dependents(directed.content, value.path, beside=beside) if name not in swept),
-        )
-        for value in project.uncertain
-    ]
-    thicknesses: dict[str, SampledThickness] = {}
-
-    def build_study(name: str, content: sections.Content, replaced: Mapping[str, Solid]) -> Study:
-        return cases_of(content).build(name, replaced)
-
-    notes = [note("uncertainty-left-out", f"mechanisms.{name}", why=Term(SWEPT)) for name in swept]
-    if section.thickness is not None:
-        found = dict(_sampled_thicknesses(directed, study, solids, build_study, swept))
-        thicknesses = {name: each for name, each in found.items() if isinstance(each, SampledThickness)}
-        for name, each in found.items():
-            if isinstance(each, str):
-                notes.append(note("uncertainty-thickness-left-out", f"mechanisms.{name}", why=Term(each)))
-            else:
-                key, mean = _key_of_thickness(each.section), each.base.width
-                given = UncertainInput(key, "m", mean, section.thickness, "lognormal", THICKNESS_GROUP)
-                numbers.append(SampledNumber(given, 0.0, float("inf"), (name,)))
-    if not numbers:
-        remedy = "write numbers as { mean, cov }, or thickness = 0.05 here"
-        raise ProjectError(f"{UNCERTAINTY_KEY}: no number of the project is uncertain; {remedy}")
-    study_at = partial(_study_at_samples, directed, project.uncertain, thicknesses, cases_of)
-    return Sampling(section.samples, section.seed, tuple(numbers), study_at, tuple(notes))
 
 
 def _sampled_thicknesses(
@@ -476,21 +491,6 @@ def _study_at_samples(
         return cases.build(name, _thick_blocks(section, cases.solids, factor=factor, middle=base.middle))
 
     return build
-
-
-def uncertainty_messages(project: Project) -> Iterator[Message]:
-    """Report uncertain numbers that are used at their means, and hinges that stay while faces move."""
-    content = project.content
-    if project.uncertain and content.analysis.uncertainty is None:
-        keys = ", ".join(value.given.key for value in project.uncertain)
-        yield note("uncertainty-means", UNCERTAINTY_KEY, keys=keys)
-        return
-    for value in project.uncertain:
-        if value.path[0] == "bodies" and value.path[-1] == "thickness":
-            yield from (
-                warning("uncertainty-hinges-stay", key_text(path), key=value.given.key)
-                for path in _given_hinges(content, str(value.path[1]))
-            )
 
 
 def _given_hinges(content: sections.Content, body: str) -> Iterator[KeyPath]:

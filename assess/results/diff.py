@@ -244,37 +244,6 @@ def _compare_programs(before: Results, after: Results) -> Iterator[Difference]:
     yield Difference("program", before.program.name, "version", before.program.version, after.program.version)
 
 
-COMPARED_IN_DETAIL = {"schema_version", "program", "inputs", "warnings", "project", "mechanisms", "stamp"}
-
-
-def _compare_other_blocks(before: Results, after: Results, *, tolerance: float) -> Iterator[Difference]:
-    """Yield one difference that names the blocks of results.json not compared in detail that differ, if any do."""
-    blocks = _different_blocks(before, after, tolerance=tolerance)
-    for one, other in _common_mechanisms(before, after):
-        blocks += [f"{name} of {one.name}" for name in _different_blocks(one, other, tolerance=tolerance)]
-    if blocks:
-        yield Difference("other", "", "blocks that differ", None, ", ".join(blocks))
-
-
-def _different_blocks(one: Any, other: Any, *, tolerance: float) -> list[str]:
-    """Return the names of the fields that differ, except those compared in detail."""
-    columns = ((each.name, getattr(one, each.name), getattr(other, each.name)) for each in fields(one))
-    return [
-        name
-        for name, *ends in columns
-        if name not in COMPARED_IN_DETAIL
-        and ends[0] != ends[1]
-        and not same(*map(_as_plain_data, ends), tolerance=tolerance)
-    ]
-
-
-def _as_plain_data(value: Any) -> Any:
-    """Return the value with dicts in place of dataclasses."""
-    if is_dataclass(value) and not isinstance(value, type):
-        return asdict(value)
-    return [_as_plain_data(each) for each in value] if isinstance(value, list | tuple) else value
-
-
 COMPARED: tuple[Callable[[Results, Results], Iterator[Difference]], ...] = (
     _compare_verdicts,
     _compare_mechanisms,
@@ -310,6 +279,113 @@ def same(one: Any, other: Any, *, tolerance: float) -> bool:
 def demand_capacity(check: Check) -> float | str | None:
     """Return demand over capacity, or why it is unbounded; None where the check does not apply."""
     return None if check.verdict == Outcome.NOT_APPLICABLE else check.unbounded or check.ratio
+
+
+def parameters_of(oscillator: OscillatorResult | None) -> dict[str, float | None]:
+    """Return the rocking parameters of one branch by name."""
+    if oscillator is None:
+        return {}
+    return {each.name: getattr(oscillator, each.name) for each in fields(oscillator) if each.name != "linearised"}
+
+
+SWEEP_COLUMNS = {
+    "demand_capacity": "",
+    "capacity_pga_g": "g",
+    "uplift_multiplier": "",
+    "p_eq_per_s": "1/s",
+    "restitution": "",
+}
+
+
+def cases_of(sweep: SweepResult) -> dict[tuple[str, str], float | str | None]:
+    """Return the answers of a parametric study, by what they answer and their unit."""
+    unit = sweep.unit.replace("-", "")
+    found: dict[tuple[str, str], float | str | None] = {}
+    for place, value in enumerate(sweep.value):
+        case = f"{sweep.key} = {value:.6g} {unit}".rstrip()
+        found[f"verdict, {case}", ""] = sweep.outcome[place].value
+        found |= {(f"{name}, {case}", unit): getattr(sweep, name)[place] for name, unit in SWEEP_COLUMNS.items()}
+        if sweep.overturned[place]:
+            found[f"demand_capacity, {case}", ""] = "overturned"
+    return found
+
+
+def range_of(row: SensitivityResult) -> Iterator[tuple[tuple[str, str, str], float | str | None]]:
+    """Yield the low and the high value of a varied number, and the remark on it."""
+    number, unit = row.key or row.parameter, row.unit.replace("-", "")
+    yield (row.mechanism, f"{number}, low", unit), row.low
+    yield (row.mechanism, f"{number}, high", unit), row.high
+    yield (row.mechanism, f"{number}, remark", ""), row.remark or None
+
+
+def answers_of(row: SensitivityResult) -> Iterator[tuple[tuple[str, str, str], float | str | None]]:
+    """Yield an answer and its verdict at the low and the high value of a varied number."""
+    if not row.quantity:
+        return
+    unit = "g" if row.quantity == "capacity_pga_g" else ""
+    what = f"{row.index or row.quantity}, {answer_name(row)}, {row.key or row.parameter}"
+    for side, found, verdict in (("low", row.at_low, row.verdict_low), ("high", row.at_high, row.verdict_high)):
+        yield (row.mechanism, f"{what} {side}", unit), found
+        yield (row.mechanism, f"verdict of {what} {side}", ""), verdict
+
+
+def answer_name(answer: SensitivityResult | UncertainAnswer) -> str:
+    """Return procedure, limit state and level of an answer, as far as it has them."""
+    at = "" if answer.level_pga_g is None else f" at {answer.level_pga_g:.6g} g"
+    return f"{answer.procedure} {answer.limit_state}".strip() + at
+
+
+def entries(key: str, one: Any, other: Any) -> Iterator[tuple[str, Any, Any]]:
+    """Yield two values entry by entry, with their keys, as long as both are tables or lists of tables."""
+    if isinstance(one, Mapping) and isinstance(other, Mapping):
+        for name, first, second in pairs(one, other):
+            yield from entries(f"{key}.{name}", first, second)
+    elif _is_list_of_tables(one) and _is_list_of_tables(other):
+        for place, (first, second) in enumerate(zip_longest(one, other), start=1):  # as sweeps count
+            yield from entries(f"{key}[{place}]", first, second)
+    else:
+        yield key, _without_absent_keys(one), _without_absent_keys(other)
+
+
+K = TypeVar("K")
+V = TypeVar("V")
+
+
+def pairs(before: Mapping[K, V], after: Mapping[K, V]) -> Iterator[tuple[K, V | None, V | None]]:
+    """Yield each key with its value in either run, None where absent; keys of the first run come first."""
+    for key in dict.fromkeys((*before, *after)):
+        yield key, before.get(key), after.get(key)
+
+
+COMPARED_IN_DETAIL = {"schema_version", "program", "inputs", "warnings", "project", "mechanisms", "stamp"}
+
+
+def _compare_other_blocks(before: Results, after: Results, *, tolerance: float) -> Iterator[Difference]:
+    """Yield one difference that names the blocks of results.json not compared in detail that differ, if any do."""
+    blocks = _different_blocks(before, after, tolerance=tolerance)
+    for one, other in _common_mechanisms(before, after):
+        blocks += [f"{name} of {one.name}" for name in _different_blocks(one, other, tolerance=tolerance)]
+    if blocks:
+        yield Difference("other", "", "blocks that differ", None, ", ".join(blocks))
+
+
+def _different_blocks(one: Any, other: Any, *, tolerance: float) -> list[str]:
+    """Return the names of the fields that differ, except those compared in detail."""
+    columns = ((each.name, getattr(one, each.name), getattr(other, each.name)) for each in fields(one))
+    return [
+        name
+        for name, *ends in columns
+        if name not in COMPARED_IN_DETAIL
+        and ends[0] != ends[1]
+        and not same(*map(_as_plain_data, ends), tolerance=tolerance)
+    ]
+
+
+def _as_plain_data(value: Any) -> Any:
+    """Return the value with dicts in place of dataclasses."""
+    if is_dataclass(value) and not isinstance(value, type):
+        return asdict(value)
+    return [_as_plain_data(each) for each in value] if isinstance(value, list | tuple) else value
 
 
 def _checks_by_name(mechanism: MechanismResult, *runs: MechanismResult) -> dict[str, Check]:
@@ -361,13 +437,6 @@ def _mechanism_statements(one: MechanismVerdict) -> Statements:
     return statements
 
 
-def parameters_of(oscillator: OscillatorResult | None) -> dict[str, float | None]:
-    """Return the rocking parameters of one branch by name."""
-    if oscillator is None:
-        return {}
-    return {each.name: getattr(oscillator, each.name) for each in fields(oscillator) if each.name != "linearised"}
-
-
 def _least_overturning_pulse(envelope: EnvelopeResult) -> float | None:
     """Return the least amplitude of all frequencies that overturns [g]; None if no pulse does."""
     return min((amplitude for amplitude in envelope.lower_bound_g if amplitude is not None), default=None)
@@ -376,47 +445,6 @@ def _least_overturning_pulse(envelope: EnvelopeResult) -> float | None:
 def _count_overturning_pulses(envelope: EnvelopeResult) -> int:
     """Count the pulses of the grid that overturn."""
     return sum(sum(row) for row in envelope.overturned)
-
-
-SWEEP_COLUMNS = {
-    "demand_capacity": "",
-    "capacity_pga_g": "g",
-    "uplift_multiplier": "",
-    "p_eq_per_s": "1/s",
-    "restitution": "",
-}
-
-
-def cases_of(sweep: SweepResult) -> dict[tuple[str, str], float | str | None]:
-    """Return the answers of a parametric study, by what they answer and their unit."""
-    unit = sweep.unit.replace("-", "")
-    found: dict[tuple[str, str], float | str | None] = {}
-    for place, value in enumerate(sweep.value):
-        case = f"{sweep.key} = {value:.6g} {unit}".rstrip()
-        found[f"verdict, {case}", ""] = sweep.outcome[place].value
-        found |= {(f"{name}, {case}", unit): getattr(sweep, name)[place] for name, unit in SWEEP_COLUMNS.items()}
-        if sweep.overturned[place]:
-            found[f"demand_capacity, {case}", ""] = "overturned"
-    return found
-
-
-def range_of(row: SensitivityResult) -> Iterator[tuple[tuple[str, str, str], float | str | None]]:
-    """Yield the low and the high value of a varied number, and the remark on it."""
-    number, unit = row.key or row.parameter, row.unit.replace("-", "")
-    yield (row.mechanism, f"{number}, low", unit), row.low
-    yield (row.mechanism, f"{number}, high", unit), row.high
-    yield (row.mechanism, f"{number}, remark", ""), row.remark or None
-
-
-def answers_of(row: SensitivityResult) -> Iterator[tuple[tuple[str, str, str], float | str | None]]:
-    """Yield an answer and its verdict at the low and the high value of a varied number."""
-    if not row.quantity:
-        return
-    unit = "g" if row.quantity == "capacity_pga_g" else ""
-    what = f"{row.index or row.quantity}, {answer_name(row)}, {row.key or row.parameter}"
-    for side, found, verdict in (("low", row.at_low, row.verdict_low), ("high", row.at_high, row.verdict_high)):
-        yield (row.mechanism, f"{what} {side}", unit), found
-        yield (row.mechanism, f"verdict of {what} {side}", ""), verdict
 
 
 def _uncertain_statements(found: UncertaintyResult) -> dict[tuple[str, str, str], float | str | None]:
@@ -437,12 +465,6 @@ def _uncertain_statements(found: UncertaintyResult) -> dict[tuple[str, str, str]
     return statements
 
 
-def answer_name(answer: SensitivityResult | UncertainAnswer) -> str:
-    """Return procedure, limit state and level of an answer, as far as it has them."""
-    at = "" if answer.level_pga_g is None else f" at {answer.level_pga_g:.6g} g"
-    return f"{answer.procedure} {answer.limit_state}".strip() + at
-
-
 def _sha256_by_path(results: Results) -> dict[str, str]:
     return {each.path: each.sha256 for each in results.inputs}
 
@@ -457,18 +479,6 @@ def _making_of_record(record: RecordResult) -> str | None:
     return None if record.path or not record.trail else record.trail[0]
 
 
-def entries(key: str, one: Any, other: Any) -> Iterator[tuple[str, Any, Any]]:
-    """Yield two values entry by entry, with their keys, as long as both are tables or lists of tables."""
-    if isinstance(one, Mapping) and isinstance(other, Mapping):
-        for name, first, second in pairs(one, other):
-            yield from entries(f"{key}.{name}", first, second)
-    elif _is_list_of_tables(one) and _is_list_of_tables(other):
-        for place, (first, second) in enumerate(zip_longest(one, other), start=1):  # as sweeps count
-            yield from entries(f"{key}[{place}]", first, second)
-    else:
-        yield key, _without_absent_keys(one), _without_absent_keys(other)
-
-
 def _is_list_of_tables(value: Any) -> bool:
     """Return whether a value is a list of tables only."""
     return isinstance(value, list | tuple) and all(isinstance(each, Mapping) for each in value)
@@ -477,16 +487,6 @@ def _is_list_of_tables(value: Any) -> bool:
 def _without_absent_keys(value: Any) -> Any:
     """Return the value; a table without the keys whose value is None."""
     return {key: each for key, each in value.items() if each is not None} if isinstance(value, Mapping) else value
-
-
-K = TypeVar("K")
-V = TypeVar("V")
-
-
-def pairs(before: Mapping[K, V], after: Mapping[K, V]) -> Iterator[tuple[K, V | None, V | None]]:
-    """Yield each key with its value in either run, None where absent; keys of the first run come first."""
-    for key in dict.fromkeys((*before, *after)):
-        yield key, before.get(key), after.get(key)
 
 
 def _of_both(value_of: Callable[[V], Any], one: V | None, other: V | None) -> tuple[Any, Any]:

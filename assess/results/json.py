@@ -118,48 +118,9 @@ def read(path: Path) -> Results:
     return loads(_text(path), source=str(path))
 
 
-def _read_fragility(path: Path) -> FragilityResults:
-    """Read the results of `assess fragility`, as `read` does those of `assess run`."""
-    return loads_fragility(_text(path), source=str(path))
-
-
 def read_verification(path: Path) -> VerificationResults:
     """Read the results of `assess verify`, as `read` does those of `assess run`."""
     return _loads_verification(_text(path, VERIFY_AGAIN), source=str(path))
-
-
-def _text(path: Path, remedy: str = REMEDY) -> str:
-    try:
-        status = path.stat()
-        if not stat.S_ISREG(status.st_mode):
-            raise ResultsError(f"{path}: {'is a directory' if path.is_dir() else 'not a regular file'}; {remedy}")
-        if status.st_size > LARGEST:
-            size = f"{status.st_size / 1e6:.0f} MB are more than the {LARGEST / 1e6:.0f} MB"
-            raise ResultsError(f"{path}: {size} that results may have; {remedy}")
-        return path.read_text(encoding="utf-8")
-    except UnicodeDecodeError:
-        raise ResultsError(f"{path}: not a text file; {remedy}") from None
-    except OSError as error:
-        raise ResultsError(f"{path}: {error.strerror or 'cannot be read'}; {remedy}") from None
-
-
-def _find_results(path: Path) -> Path:
-    """Find the results file that `path` names: itself, or the one in the folder, or in its only NAME-results folder.
-
-    Raises ResultsError if there is none, or more than one, or if it is that of `assess fragility`.
-    """
-    if path.name == FRAGILITY:
-        raise ResultsError(
-            f"{path}: of `assess fragility`, whose curves are not compared; compare its tables, or two results.json"
-        )
-    if not path.is_dir():
-        return path
-    here = [file for name in NAMES if (file := path / name).is_file()]
-    below = sorted(path.glob(f"*-results/{NAMES[0]}"))
-    if here or len(below) == 1:
-        return (here or below)[0]
-    found = "none of " + " or ".join(NAMES) if not below else f"{len(below)} folders of results"
-    raise ResultsError(f"{path}: a folder with {found}; {REMEDY}")
 
 
 def dumps(results: Results) -> str:
@@ -236,6 +197,103 @@ def loads_fragility(text: str, *, source: str = "results") -> FragilityResults:
     return _loads(text, source, FRAGILITY_TREE)
 
 
+@dataclass(frozen=True)
+class Tree(Generic[T]):
+    """A tree of results: its type, its version, and what to do about a file that holds none, or another version."""
+
+    kind: type[T]
+    version: int
+    remedy: str
+    again: str
+
+
+_SCALARS = {float, int, bool, str, type(None)}
+Groups = tuple[tuple[str, ...], ...]
+OF_ONE_LENGTH: Mapping[type, Groups] = {
+    PgaCurve: (("rotation_ratio", "pga_g"),),
+    r.SpectrumResult: (("period_s", "acceleration_g"),),
+    r.RecordSpectrum: (("period_s", "acceleration_g"),),
+    r.GroundMotionResult: (("period_s", "target_g", "mean_g", "geometric_mean_g"),),
+    r.DisplacedDrawing: (("blocks", "block_of"),),
+    r.Drawing: (("blocks", "block_of"),),
+    r.View: (("triangles", "block_of"),),
+    r.BranchCurve: (tuple(field.name for field in fields(r.BranchCurve)),),
+    r.CarriedMotion: (
+        ("time_s", "ground_acceleration_g", "base_acceleration_g"),
+        ("period_s", "ground_spectrum_g", "base_spectrum_g"),
+    ),
+    r.HistoryTrace: (("time_s", "rotation_rad", "ground_acceleration_g", "base_acceleration_g"),),
+    r.DirectionSweep: (("angle_deg", "uplift_multiplier", "p_eq_per_s", "overturning_rad"),),
+    r.BranchMoment: (("rotation_rad", "restoring_n_m"),),
+    r.EnvelopeResult: (
+        ("frequency_hz", "overturned", "lower_bound_g", "polarity", "islands", "uplift_g", "factor", "omega",
+         "lower_bound_ratio"),
+    ),
+    r.CriticalResult: (("frequency_hz", "mechanism", "lower_bound_g", "runner_up", "margin", "near"),),
+    r.SweepResult: (
+        ("value", "p_eq_per_s", "uplift_multiplier", "overturning_rad", "overturning_flexible_rad",
+         "elastic_frequency_hz", "restitution", "demand_capacity", "overturned", "capacity_pga_g", "outcome"),
+    ),
+    RecordRunsResult: (("scale", "ratio"),),
+    CurveBand: (("intensity", "low", "high"),),
+    HazardResult: (("intensity", "annual_rate"),),
+}  # fmt: skip
+"""Fields of each type that are columns of one table; a field that is None is ignored."""
+
+
+def faults(value: Any, where: str = "") -> Iterator[str]:
+    """Yield what is wrong with results or a part of them, with its place, one by one."""
+    if isinstance(value, float):
+        if not isfinite(value):
+            yield f"{where}: {value} is not a finite number"
+    elif is_dataclass(value):
+        yield from _field_faults(value, where)
+    elif isinstance(value, Mapping):
+        for key, each in value.items():
+            yield from faults(each, f"{where}.{key}".lstrip("."))
+    elif isinstance(value, tuple | list):
+        yield from _item_faults(value, where)
+
+
+def _read_fragility(path: Path) -> FragilityResults:
+    """Read the results of `assess fragility`, as `read` does those of `assess run`."""
+    return loads_fragility(_text(path), source=str(path))
+
+
+def _text(path: Path, remedy: str = REMEDY) -> str:
+    try:
+        status = path.stat()
+        if not stat.S_ISREG(status.st_mode):
+            raise ResultsError(f"{path}: {'is a directory' if path.is_dir() else 'not a regular file'}; {remedy}")
+        if status.st_size > LARGEST:
+            size = f"{status.st_size / 1e6:.0f} MB are more than the {LARGEST / 1e6:.0f} MB"
+            raise ResultsError(f"{path}: {size} that results may have; {remedy}")
+        return path.read_text(encoding="utf-8")
+    except UnicodeDecodeError:
+        raise ResultsError(f"{path}: not a text file; {remedy}") from None
+    except OSError as error:
+        raise ResultsError(f"{path}: {error.strerror or 'cannot be read'}; {remedy}") from None
+
+
+def _find_results(path: Path) -> Path:
+    """Find the results file that `path` names: itself, or the one in the folder, or in its only NAME-results folder.
+
+    Raises ResultsError if there is none, or more than one, or if it is that of `assess fragility`.
+    """
+    if path.name == FRAGILITY:
+        raise ResultsError(
+            f"{path}: of `assess fragility`, whose curves are not compared; compare its tables, or two results.json"
+        )
+    if not path.is_dir():
+        return path
+    here = [file for name in NAMES if (file := path / name).is_file()]
+    below = sorted(path.glob(f"*-results/{NAMES[0]}"))
+    if here or len(below) == 1:
+        return (here or below)[0]
+    found = "none of " + " or ".join(NAMES) if not below else f"{len(below)} folders of results"
+    raise ResultsError(f"{path}: a folder with {found}; {REMEDY}")
+
+
 def _loads_verification(text: str, *, source: str = "results") -> VerificationResults:
     """Return results from the text of verification.json, as `loads` does from that of results.json.
 
@@ -252,16 +310,6 @@ def _loads_verification(text: str, *, source: str = "results") -> VerificationRe
     if dumps_verification(found) != text:
         raise ResultsError(f"{source}: was changed since it was written: its seal does not fit; {VERIFY_AGAIN}")
     return found
-
-
-@dataclass(frozen=True)
-class Tree(Generic[T]):
-    """A tree of results: its type, its version, and what to do about a file that holds none, or another version."""
-
-    kind: type[T]
-    version: int
-    remedy: str
-    again: str
 
 
 RESULTS_TREE = Tree(Results, SCHEMA_VERSION, REMEDY, AGAIN)
@@ -350,54 +398,6 @@ def _parse(text: str, source: str, remedy: str = REMEDY) -> Any:
         raise ResultsError(f"{source}: {str(error).partition(';')[0].lower()}; {remedy}") from None
     except RecursionError:
         raise ResultsError(f"{source}: nested too deeply; {remedy}") from None
-
-
-_SCALARS = {float, int, bool, str, type(None)}
-Groups = tuple[tuple[str, ...], ...]
-OF_ONE_LENGTH: Mapping[type, Groups] = {
-    PgaCurve: (("rotation_ratio", "pga_g"),),
-    r.SpectrumResult: (("period_s", "acceleration_g"),),
-    r.RecordSpectrum: (("period_s", "acceleration_g"),),
-    r.GroundMotionResult: (("period_s", "target_g", "mean_g", "geometric_mean_g"),),
-    r.DisplacedDrawing: (("blocks", "block_of"),),
-    r.Drawing: (("blocks", "block_of"),),
-    r.View: (("triangles", "block_of"),),
-    r.BranchCurve: (tuple(field.name for field in fields(r.BranchCurve)),),
-    r.CarriedMotion: (
-        ("time_s", "ground_acceleration_g", "base_acceleration_g"),
-        ("period_s", "ground_spectrum_g", "base_spectrum_g"),
-    ),
-    r.HistoryTrace: (("time_s", "rotation_rad", "ground_acceleration_g", "base_acceleration_g"),),
-    r.DirectionSweep: (("angle_deg", "uplift_multiplier", "p_eq_per_s", "overturning_rad"),),
-    r.BranchMoment: (("rotation_rad", "restoring_n_m"),),
-    r.EnvelopeResult: (
-        ("frequency_hz", "overturned", "lower_bound_g", "polarity", "islands", "uplift_g", "factor", "omega",
-         "lower_bound_ratio"),
-    ),
-    r.CriticalResult: (("frequency_hz", "mechanism", "lower_bound_g", "runner_up", "margin", "near"),),
-    r.SweepResult: (
-        ("value", "p_eq_per_s", "uplift_multiplier", "overturning_rad", "overturning_flexible_rad",
-         "elastic_frequency_hz", "restitution", "demand_capacity", "overturned", "capacity_pga_g", "outcome"),
-    ),
-    RecordRunsResult: (("scale", "ratio"),),
-    CurveBand: (("intensity", "low", "high"),),
-    HazardResult: (("intensity", "annual_rate"),),
-}  # fmt: skip
-"""Fields of each type that are columns of one table; a field that is None is ignored."""
-
-
-def faults(value: Any, where: str = "") -> Iterator[str]:
-    """Yield what is wrong with results or a part of them, with its place, one by one."""
-    if isinstance(value, float):
-        if not isfinite(value):
-            yield f"{where}: {value} is not a finite number"
-    elif is_dataclass(value):
-        yield from _field_faults(value, where)
-    elif isinstance(value, Mapping):
-        for key, each in value.items():
-            yield from faults(each, f"{where}.{key}".lstrip("."))
-    elif isinstance(value, tuple | list):
-        yield from _item_faults(value, where)
 
 
 def _field_faults(value: Any, where: str) -> Iterator[str]:

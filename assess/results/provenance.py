@@ -264,11 +264,6 @@ def sources_digest(folder: Path) -> str:
     return digest.hexdigest()
 
 
-def _field(about: PackageMetadata, key: str) -> str:
-    """Return a field of metadata; "" if it is missing."""
-    return about[key] if key in about else ""  # noqa: SIM401 - metadata has no typed get
-
-
 def file_sha256(path: Path) -> str:
     """Return the SHA-256 of a file.
 
@@ -278,6 +273,11 @@ def file_sha256(path: Path) -> str:
     """
     status = path.stat()
     return _sha256(path.absolute(), status.st_size, status.st_mtime_ns, status.st_ino)
+
+
+def _field(about: PackageMetadata, key: str) -> str:
+    """Return a field of metadata; "" if it is missing."""
+    return about[key] if key in about else ""  # noqa: SIM401 - metadata has no typed get
 
 
 @lru_cache(maxsize=4096)

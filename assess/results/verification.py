@@ -95,12 +95,6 @@ class Spread:
     worst: float | None
 
 
-def _spread_of(differences: Iterable[float]) -> Spread:
-    """Return the spread of differences."""
-    found = tuple(differences)
-    return Spread(median(found), max(found)) if found else Spread(None, None)
-
-
 @dataclass(frozen=True, repr=False)
 class QuantityResult(ShortRepr):
     """A quantity of a case, with its values; unit : as printed, "" for a ratio."""
@@ -317,6 +311,12 @@ def keys_for(exercised: Mapping[str, Collection[str]], uses: Collection[str]) ->
     chosen = {key for key, words in exercised.items() if _concerns(frozenset(words), used)}
     bare = used.difference(*(exercised[key] for key in chosen))
     return frozenset(chosen | {key for key, words in exercised.items() if not bare.isdisjoint(words)})
+
+
+def _spread_of(differences: Iterable[float]) -> Spread:
+    """Return the spread of differences."""
+    found = tuple(differences)
+    return Spread(median(found), max(found)) if found else Spread(None, None)
 
 
 def _concerns(exercised: frozenset[str], used: frozenset[str]) -> bool:

@@ -123,60 +123,6 @@ def unbounded_reason(intensity: ArrayLike, reached: ArrayLike, records: ArrayLik
     return UnboundedReason.FALLING if fit_lognormal(intensity, reached, records) is None else None
 
 
-LinkFunction = Literal["probit", "logit"]
-
-
-def _fit_binomial(x: FloatArray, reached: FloatArray, records: FloatArray, *, link: LinkFunction) -> FloatArray:
-    """Return intercepts and slopes [draws, 2] by maximum likelihood; nan where the counts do not overlap.
-
-    Parameters
-    ----------
-    x : variable of each group [k]
-    reached : how many reach the state in each group [draws, k]
-    records : how many there are in each group [draws, k]
-    link : "probit" or "logit"
-    """
-    theta = np.full((len(reached), 2), np.nan)
-    overlap = _counts_overlap(x, reached, records)
-    if overlap.any():
-        mean, spread = float(np.mean(x)), float(np.std(x))
-        u, reached_counts, record_counts = (x - mean) / spread, reached[overlap], records[overlap]
-        pooled = _BinomialLikelihood(
-            u, reached_counts.sum(axis=0, keepdims=True), record_counts.sum(axis=0, keepdims=True), link
-        )
-        pooled_fit = _maximise_likelihood(pooled, np.zeros((1, 2)))  # of all draws together: fewer steps for each
-        start = np.tile(np.nan_to_num(pooled_fit), (len(reached_counts), 1))
-        a, b = _maximise_likelihood(_BinomialLikelihood(u, reached_counts, record_counts, link), start).T
-        theta[overlap] = np.stack([a - b * mean / spread, b / spread], axis=1)
-    return theta
-
-
-def _counts_overlap(x: FloatArray, reached: FloatArray, records: FloatArray) -> BoolArray:
-    """Tell of each draw whether its likelihood has a finite maximum [draws].
-
-    Parameters
-    ----------
-    x : variable of each group [k]
-    reached : how many reach the state in each group [draws, k]
-    records : how many there are in each group [draws, k]
-    """
-    first_reached, last_reached = _least_and_largest(x, reached > 0)
-    first_not, last_not = _least_and_largest(x, records > reached)
-    return np.asarray((first_reached < last_not) & (first_not < last_reached))
-
-
-def _least_and_largest(x: FloatArray, counted: BoolArray) -> tuple[FloatArray, FloatArray]:
-    """Return the least and largest variable of the groups counted [draws]; inf and -inf where none is.
-
-    Parameters
-    ----------
-    x : variable of each group [k]
-    counted : which groups count [draws, k]
-    """
-    least = np.where(counted, x, np.inf).min(axis=1, initial=np.inf)
-    return least, np.where(counted, x, -np.inf).max(axis=1, initial=-np.inf)
-
-
 class _BinomialLikelihood:
     """The likelihood of counts: called with parameters and draws, as `_maximise_likelihood` does."""
 
@@ -190,20 +136,6 @@ class _BinomialLikelihood:
         gradient = np.stack([slope.sum(axis=1), slope @ self.x], axis=1)
         curvature = np.stack([bend.sum(axis=1), bend @ self.x, bend @ self.x**2], axis=1)
         return Likelihood(value.sum(axis=1), gradient, curvature)
-
-
-def _probit(z: FloatArray, reached: FloatArray, others: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """Return the terms of the likelihood with their first and second derivatives by z [draws, k]."""
-    log_p, log_q = log_ndtr(z), log_ndtr(-z)
-    log_density = -0.5 * z**2 - 0.5 * np.log(2.0 * np.pi)
-    u, v = np.exp(log_density - log_p), np.exp(log_density - log_q)
-    return reached * log_p + others * log_q, reached * u - others * v, -reached * u * (z + u) - others * v * (v - z)
-
-
-def _logit(z: FloatArray, reached: FloatArray, others: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """Return the terms of the likelihood with their first and second derivatives by z [draws, k]."""
-    p, records = expit(z), reached + others
-    return reached * log_expit(z) + others * log_expit(-z), reached - records * p, -records * p * (1.0 - p)
 
 
 def fit_first_exceedances(stands: FloatArray, reaches: FloatArray, counts: FloatArray) -> tuple[FloatArray, FloatArray]:
@@ -284,14 +216,6 @@ class _IntervalLikelihood:
         return value, gradient, np.stack([(n * each).sum(axis=1) for each in (aa, ab, bb)], axis=1)
 
 
-def _log_probability_between(lower: FloatArray, upper: FloatArray) -> FloatArray:
-    """Return the logarithm of the normal probability between bounds, taken in the tail where it is accurate."""
-    flip = lower > 0.0
-    low, high = np.where(flip, -upper, lower), np.where(flip, -lower, upper)
-    big, small = log_ndtr(high), log_ndtr(low)
-    return np.asarray(big + np.log1p(-np.exp(small - big)))
-
-
 ITERATIONS = 60
 HALVINGS = 30
 STEP = 1e-10  # relative step at which a draw has converged
@@ -304,66 +228,6 @@ class Likelihood(ShortRepr):
     value: FloatArray
     gradient: FloatArray
     curvature: FloatArray
-
-
-Terms = Callable[[FloatArray, IntArray], Likelihood]
-
-
-def _maximise_likelihood(terms: Terms, start: FloatArray) -> FloatArray:
-    """Return the parameters [draws, 2] at which each likelihood is largest; nan where the search does not converge.
-
-    Parameters
-    ----------
-    terms : takes parameters [n, 2] and the draws [n] that they belong to
-    start : parameters to begin at, of finite likelihood [draws, 2]
-    """
-    theta = np.array(start, dtype=np.float64)
-    active = np.arange(len(theta))
-    likelihood = terms(theta, active)
-    for _ in range(ITERATIONS):
-        step = _newton_step(likelihood)
-        theta[active], likelihood = _halve_steps(terms, theta[active], step, likelihood, active)
-        not_converged = ~(np.abs(step).max(axis=1) <= STEP * (1.0 + np.abs(theta[active]).max(axis=1)))
-        active, likelihood = active[not_converged], _select_draws(likelihood, not_converged)
-        if not active.size:
-            break
-    theta[active] = np.nan
-    return theta
-
-
-def _newton_step(likelihood: Likelihood) -> FloatArray:
-    """Return Newton's steps [n, 2]; zero curvature gives a step that is not finite."""
-    (g_a, g_b), (aa, ab, bb) = likelihood.gradient.T, likelihood.curvature.T
-    with np.errstate(divide="ignore", invalid="ignore"):
-        step = np.stack([ab * g_b - bb * g_a, ab * g_a - aa * g_b], axis=1) / (aa * bb - ab**2)[:, None]
-    return np.asarray(step)
-
-
-def _halve_steps(
-    terms: Terms, theta: FloatArray, step: FloatArray, likelihood: Likelihood, draws: IntArray
-) -> tuple[FloatArray, Likelihood]:
-    """Return the parameters after steps halved until no likelihood falls, and the likelihoods there."""
-    step = np.where(np.isfinite(step), step, 0.0)
-    tried = theta + step
-    tried_likelihood = terms(tried, draws)
-    for _ in range(HALVINGS):
-        worse = ~(tried_likelihood.value >= likelihood.value - 1e-12 * np.abs(likelihood.value))
-        if not worse.any():
-            break
-        step[worse] *= 0.5
-        tried[worse] = theta[worse] + step[worse]
-        halved = terms(tried[worse], draws[worse])
-        for whole, part in zip(_arrays(tried_likelihood), _arrays(halved), strict=True):
-            whole[worse] = part
-    return tried, tried_likelihood
-
-
-def _select_draws(likelihood: Likelihood, rows: BoolArray) -> Likelihood:
-    return Likelihood(*(each[rows] for each in _arrays(likelihood)))
-
-
-def _arrays(likelihood: Likelihood) -> tuple[FloatArray, FloatArray, FloatArray]:
-    return likelihood.value, likelihood.gradient, likelihood.curvature
 
 
 @dataclass(frozen=True, repr=False)
@@ -570,6 +434,160 @@ def fit_clouds(intensity: FloatArray, demand: FloatArray, counts: FloatArray) ->
     return np.hstack([line, _logistic(x[~over], stood * rocks[~over], stood), _logistic(x, counts * over, counts)])
 
 
+def cloud_probability(row: FloatArray, u: FloatArray, threshold: float) -> FloatArray:
+    """Return the probabilities that the demand exceeds a threshold [draws, m].
+
+    Parameters
+    ----------
+    row : clouds, as `fit_clouds` returns them [draws, 7]
+    u : logarithms of intensity [draws, m], or [1, m] for all draws
+    threshold : in the demand's unit; inf for overturning
+    """
+    a, b, sigma, a_r, b_r, a_o, b_o = (each[:, None] for each in row.T)
+    overturns, rocks = expit(a_o + b_o * u), expit(a_r + b_r * u)
+    if np.isinf(threshold):
+        return np.asarray(overturns)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        exceeds = ndtr((a + b * u - np.log(threshold)) / sigma) if threshold > 0.0 else np.ones_like(u)
+    return np.asarray(overturns + (1.0 - overturns) * rocks * exceeds)
+
+
+LinkFunction = Literal["probit", "logit"]
+
+
+def _fit_binomial(x: FloatArray, reached: FloatArray, records: FloatArray, *, link: LinkFunction) -> FloatArray:
+    """Return intercepts and slopes [draws, 2] by maximum likelihood; nan where the counts do not overlap.
+
+    Parameters
+    ----------
+    x : variable of each group [k]
+    reached : how many reach the state in each group [draws, k]
+    records : how many there are in each group [draws, k]
+    link : "probit" or "logit"
+    """
+    theta = np.full((len(reached), 2), np.nan)
+    overlap = _counts_overlap(x, reached, records)
+    if overlap.any():
+        mean, spread = float(np.mean(x)), float(np.std(x))
+        u, reached_counts, record_counts = (x - mean) / spread, reached[overlap], records[overlap]
+        pooled = _BinomialLikelihood(
+            u, reached_counts.sum(axis=0, keepdims=True), record_counts.sum(axis=0, keepdims=True), link
+        )
+        pooled_fit = _maximise_likelihood(pooled, np.zeros((1, 2)))  # of all draws together: fewer steps for each
+        start = np.tile(np.nan_to_num(pooled_fit), (len(reached_counts), 1))
+        a, b = _maximise_likelihood(_BinomialLikelihood(u, reached_counts, record_counts, link), start).T
+        theta[overlap] = np.stack([a - b * mean / spread, b / spread], axis=1)
+    return theta
+
+
+def _counts_overlap(x: FloatArray, reached: FloatArray, records: FloatArray) -> BoolArray:
+    """Tell of each draw whether its likelihood has a finite maximum [draws].
+
+    Parameters
+    ----------
+    x : variable of each group [k]
+    reached : how many reach the state in each group [draws, k]
+    records : how many there are in each group [draws, k]
+    """
+    first_reached, last_reached = _least_and_largest(x, reached > 0)
+    first_not, last_not = _least_and_largest(x, records > reached)
+    return np.asarray((first_reached < last_not) & (first_not < last_reached))
+
+
+def _least_and_largest(x: FloatArray, counted: BoolArray) -> tuple[FloatArray, FloatArray]:
+    """Return the least and largest variable of the groups counted [draws]; inf and -inf where none is.
+
+    Parameters
+    ----------
+    x : variable of each group [k]
+    counted : which groups count [draws, k]
+    """
+    least = np.where(counted, x, np.inf).min(axis=1, initial=np.inf)
+    return least, np.where(counted, x, -np.inf).max(axis=1, initial=-np.inf)
+
+
+def _probit(z: FloatArray, reached: FloatArray, others: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Return the terms of the likelihood with their first and second derivatives by z [draws, k]."""
+    log_p, log_q = log_ndtr(z), log_ndtr(-z)
+    log_density = -0.5 * z**2 - 0.5 * np.log(2.0 * np.pi)
+    u, v = np.exp(log_density - log_p), np.exp(log_density - log_q)
+    return reached * log_p + others * log_q, reached * u - others * v, -reached * u * (z + u) - others * v * (v - z)
+
+
+def _logit(z: FloatArray, reached: FloatArray, others: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Return the terms of the likelihood with their first and second derivatives by z [draws, k]."""
+    p, records = expit(z), reached + others
+    return reached * log_expit(z) + others * log_expit(-z), reached - records * p, -records * p * (1.0 - p)
+
+
+def _log_probability_between(lower: FloatArray, upper: FloatArray) -> FloatArray:
+    """Return the logarithm of the normal probability between bounds, taken in the tail where it is accurate."""
+    flip = lower > 0.0
+    low, high = np.where(flip, -upper, lower), np.where(flip, -lower, upper)
+    big, small = log_ndtr(high), log_ndtr(low)
+    return np.asarray(big + np.log1p(-np.exp(small - big)))
+
+
+Terms = Callable[[FloatArray, IntArray], Likelihood]
+
+
+def _maximise_likelihood(terms: Terms, start: FloatArray) -> FloatArray:
+    """Return the parameters [draws, 2] at which each likelihood is largest; nan where the search does not converge.
+
+    Parameters
+    ----------
+    terms : takes parameters [n, 2] and the draws [n] that they belong to
+    start : parameters to begin at, of finite likelihood [draws, 2]
+    """
+    theta = np.array(start, dtype=np.float64)
+    active = np.arange(len(theta))
+    likelihood = terms(theta, active)
+    for _ in range(ITERATIONS):
+        step = _newton_step(likelihood)
+        theta[active], likelihood = _halve_steps(terms, theta[active], step, likelihood, active)
+        not_converged = ~(np.abs(step).max(axis=1) <= STEP * (1.0 + np.abs(theta[active]).max(axis=1)))
+        active, likelihood = active[not_converged], _select_draws(likelihood, not_converged)
+        if not active.size:
+            break
+    theta[active] = np.nan
+    return theta
+
+
+def _newton_step(likelihood: Likelihood) -> FloatArray:
+    """Return Newton's steps [n, 2]; zero curvature gives a step that is not finite."""
+    (g_a, g_b), (aa, ab, bb) = likelihood.gradient.T, likelihood.curvature.T
+    with np.errstate(divide="ignore", invalid="ignore"):
+        step = np.stack([ab * g_b - bb * g_a, ab * g_a - aa * g_b], axis=1) / (aa * bb - ab**2)[:, None]
+    return np.asarray(step)
+
+
+def _halve_steps(
+    terms: Terms, theta: FloatArray, step: FloatArray, likelihood: Likelihood, draws: IntArray
+) -> tuple[FloatArray, Likelihood]:
+    """Return the parameters after steps halved until no likelihood falls, and the likelihoods there."""
+    step = np.where(np.isfinite(step), step, 0.0)
+    tried = theta + step
+    tried_likelihood = terms(tried, draws)
+    for _ in range(HALVINGS):
+        worse = ~(tried_likelihood.value >= likelihood.value - 1e-12 * np.abs(likelihood.value))
+        if not worse.any():
+            break
+        step[worse] *= 0.5
+        tried[worse] = theta[worse] + step[worse]
+        halved = terms(tried[worse], draws[worse])
+        for whole, part in zip(_arrays(tried_likelihood), _arrays(halved), strict=True):
+            whole[worse] = part
+    return tried, tried_likelihood
+
+
+def _select_draws(likelihood: Likelihood, rows: BoolArray) -> Likelihood:
+    return Likelihood(*(each[rows] for each in _arrays(likelihood)))
+
+
+def _arrays(likelihood: Likelihood) -> tuple[FloatArray, FloatArray, FloatArray]:
+    return likelihood.value, likelihood.gradient, likelihood.curvature
+
+
 def _lines(x: FloatArray, y: FloatArray, n: FloatArray) -> FloatArray:
     """Return intercept, slope and standard deviation about the line of each draw [draws, 3]."""
     total = n.sum(axis=1)
@@ -596,24 +614,6 @@ def _logistic(x: FloatArray, reached: FloatArray, records: FloatArray) -> FloatA
     theta = np.where(apart[:, None], step, theta)
     theta = np.where(every[:, None], [np.inf, 0.0], theta)
     return np.asarray(np.where(none[:, None], [-np.inf, 0.0], theta))
-
-
-def cloud_probability(row: FloatArray, u: FloatArray, threshold: float) -> FloatArray:
-    """Return the probabilities that the demand exceeds a threshold [draws, m].
-
-    Parameters
-    ----------
-    row : clouds, as `fit_clouds` returns them [draws, 7]
-    u : logarithms of intensity [draws, m], or [1, m] for all draws
-    threshold : in the demand's unit; inf for overturning
-    """
-    a, b, sigma, a_r, b_r, a_o, b_o = (each[:, None] for each in row.T)
-    overturns, rocks = expit(a_o + b_o * u), expit(a_r + b_r * u)
-    if np.isinf(threshold):
-        return np.asarray(overturns)
-    with np.errstate(divide="ignore", invalid="ignore"):
-        exceeds = ndtr((a + b * u - np.log(threshold)) / sigma) if threshold > 0.0 else np.ones_like(u)
-    return np.asarray(overturns + (1.0 - overturns) * rocks * exceeds)
 
 
 def _equivalents(row: FloatArray, u: FloatArray, threshold: float) -> tuple[FloatArray, FloatArray]:

@@ -97,6 +97,102 @@ class Export(ShortRepr):
     left_out: tuple[LeftOut, ...]
 
 
+CSV_HEADER = (
+    "mechanism", "measure", "period_s", "unit", "state", "curve", "intensity", "records", "reached", "share", "low",
+    "high", "median", "dispersion",
+)  # fmt: skip
+
+
+def csv_text(curves: Sequence[ExportedCurve]) -> Export:
+    """Return the table of all curves; it has a place for everything.
+
+    Rows of "empirical" have intensity, records, reached, share and its Wilson interval; those of "lognormal" median and
+    dispersion.
+
+    Parameters
+    ----------
+    curves : of the mechanisms
+    """
+    rows: list[tuple[Cell, ...]] = [CSV_HEADER]
+    for curve in curves:
+        for state in curve.states:
+            first = (curve.name, curve.measure, curve.period, curve.unit, state.name)
+            rows += [(*first, *row) for row in _csv_rows(state)]
+    return Export(table_text(rows), ())
+
+
+NrmlFormat = Literal["continuous", "discrete"]
+NAMESPACE = "http://openquake.org/xmlns/nrml/0.5"
+WIDTH = 4.0  # standard deviations beyond the outermost medians to which a continuous function reaches
+SLIGHT = 1e-3  # of the first intensity: where discrete functions begin that are above zero there
+CROSSING = 1e-3  # of probability: curves that cross in their far tails do not count
+CM = 100.0  # in a metre: OpenQuake's PGV is in cm/s
+
+
+def nrml_text(curves: Sequence[ExportedCurve], *, format: NrmlFormat, description: str = "") -> Export:
+    """Return a fragility model of all curves whose measure has a name in OpenQuake: PGA, PGV, SA(T).
+
+    The taxonomy of a function is the name of its mechanism, with the measure behind it where a mechanism has several.
+
+    Parameters
+    ----------
+    curves : with the same states each
+    format : "continuous": lognormal curves; "discrete": the empirical ones
+    description : of the model; text of the user
+    """
+    exported, left_out = _exported_curves(curves, format)
+    states = [] if not exported else [_openquake_word(each.name) for each in exported[0].states]
+    root = ET.Element("nrml", xmlns=NAMESPACE)
+    model = ET.SubElement(root, "fragilityModel", id="rocking", assetCategory="buildings", lossCategory="structural")
+    ET.SubElement(model, "description").text = printable(description) or "Rocking of masonry mechanisms"
+    ET.SubElement(model, "limitStates").text = " ".join(states)
+    for taxonomy, each in zip(_taxonomies(exported), exported, strict=True):
+        function = ET.SubElement(model, "fragilityFunction", id=taxonomy, format=format)
+        (_continuous if format == "continuous" else _discrete)(function, each)
+    ET.indent(root)
+    return Export(f'<?xml version="1.0" encoding="UTF-8"?>\n{ET.tostring(root, encoding="unicode")}\n', left_out)
+
+
+def printable(text: str) -> str:
+    """Return a text without the characters that XML 1.0 has no place for."""
+    return re.sub(r"[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]", "", text)
+
+
+PELICUN_UNITS = {"g": "g", "m/s": "mps", "-": "ea"}
+
+
+def pelicun_text(curves: Sequence[ExportedCurve]) -> Export:
+    """Return the damage parameters of all curves whose measure has a name in pelicun: PGA, PGV, spectral acceleration.
+
+    Limit states keep their order and are the same in all rows, as states in pelicun follow one another.
+
+    Parameters
+    ----------
+    curves : of the mechanisms
+    """
+    named, unnamed = _named_curves(curves, _pelicun_demand)
+    exported, incomplete = _common_states(named, fitted=True)
+    rows: list[list[Cell]] = []
+    most_states = max((len(each.states) for each in exported), default=0)
+    names = [each.name for each in exported]
+    for each in exported:
+        demand = str(_pelicun_demand(each))
+        name = _pelicun_identifier(f"{each.name}.{demand}" if names.count(each.name) > 1 else each.name)
+        alike = sum(str(row[0]).split("..")[0] == name for row in rows)
+        rows.append(_pelicun_row(each, demand, f"{name}..{alike + 1}" if alike else name))
+    return Export(table_text([_pelicun_header(most_states), *rows]), (*unnamed, *incomplete))
+
+
+Cell = str | float | int | None
+
+
+def table_text(rows: Iterable[Iterable[Cell]]) -> str:
+    """Return rows, the header first, as the text of a CSV file; None is an empty cell."""
+    stream = io.StringIO()
+    csv.writer(stream, lineterminator="\n").writerows([_cell_text(cell) for cell in row] for row in rows)
+    return stream.getvalue()
+
+
 def _common_states(curves: Sequence[ExportedCurve], *, fitted: bool) -> tuple[list[ExportedCurve], list[LeftOut]]:
     """Return curves with the states that all of them have, and what is left out.
 
@@ -142,68 +238,12 @@ def _named_curves(
     return [each for each in curves if measure_name(each) is not None], left_out
 
 
-CSV_HEADER = (
-    "mechanism", "measure", "period_s", "unit", "state", "curve", "intensity", "records", "reached", "share", "low",
-    "high", "median", "dispersion",
-)  # fmt: skip
-
-
-def csv_text(curves: Sequence[ExportedCurve]) -> Export:
-    """Return the table of all curves; it has a place for everything.
-
-    Rows of "empirical" have intensity, records, reached, share and its Wilson interval; those of "lognormal" median and
-    dispersion.
-
-    Parameters
-    ----------
-    curves : of the mechanisms
-    """
-    rows: list[tuple[Cell, ...]] = [CSV_HEADER]
-    for curve in curves:
-        for state in curve.states:
-            first = (curve.name, curve.measure, curve.period, curve.unit, state.name)
-            rows += [(*first, *row) for row in _csv_rows(state)]
-    return Export(table_text(rows), ())
-
-
 def _csv_rows(state: ExportedState) -> Iterator[tuple[Cell, ...]]:
     columns = (state.intensity, state.records, state.reached, state.share, state.low, state.high)
     for im, records, reached, share, low, high in zip(*columns, strict=True):
         yield "empirical", float(im), int(records), int(reached), float(share), float(low), float(high), None, None
     if state.lognormal is not None:
         yield "lognormal", *[None] * 6, float(state.lognormal.median), float(state.lognormal.dispersion)
-
-
-NrmlFormat = Literal["continuous", "discrete"]
-NAMESPACE = "http://openquake.org/xmlns/nrml/0.5"
-WIDTH = 4.0  # standard deviations beyond the outermost medians to which a continuous function reaches
-SLIGHT = 1e-3  # of the first intensity: where discrete functions begin that are above zero there
-CROSSING = 1e-3  # of probability: curves that cross in their far tails do not count
-CM = 100.0  # in a metre: OpenQuake's PGV is in cm/s
-
-
-def nrml_text(curves: Sequence[ExportedCurve], *, format: NrmlFormat, description: str = "") -> Export:
-    """Return a fragility model of all curves whose measure has a name in OpenQuake: PGA, PGV, SA(T).
-
-    The taxonomy of a function is the name of its mechanism, with the measure behind it where a mechanism has several.
-
-    Parameters
-    ----------
-    curves : with the same states each
-    format : "continuous": lognormal curves; "discrete": the empirical ones
-    description : of the model; text of the user
-    """
-    exported, left_out = _exported_curves(curves, format)
-    states = [] if not exported else [_openquake_word(each.name) for each in exported[0].states]
-    root = ET.Element("nrml", xmlns=NAMESPACE)
-    model = ET.SubElement(root, "fragilityModel", id="rocking", assetCategory="buildings", lossCategory="structural")
-    ET.SubElement(model, "description").text = printable(description) or "Rocking of masonry mechanisms"
-    ET.SubElement(model, "limitStates").text = " ".join(states)
-    for taxonomy, each in zip(_taxonomies(exported), exported, strict=True):
-        function = ET.SubElement(model, "fragilityFunction", id=taxonomy, format=format)
-        (_continuous if format == "continuous" else _discrete)(function, each)
-    ET.indent(root)
-    return Export(f'<?xml version="1.0" encoding="UTF-8"?>\n{ET.tostring(root, encoding="unicode")}\n', left_out)
 
 
 def _openquake_measure(curve: ExportedCurve) -> str | None:
@@ -217,11 +257,6 @@ def _openquake_word(name: str) -> str:
     """Return a name as OpenQuake takes it for limit states: letters, digits and underscores, a letter first."""
     word = re.sub(r"[^A-Za-z0-9_]", "_", name)
     return word if re.match(r"[A-Za-z_]", word) else f"_{word}"
-
-
-def printable(text: str) -> str:
-    """Return a text without the characters that XML 1.0 has no place for."""
-    return re.sub(r"[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]", "", text)
 
 
 def _taxonomies(curves: Sequence[ExportedCurve]) -> list[str]:
@@ -321,31 +356,6 @@ def _all_digits(value: float) -> str:
     return repr(float(value))
 
 
-PELICUN_UNITS = {"g": "g", "m/s": "mps", "-": "ea"}
-
-
-def pelicun_text(curves: Sequence[ExportedCurve]) -> Export:
-    """Return the damage parameters of all curves whose measure has a name in pelicun: PGA, PGV, spectral acceleration.
-
-    Limit states keep their order and are the same in all rows, as states in pelicun follow one another.
-
-    Parameters
-    ----------
-    curves : of the mechanisms
-    """
-    named, unnamed = _named_curves(curves, _pelicun_demand)
-    exported, incomplete = _common_states(named, fitted=True)
-    rows: list[list[Cell]] = []
-    most_states = max((len(each.states) for each in exported), default=0)
-    names = [each.name for each in exported]
-    for each in exported:
-        demand = str(_pelicun_demand(each))
-        name = _pelicun_identifier(f"{each.name}.{demand}" if names.count(each.name) > 1 else each.name)
-        alike = sum(str(row[0]).split("..")[0] == name for row in rows)
-        rows.append(_pelicun_row(each, demand, f"{name}..{alike + 1}" if alike else name))
-    return Export(table_text([_pelicun_header(most_states), *rows]), (*unnamed, *incomplete))
-
-
 def _pelicun_demand(curve: ExportedCurve) -> str | None:
     """Return the demand type of a curve's measure in pelicun; None where it has none."""
     if curve.measure == "sa" and curve.period is not None:
@@ -370,16 +380,6 @@ def _pelicun_row(curve: ExportedCurve, demand: str, name: str) -> list[Cell]:
         if state.lognormal is not None:
             row += ["lognormal", float(state.lognormal.median), float(state.lognormal.dispersion), None]
     return row
-
-
-Cell = str | float | int | None
-
-
-def table_text(rows: Iterable[Iterable[Cell]]) -> str:
-    """Return rows, the header first, as the text of a CSV file; None is an empty cell."""
-    stream = io.StringIO()
-    csv.writer(stream, lineterminator="\n").writerows([_cell_text(cell) for cell in row] for row in rows)
-    return stream.getvalue()
 
 
 def _cell_text(cell: Cell) -> str:

@@ -122,59 +122,6 @@ def probability_of(annual_rate: float, *, years: float = 50.0) -> float:
     return float(-np.expm1(-annual_rate * years))
 
 
-def _check_rows(intensity: FloatArray, annual_rate: FloatArray) -> None:
-    if intensity.ndim != 1 or intensity.shape != annual_rate.shape or intensity.size < 2:
-        raise HazardError("hazard: give at least two rows of intensity and annual rate of exceedance")
-    for name, values in (("intensity", intensity), ("annual rate", annual_rate)):
-        wrong = values[~(np.isfinite(values) & (values > 0.0))]
-        if wrong.size:
-            raise HazardError(f"hazard: {name} {wrong[0]:g} is not a positive number; leave that row out")
-    if (np.diff(intensity) <= 0.0).any():
-        at = int(np.argmax(np.diff(intensity) <= 0.0))
-        raise HazardError(
-            f"hazard: intensity {intensity[at + 1]:g} follows {intensity[at]:g}; give rows at rising intensity"
-        )
-    if (np.diff(annual_rate) > 0.0).any():
-        at = int(np.argmax(np.diff(annual_rate) > 0.0))
-        raise HazardError(
-            f"hazard: the annual rate rises from {annual_rate[at]:g} to {annual_rate[at + 1]:g} at intensity "
-            f"{intensity[at + 1]:g}; rates of exceedance fall as intensity rises"
-        )
-
-
-def _integrate(
-    probability: Probability, corners: FloatArray, u_0: FloatArray, v_0: FloatArray, k: FloatArray
-) -> FloatArray:
-    """Return the integrals of P k lambda du between corners [m], lambda = exp(v_0 - k (u - u_0)), halving panels."""
-    before = _gauss(probability, corners, u_0, v_0, k, panels=4)
-    for halving in range(1, HALVINGS + 1):
-        parts = _gauss(probability, corners, u_0, v_0, k, panels=4 * 2**halving)
-        if np.abs(parts - before).sum() <= ACCURACY * parts.sum():
-            break
-        before = parts
-    return parts
-
-
-def _gauss(
-    probability: Probability, corners: FloatArray, u_0: FloatArray, v_0: FloatArray, k: FloatArray, *, panels: int
-) -> FloatArray:
-    width = np.diff(corners)[:, None] / panels
-    starts = corners[:-1, None] + width * np.arange(panels)
-    u = starts[:, :, None] + 0.5 * width[:, :, None] * (1.0 + POINTS)
-    logarithm = v_0[:, None, None] - k[:, None, None] * (u - u_0[:, None, None])
-    density = k[:, None, None] * np.exp(np.minimum(logarithm, LARGEST_LOGARITHM))
-    inside = probability(np.exp(u).ravel()).reshape(u.shape) * density
-    return np.asarray((inside @ WEIGHTS).sum(axis=1) * 0.5 * width[:, 0])
-
-
-def _rate_below_first_row(probability: Probability, u: float, v: float, k: float, kinks: FloatArray) -> float:
-    """Return the rate below the first row, the first slope going on; inf where it does not converge."""
-    corners = np.unique(np.concatenate([u - np.arange(DEPTH + 1.0), kinks[(kinks < u) & (kinks > u - DEPTH)]]))
-    same = np.ones(corners.size - 1)
-    parts = _integrate(probability, corners, u * same, v * same, k * same)
-    return float("inf") if parts[0] > ACCURACY * parts.sum() else float(parts.sum())
-
-
 VELOCITY_UNITS = {"m/s": 1.0, "cm/s": 0.01, "mm/s": 1e-3}
 IN_G = {name: factor / g for name, factor in ACCELERATION_UNITS.items()}
 HazardMeasure = Literal["pga", "sa", "pgv"]
@@ -235,6 +182,59 @@ def read_hazard(path: Path, *, longitude: float | None = None, latitude: float |
         raise HazardError(f"{path}: the file cannot be read: {error.strerror}") from None
     except (ColumnError, HazardError) as error:
         raise HazardError(str(error) if str(error).startswith(str(path)) else f"{path}: {error}") from None
+
+
+def _check_rows(intensity: FloatArray, annual_rate: FloatArray) -> None:
+    if intensity.ndim != 1 or intensity.shape != annual_rate.shape or intensity.size < 2:
+        raise HazardError("hazard: give at least two rows of intensity and annual rate of exceedance")
+    for name, values in (("intensity", intensity), ("annual rate", annual_rate)):
+        wrong = values[~(np.isfinite(values) & (values > 0.0))]
+        if wrong.size:
+            raise HazardError(f"hazard: {name} {wrong[0]:g} is not a positive number; leave that row out")
+    if (np.diff(intensity) <= 0.0).any():
+        at = int(np.argmax(np.diff(intensity) <= 0.0))
+        raise HazardError(
+            f"hazard: intensity {intensity[at + 1]:g} follows {intensity[at]:g}; give rows at rising intensity"
+        )
+    if (np.diff(annual_rate) > 0.0).any():
+        at = int(np.argmax(np.diff(annual_rate) > 0.0))
+        raise HazardError(
+            f"hazard: the annual rate rises from {annual_rate[at]:g} to {annual_rate[at + 1]:g} at intensity "
+            f"{intensity[at + 1]:g}; rates of exceedance fall as intensity rises"
+        )
+
+
+def _integrate(
+    probability: Probability, corners: FloatArray, u_0: FloatArray, v_0: FloatArray, k: FloatArray
+) -> FloatArray:
+    """Return the integrals of P k lambda du between corners [m], lambda = exp(v_0 - k (u - u_0)), halving panels."""
+    before = _gauss(probability, corners, u_0, v_0, k, panels=4)
+    for halving in range(1, HALVINGS + 1):
+        parts = _gauss(probability, corners, u_0, v_0, k, panels=4 * 2**halving)
+        if np.abs(parts - before).sum() <= ACCURACY * parts.sum():
+            break
+        before = parts
+    return parts
+
+
+def _gauss(
+    probability: Probability, corners: FloatArray, u_0: FloatArray, v_0: FloatArray, k: FloatArray, *, panels: int
+) -> FloatArray:
+    width = np.diff(corners)[:, None] / panels
+    starts = corners[:-1, None] + width * np.arange(panels)
+    u = starts[:, :, None] + 0.5 * width[:, :, None] * (1.0 + POINTS)
+    logarithm = v_0[:, None, None] - k[:, None, None] * (u - u_0[:, None, None])
+    density = k[:, None, None] * np.exp(np.minimum(logarithm, LARGEST_LOGARITHM))
+    inside = probability(np.exp(u).ravel()).reshape(u.shape) * density
+    return np.asarray((inside @ WEIGHTS).sum(axis=1) * 0.5 * width[:, 0])
+
+
+def _rate_below_first_row(probability: Probability, u: float, v: float, k: float, kinks: FloatArray) -> float:
+    """Return the rate below the first row, the first slope going on; inf where it does not converge."""
+    corners = np.unique(np.concatenate([u - np.arange(DEPTH + 1.0), kinks[(kinks < u) & (kinks > u - DEPTH)]]))
+    same = np.ones(corners.size - 1)
+    parts = _integrate(probability, corners, u * same, v * same, k * same)
+    return float("inf") if parts[0] > ACCURACY * parts.sum() else float(parts.sum())
 
 
 def _read_two_columns(path: Path) -> HazardFile:

@@ -184,75 +184,6 @@ def support_height(choice: AmplificationChoice, in_place: MechanismInPlace) -> f
     return _mean_support_height(base, mechanism)
 
 
-def _amplify_by_floor_factor(
-    choice: AmplificationChoice, in_place: MechanismInPlace, *, height: float
-) -> MechanismAmplification:
-    """Return the amplification by the factor of a code for the height [m]."""
-    building = in_place.structure.height
-    if building is None:
-        raise ProjectError(
-            f'{in_place.where}: "{choice.method}" needs the height of the building; add a table [building] with height'
-        )
-    try:
-        if choice.method == EC8_AS_PRINTED:
-            factor = ec8_resonant_part_factor_with_soil(
-                height, building_height=building, soil_factor=choice.soil_factor
-            )
-            clause_text: Term | Message = message("clause-3-49", {"soil": Quantity(choice.soil_factor)})
-        else:
-            rule, clause = FLOOR_FACTORS[choice.method]
-            clause_text = Term(clause)
-            factor = rule(height, building_height=building)
-    except SpectrumError as error:
-        raise ProjectError(f"{in_place.where}.height: {error}") from None
-    description = note(
-        "by-floor-factor",
-        in_place.where,
-        factor=Quantity(factor),
-        height=Quantity(height, "length"),
-        building=Quantity(building, "length"),
-        clause=clause_text,
-    )
-    return MechanismAmplification(
-        choice.method,
-        height,
-        FloorFactor(factor, str(clause_text)),
-        (description, "not checked against the printed standard"),
-    )
-
-
-def _amplify_by_first_mode(
-    choice: AmplificationChoice, in_place: MechanismInPlace, *, height: float
-) -> MechanismAmplification:
-    """Return the amplification by the first mode, with values given or by Rayleigh's method."""
-    structure = in_place.structure
-    frequency, effective = given_frequency(choice, structure), given_effective_height(choice, structure)
-    assumed: tuple[Message, ...] = ()
-    if frequency is None or effective is None:
-        rayleigh = _rayleigh_mode_of(in_place)
-        frequency = frequency or (rayleigh.frequency, RAYLEIGH)
-        effective = effective or (rayleigh.effective_height, RAYLEIGH)
-        values: dict[str, Value] = {"slices": whole_number(SLICES), "assumptions": Term(ASSUMPTIONS)}
-        assumed = (warning("by-rayleigh", in_place.where, **values),)
-    damping = structure.damping
-    mode = first_mode(frequency=frequency[0], effective_height=effective[0], damping=damping)
-    description = note(
-        "by-first-mode",
-        in_place.where,
-        frequency=Quantity(frequency[0], "frequency"),
-        frequency_from=Term(frequency[1]),
-        effective=Quantity(effective[0], "length"),
-        effective_from=Term(effective[1]),
-        damping=Quantity(damping, "ratio", 3),
-        height=Quantity(height, "length"),
-        shape=Quantity(mode.shape(height)),
-    )
-    make, how = FIRST_MODES[choice.method]
-    return MechanismAmplification(
-        choice.method, height, make(mode, height), (how, description), assumed, by_stiffness=bool(assumed)
-    )
-
-
 def given_frequency(choice: AmplificationChoice, structure: Structure) -> tuple[float, str] | None:
     """Return the first natural frequency [Hz] that is given, and its source; None if none is."""
     if choice.natural_frequency is not None:
@@ -273,26 +204,6 @@ def given_effective_height(choice: AmplificationChoice, structure: Structure) ->
     return None
 
 
-def _rayleigh_mode_of(in_place: MechanismInPlace) -> RayleighMode:
-    """Return the first mode by Rayleigh's method of the bodies of a single block on the ground, in its direction."""
-    definition, scene = in_place.definition, in_place.built.scene
-    if not isinstance(definition, SingleBlock) or scene is None:
-        raise _missing_mode(
-            in_place, "only a single-block of bodies that stand on the ground has a first mode of its own"
-        )
-    names = definition.blocks[0]
-    moduli = [young_modulus(name, in_place) for name in names]
-    solids = [solid for name in names if (solid := in_place.bodies[name].solid) is not None]
-    foot = min(float(solid.vertices[:, 2].min()) for solid in solids)
-    ground = in_place.ground.elevation or 0.0
-    if abs(foot - ground) > NEAR_GROUND:
-        raise _missing_mode(in_place, f"its bodies begin at z = {foot:.4g} m, the ground is at {ground:.4g} m")
-    try:
-        return rayleigh_mode(slice_cantilever(solids, moduli, direction=scene.direction.tolist()))
-    except GeometryError as error:
-        raise ProjectError(f"{in_place.where}: {error}") from None
-
-
 def young_modulus(name: str, in_place: MechanismInPlace) -> float:
     """Return Young's modulus of a body [Pa]; raise ProjectError if it is not given."""
     material = in_place.bodies[name].material
@@ -302,13 +213,6 @@ def young_modulus(name: str, in_place: MechanismInPlace) -> float:
     if modulus is None:
         raise _missing_mode(in_place, f"materials.{material.name} has no young_modulus for Rayleigh's method")
     return modulus
-
-
-def _missing_mode(in_place: MechanismInPlace, why: str) -> ProjectError:
-    return ProjectError(
-        f"{in_place.where}: natural_frequency and effective_height: not both given, and {why}; give both here or in "
-        "[building]"
-    )
 
 
 NEAR_ZERO = 0.5  # m: a lowest body farther from elevation 0 does not show where the ground is
@@ -387,6 +291,119 @@ def find_height(
     return HeightAboveGround(base, support, is_above_ground(support, ground.building_height), source, unknown)
 
 
+def lowest_body_elevation(definitions: Mapping[str, Definition], solids: Solids) -> float | None:
+    """Return the elevation of the lowest body [m] that is more than a load; None where there is none.
+
+    Parameters
+    ----------
+    definitions : the mechanisms by name
+    solids : of the building's bodies by name
+    """
+    mechanisms = [each for each in definitions.values() if isinstance(each, BlockMechanism)]
+    in_mechanisms = {body for each in mechanisms for body in each.bodies}
+    loads = {body for each in mechanisms for load in each.loads for body in bodies_of(load)}
+    bodies = [
+        solid for name, solid in solids.items() if solid is not None and (name in in_mechanisms or name not in loads)
+    ]
+    return min((float(solid.vertices[:, 2].min()) for solid in bodies), default=None)
+
+
+def _amplify_by_floor_factor(
+    choice: AmplificationChoice, in_place: MechanismInPlace, *, height: float
+) -> MechanismAmplification:
+    """Return the amplification by the factor of a code for the height [m]."""
+    building = in_place.structure.height
+    if building is None:
+        raise ProjectError(
+            f'{in_place.where}: "{choice.method}" needs the height of the building; add a table [building] with height'
+        )
+    try:
+        if choice.method == EC8_AS_PRINTED:
+            factor = ec8_resonant_part_factor_with_soil(
+                height, building_height=building, soil_factor=choice.soil_factor
+            )
+            clause_text: Term | Message = message("clause-3-49", {"soil": Quantity(choice.soil_factor)})
+        else:
+            rule, clause = FLOOR_FACTORS[choice.method]
+            clause_text = Term(clause)
+            factor = rule(height, building_height=building)
+    except SpectrumError as error:
+        raise ProjectError(f"{in_place.where}.height: {error}") from None
+    description = note(
+        "by-floor-factor",
+        in_place.where,
+        factor=Quantity(factor),
+        height=Quantity(height, "length"),
+        building=Quantity(building, "length"),
+        clause=clause_text,
+    )
+    return MechanismAmplification(
+        choice.method,
+        height,
+        FloorFactor(factor, str(clause_text)),
+        (description, "not checked against the printed standard"),
+    )
+
+
+def _amplify_by_first_mode(
+    choice: AmplificationChoice, in_place: MechanismInPlace, *, height: float
+) -> MechanismAmplification:
+    """Return the amplification by the first mode, with values given or by Rayleigh's method."""
+    structure = in_place.structure
+    frequency, effective = given_frequency(choice, structure), given_effective_height(choice, structure)
+    assumed: tuple[Message, ...] = ()
+    if frequency is None or effective is None:
+        rayleigh = _rayleigh_mode_of(in_place)
+        frequency = frequency or (rayleigh.frequency, RAYLEIGH)
+        effective = effective or (rayleigh.effective_height, RAYLEIGH)
+        values: dict[str, Value] = {"slices": whole_number(SLICES), "assumptions": Term(ASSUMPTIONS)}
+        assumed = (warning("by-rayleigh", in_place.where, **values),)
+    damping = structure.damping
+    mode = first_mode(frequency=frequency[0], effective_height=effective[0], damping=damping)
+    description = note(
+        "by-first-mode",
+        in_place.where,
+        frequency=Quantity(frequency[0], "frequency"),
+        frequency_from=Term(frequency[1]),
+        effective=Quantity(effective[0], "length"),
+        effective_from=Term(effective[1]),
+        damping=Quantity(damping, "ratio", 3),
+        height=Quantity(height, "length"),
+        shape=Quantity(mode.shape(height)),
+    )
+    make, how = FIRST_MODES[choice.method]
+    return MechanismAmplification(
+        choice.method, height, make(mode, height), (how, description), assumed, by_stiffness=bool(assumed)
+    )
+
+
+def _rayleigh_mode_of(in_place: MechanismInPlace) -> RayleighMode:
+    """Return the first mode by Rayleigh's method of the bodies of a single block on the ground, in its direction."""
+    definition, scene = in_place.definition, in_place.built.scene
+    if not isinstance(definition, SingleBlock) or scene is None:
+        raise _missing_mode(
+            in_place, "only a single-block of bodies that stand on the ground has a first mode of its own"
+        )
+    names = definition.blocks[0]
+    moduli = [young_modulus(name, in_place) for name in names]
+    solids = [solid for name in names if (solid := in_place.bodies[name].solid) is not None]
+    foot = min(float(solid.vertices[:, 2].min()) for solid in solids)
+    ground = in_place.ground.elevation or 0.0
+    if abs(foot - ground) > NEAR_GROUND:
+        raise _missing_mode(in_place, f"its bodies begin at z = {foot:.4g} m, the ground is at {ground:.4g} m")
+    try:
+        return rayleigh_mode(slice_cantilever(solids, moduli, direction=scene.direction.tolist()))
+    except GeometryError as error:
+        raise ProjectError(f"{in_place.where}: {error}") from None
+
+
+def _missing_mode(in_place: MechanismInPlace, why: str) -> ProjectError:
+    return ProjectError(
+        f"{in_place.where}: natural_frequency and effective_height: not both given, and {why}; give both here or in "
+        "[building]"
+    )
+
+
 def _mean_support_height(base: float, mechanism: Mechanism) -> float:
     """Return the height of the support above the ground [m]: of the base, or the mean of base and far support."""
     return max(base, 0.0) + height_of_support(mechanism) / 2.0
@@ -416,20 +433,3 @@ def _source_of_level(ground: GroundLevel, base_elevation: float | None, *, by_ta
     if ground.elevation is not None:
         return BY_BUILDING
     return BY_TABLE if by_table else ""
-
-
-def lowest_body_elevation(definitions: Mapping[str, Definition], solids: Solids) -> float | None:
-    """Return the elevation of the lowest body [m] that is more than a load; None where there is none.
-
-    Parameters
-    ----------
-    definitions : the mechanisms by name
-    solids : of the building's bodies by name
-    """
-    mechanisms = [each for each in definitions.values() if isinstance(each, BlockMechanism)]
-    in_mechanisms = {body for each in mechanisms for body in each.bodies}
-    loads = {body for each in mechanisms for load in each.loads for body in bodies_of(load)}
-    bodies = [
-        solid for name, solid in solids.items() if solid is not None and (name in in_mechanisms or name not in loads)
-    ]
-    return min((float(solid.vertices[:, 2].min()) for solid in bodies), default=None)

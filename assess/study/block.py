@@ -171,25 +171,6 @@ class Block:
         return RockingParameters.from_result(front), RockingParameters.from_result(back)
 
 
-def _make_block(name: str, definition: Definition, bodies: Sequence[Body]) -> Block:
-    """Build a mechanism from its definition and the bodies of the building.
-
-    Raises
-    ------
-    MechanismError : two bodies have one name, or a value is one that no mechanism can have
-    """
-    if not isinstance(name, str) or not name:
-        raise MechanismError(f"name = {name!r:.60}: give a text, by which messages call the mechanism")
-    by_name = {body.name: body for body in bodies}
-    if len(by_name) < len(bodies):
-        twice = sorted({body.name for body in bodies if sum(body.name == other.name for other in bodies) > 1})
-        raise MechanismError(f'mechanism "{name}": several bodies are called {", ".join(twice)}; give each its name')
-    definition = with_floats(definition)
-    check_definition(name, definition, by_name)
-    built = mechanism_in_direction(name, definition, by_name)
-    return Block(name, definition, by_name, built.mechanism, built.scene)
-
-
 BodyOrBodies = Body | Sequence[Body]
 Direction = Vector | Literal["weakest", "sweep"]
 
@@ -360,63 +341,6 @@ def equivalent_block(
     return _make_block(name, definition, ())
 
 
-def _one_or_several(body: BodyOrBodies) -> tuple[Body, ...]:
-    """One body or several, at least one; raise MechanismError for anything else."""
-    several = (body,) if isinstance(body, Body) else _bodies("body", body)
-    if not several:
-        raise MechanismError("body = (): give one body or more, as box, profile and mesh return them")
-    return several
-
-
-def _bodies(key: str, bodies: Any) -> tuple[Body, ...]:
-    """Return a row of bodies; raise MechanismError for anything else."""
-    if not isinstance(bodies, tuple | list) or not all(isinstance(each, Body) for each in bodies):
-        raise MechanismError(f"{key} = {bodies!r:.60}: give a list of bodies, as box, profile and mesh return them")
-    return tuple(bodies)
-
-
-def _shared_fields(
-    direction: Direction,
-    sides: Sides | None,
-    loads: Sequence[LoadDefinition],
-    interface: Interface | None,
-    restitution: float | str | tuple[RestitutionChoice, RestitutionChoice] | None,
-) -> dict[str, Any]:
-    """What all mechanisms of blocks share."""
-    return {
-        "direction": _direction(direction),
-        "sides": sides,
-        "loads": _loads(loads),
-        "interface": Interface() if interface is None else interface,
-        "restitution": _restitution(restitution),
-    }
-
-
-def _loads(loads: Any) -> tuple[LoadDefinition, ...]:
-    """Return a row of loads, whose kinds are checked with the mechanism; raise MechanismError for what is no row."""
-    if not isinstance(loads, tuple | list):
-        raise MechanismError(f"loads = {loads!r:.60}: give a list of loads")
-    return tuple(loads)
-
-
-def _direction(direction: Any) -> Any:
-    """The direction as definitions have it: a tuple of floats, a word, or None for the weakest."""
-    if direction is None or isinstance(direction, str):
-        return None if direction == "weakest" else direction
-    try:
-        return tuple(map(float, direction))
-    except (TypeError, ValueError):
-        raise MechanismError(f'direction = {direction!r:.60}: give (x, y, 0), "weakest" or "sweep"') from None
-
-
-def _restitution(restitution: Any) -> Restitution:
-    """One choice for both impacts, or one for each."""
-    pair = isinstance(restitution, tuple | list)
-    if pair and len(restitution) != 2:
-        raise MechanismError(f"restitution = {restitution}: give one value, or one for each of two impacts")
-    return Restitution(*restitution) if pair else Restitution(restitution, restitution)
-
-
 def answers(
     mechanism: Mechanism,
     spectrum: Spectrum,
@@ -496,6 +420,82 @@ def answers(
         heights={mechanism.name: height},
     )
     return _checks_of_block(study, mechanism, spectrum, threads=threads)
+
+
+def _make_block(name: str, definition: Definition, bodies: Sequence[Body]) -> Block:
+    """Build a mechanism from its definition and the bodies of the building.
+
+    Raises
+    ------
+    MechanismError : two bodies have one name, or a value is one that no mechanism can have
+    """
+    if not isinstance(name, str) or not name:
+        raise MechanismError(f"name = {name!r:.60}: give a text, by which messages call the mechanism")
+    by_name = {body.name: body for body in bodies}
+    if len(by_name) < len(bodies):
+        twice = sorted({body.name for body in bodies if sum(body.name == other.name for other in bodies) > 1})
+        raise MechanismError(f'mechanism "{name}": several bodies are called {", ".join(twice)}; give each its name')
+    definition = with_floats(definition)
+    check_definition(name, definition, by_name)
+    built = mechanism_in_direction(name, definition, by_name)
+    return Block(name, definition, by_name, built.mechanism, built.scene)
+
+
+def _one_or_several(body: BodyOrBodies) -> tuple[Body, ...]:
+    """One body or several, at least one; raise MechanismError for anything else."""
+    several = (body,) if isinstance(body, Body) else _bodies("body", body)
+    if not several:
+        raise MechanismError("body = (): give one body or more, as box, profile and mesh return them")
+    return several
+
+
+def _bodies(key: str, bodies: Any) -> tuple[Body, ...]:
+    """Return a row of bodies; raise MechanismError for anything else."""
+    if not isinstance(bodies, tuple | list) or not all(isinstance(each, Body) for each in bodies):
+        raise MechanismError(f"{key} = {bodies!r:.60}: give a list of bodies, as box, profile and mesh return them")
+    return tuple(bodies)
+
+
+def _shared_fields(
+    direction: Direction,
+    sides: Sides | None,
+    loads: Sequence[LoadDefinition],
+    interface: Interface | None,
+    restitution: float | str | tuple[RestitutionChoice, RestitutionChoice] | None,
+) -> dict[str, Any]:
+    """What all mechanisms of blocks share."""
+    return {
+        "direction": _direction(direction),
+        "sides": sides,
+        "loads": _loads(loads),
+        "interface": Interface() if interface is None else interface,
+        "restitution": _restitution(restitution),
+    }
+
+
+def _loads(loads: Any) -> tuple[LoadDefinition, ...]:
+    """Return a row of loads, whose kinds are checked with the mechanism; raise MechanismError for what is no row."""
+    if not isinstance(loads, tuple | list):
+        raise MechanismError(f"loads = {loads!r:.60}: give a list of loads")
+    return tuple(loads)
+
+
+def _direction(direction: Any) -> Any:
+    """The direction as definitions have it: a tuple of floats, a word, or None for the weakest."""
+    if direction is None or isinstance(direction, str):
+        return None if direction == "weakest" else direction
+    try:
+        return tuple(map(float, direction))
+    except (TypeError, ValueError):
+        raise MechanismError(f'direction = {direction!r:.60}: give (x, y, 0), "weakest" or "sweep"') from None
+
+
+def _restitution(restitution: Any) -> Restitution:
+    """One choice for both impacts, or one for each."""
+    pair = isinstance(restitution, tuple | list)
+    if pair and len(restitution) != 2:
+        raise MechanismError(f"restitution = {restitution}: give one value, or one for each of two impacts")
+    return Restitution(*restitution) if pair else Restitution(restitution, restitution)
 
 
 def _height_above_ground(

@@ -104,28 +104,6 @@ def assess_mechanisms(
     return tuple(done[mechanism.name] for mechanism in study.mechanisms)
 
 
-def _assess_mechanism(
-    study: Study,
-    spectrum: Spectrum,
-    motions: tuple[ScaledRecord, ...],
-    mechanism: Mechanism,
-    case: RockingCase,
-    histories: RockingHistories,
-) -> MechanismResult:
-    """Return one mechanism with the checks of every procedure and its histories."""
-    context = context_of(study, spectrum, mechanism, histories, case.base, motions)
-    return mechanism_result(
-        mechanism,
-        mechanism.variants.starting,
-        equation=case.equation,
-        scene=study.scenes.get(mechanism.name),
-        checks=checks_of(study, case.oscillator, context),
-        histories=() if context.not_lasting else with_governing_trace(case, histories.histories, motions),
-        amplification=amplification_result(study.amplified[mechanism.name], motions, case.base),
-        height=study.heights[mechanism.name],
-    )
-
-
 def checks_of(study: Study, oscillator: Oscillator, context: Context) -> tuple[Check, ...]:
     """Return the checks of every procedure of the study, in its order.
 
@@ -260,6 +238,125 @@ def context_of(
     return replace(context, floor_spectrum=floor)
 
 
+SUPPORTS: Mapping[str, WallSupport] = {name: kind.support for name, kind in MECHANISM_KINDS.items()}
+JUST_ABOVE = 1e-3  # of the height: where the thickness of a wall that rocks to one side is measured
+
+
+def wall_of(mechanism: Mechanism) -> Wall | None:
+    """Return the wall across its plane; None for mechanisms that are not walls, or without geometry.
+
+    The height is from the base hinge to the hinge at the top, or to the top of a free-standing wall. The thickness is
+    the distance along the direction between the hinges of both branches, at the base or the crack; of a wall that rocks
+    to one side only, the width of its outline just above.
+    """
+    hinges = mechanism.positive.hinges
+    if mechanism.kind == "two-block":
+        size = _wall_across(mechanism, height=hinges[2][1] - hinges[0][1], at=1)
+        return None if size is None else replace(size, gravity=gravity_of(mechanism))
+    if mechanism.kind != "single-block" or not mechanism.outlines[0]:
+        return None
+    top = max(z for ring in mechanism.outlines[0] for _, z in ring)
+    return _wall_across(mechanism, height=top - hinges[0][1], at=0)
+
+
+def carries_floors(mechanism: Mechanism) -> bool:
+    """Return whether a floor, roof or vault presses on a mechanism or moves with it, bearing or not."""
+    return any(isinstance(load, PointMass) or upward(load) < 0.0 for load in mechanism.positive.loads)
+
+
+def gravity_of(mechanism: Mechanism) -> Mapping[BranchName, Gravity]:
+    """Return the gravity moments of a wall and of the loads that press on it, by branch."""
+    oscillator = mechanism.variants.deciding
+    gravity: dict[BranchName, Gravity] = {
+        "positive": _gravity_of_branch(mechanism.positive, oscillator.positive.unstable)
+    }
+    if mechanism.negative is not None and oscillator.negative is not None:
+        gravity["negative"] = _gravity_of_branch(mechanism.negative, oscillator.negative.unstable)
+    return gravity
+
+
+LEAST_RECORDS = 5  # of the response-history method of the same standard
+BROADENING = 0.15  # of the period, to both sides
+
+SHORTEST_PERIOD, LONGEST_PERIOD = 0.02, 15.0  # s: between which the response to the motions is sampled
+PERIOD_RATIO = 1.03  # of two periods at which it is
+NEAR_MODE = np.linspace(0.85, 1.15, 61)  # of the building's period, where the peak is
+PERIOD_VARIATION = np.linspace(1.0 - BROADENING, 1.0 + BROADENING, 7)  # of the building, over its own
+MOST_DAMPING = 0.99  # of an oscillator that still swings
+OF_SUITE = "envelope of the response spectra of the suite at the mechanism's base, peaks widened by 15 %"
+OF_CIRCOLARE = "Circolare 7/2019, C7.2.5, first mode"
+DAMPING_OF_SUITE = "response of the motions themselves at that damping"
+DAMPING_OF_CIRCOLARE = "Circolare 7/2019, C7.2.6, with the rule for damping of the spectrum of the ground"
+
+
+def floor_spectrum(
+    ground: Spectrum,
+    *,
+    height: float,
+    filtered: ModalFilter | None,
+    base: Sequence[BaseMotion],
+    motions: Sequence[ScaledRecord],
+    building: Building | None,
+) -> Spectrum | None:
+    """Return the floor spectrum at a height, at the PGA of the ground's spectrum.
+
+    Parameters
+    ----------
+    ground : Spectrum
+        The spectrum of the ground.
+    height : float
+        Height above the ground [m].
+    filtered : ModalFilter, optional
+        The filter through which the motions reached the base, if they did and the suite meets the rules.
+    base, motions : sequence
+        The motions at the base, and their factors.
+    building : Building, optional
+        The building, with its height and storeys.
+
+    Returns
+    -------
+    Spectrum or None
+        None if neither the suite nor the building gives one.
+    """
+    if filtered is not None and len(motions) >= LEAST_RECORDS:
+        records = [
+            scale(base_motion.record, motion.scaling.factor) for base_motion, motion in zip(base, motions, strict=True)
+        ]
+        return _suite_spectrum(ground, records, mode=filtered.mode)
+    if building is not None and building.storeys is not None and height <= building.height:
+        return _circolare_spectrum(ground, height=height, building=building, storeys=building.storeys)
+    return None
+
+
+def broaden(period: FloatArray, acceleration: FloatArray) -> FloatArray:
+    """Return the largest ordinate within 15 % of each period, to both sides [n]."""
+    low = np.searchsorted(period, period * (1.0 - BROADENING), side="left")
+    high = np.searchsorted(period, period / (1.0 - BROADENING), side="right")
+    return np.array([acceleration[a:b].max() for a, b in zip(low, high, strict=True)])
+
+
+def _assess_mechanism(
+    study: Study,
+    spectrum: Spectrum,
+    motions: tuple[ScaledRecord, ...],
+    mechanism: Mechanism,
+    case: RockingCase,
+    histories: RockingHistories,
+) -> MechanismResult:
+    """Return one mechanism with the checks of every procedure and its histories."""
+    context = context_of(study, spectrum, mechanism, histories, case.base, motions)
+    return mechanism_result(
+        mechanism,
+        mechanism.variants.starting,
+        equation=case.equation,
+        scene=study.scenes.get(mechanism.name),
+        checks=checks_of(study, case.oscillator, context),
+        histories=() if context.not_lasting else with_governing_trace(case, histories.histories, motions),
+        amplification=amplification_result(study.amplified[mechanism.name], motions, case.base),
+        height=study.heights[mechanism.name],
+    )
+
+
 def _context_without_floor_spectrum(
     study: Study, spectrum: Spectrum, mechanism: Mechanism, histories: RockingHistories, base: tuple[BaseMotion, ...]
 ) -> Context:
@@ -319,43 +416,6 @@ def _reasons_against_histories(mechanism: Mechanism) -> tuple[Message, ...]:
     return (reason_message(Reason.STOPS, restitution=Quantity(mechanism.stopped, figures=3)),)
 
 
-SUPPORTS: Mapping[str, WallSupport] = {name: kind.support for name, kind in MECHANISM_KINDS.items()}
-JUST_ABOVE = 1e-3  # of the height: where the thickness of a wall that rocks to one side is measured
-
-
-def wall_of(mechanism: Mechanism) -> Wall | None:
-    """Return the wall across its plane; None for mechanisms that are not walls, or without geometry.
-
-    The height is from the base hinge to the hinge at the top, or to the top of a free-standing wall. The thickness is
-    the distance along the direction between the hinges of both branches, at the base or the crack; of a wall that rocks
-    to one side only, the width of its outline just above.
-    """
-    hinges = mechanism.positive.hinges
-    if mechanism.kind == "two-block":
-        size = _wall_across(mechanism, height=hinges[2][1] - hinges[0][1], at=1)
-        return None if size is None else replace(size, gravity=gravity_of(mechanism))
-    if mechanism.kind != "single-block" or not mechanism.outlines[0]:
-        return None
-    top = max(z for ring in mechanism.outlines[0] for _, z in ring)
-    return _wall_across(mechanism, height=top - hinges[0][1], at=0)
-
-
-def carries_floors(mechanism: Mechanism) -> bool:
-    """Return whether a floor, roof or vault presses on a mechanism or moves with it, bearing or not."""
-    return any(isinstance(load, PointMass) or upward(load) < 0.0 for load in mechanism.positive.loads)
-
-
-def gravity_of(mechanism: Mechanism) -> Mapping[BranchName, Gravity]:
-    """Return the gravity moments of a wall and of the loads that press on it, by branch."""
-    oscillator = mechanism.variants.deciding
-    gravity: dict[BranchName, Gravity] = {
-        "positive": _gravity_of_branch(mechanism.positive, oscillator.positive.unstable)
-    }
-    if mechanism.negative is not None and oscillator.negative is not None:
-        gravity["negative"] = _gravity_of_branch(mechanism.negative, oscillator.negative.unstable)
-    return gravity
-
-
 def _gravity_of_branch(chain: Chain, instability: float) -> Gravity:
     """Return the gravity moments of one branch, whose restoring moment falls to zero at `instability` [rad].
 
@@ -405,59 +465,6 @@ def _crossing_of_edge(a: Point, b: Point, level: float) -> list[float]:
     return [a[0] + (b[0] - a[0]) * (level - a[1]) / (b[1] - a[1])]
 
 
-LEAST_RECORDS = 5  # of the response-history method of the same standard
-BROADENING = 0.15  # of the period, to both sides
-
-SHORTEST_PERIOD, LONGEST_PERIOD = 0.02, 15.0  # s: between which the response to the motions is sampled
-PERIOD_RATIO = 1.03  # of two periods at which it is
-NEAR_MODE = np.linspace(0.85, 1.15, 61)  # of the building's period, where the peak is
-PERIOD_VARIATION = np.linspace(1.0 - BROADENING, 1.0 + BROADENING, 7)  # of the building, over its own
-MOST_DAMPING = 0.99  # of an oscillator that still swings
-OF_SUITE = "envelope of the response spectra of the suite at the mechanism's base, peaks widened by 15 %"
-OF_CIRCOLARE = "Circolare 7/2019, C7.2.5, first mode"
-DAMPING_OF_SUITE = "response of the motions themselves at that damping"
-DAMPING_OF_CIRCOLARE = "Circolare 7/2019, C7.2.6, with the rule for damping of the spectrum of the ground"
-
-
-def floor_spectrum(
-    ground: Spectrum,
-    *,
-    height: float,
-    filtered: ModalFilter | None,
-    base: Sequence[BaseMotion],
-    motions: Sequence[ScaledRecord],
-    building: Building | None,
-) -> Spectrum | None:
-    """Return the floor spectrum at a height, at the PGA of the ground's spectrum.
-
-    Parameters
-    ----------
-    ground : Spectrum
-        The spectrum of the ground.
-    height : float
-        Height above the ground [m].
-    filtered : ModalFilter, optional
-        The filter through which the motions reached the base, if they did and the suite meets the rules.
-    base, motions : sequence
-        The motions at the base, and their factors.
-    building : Building, optional
-        The building, with its height and storeys.
-
-    Returns
-    -------
-    Spectrum or None
-        None if neither the suite nor the building gives one.
-    """
-    if filtered is not None and len(motions) >= LEAST_RECORDS:
-        records = [
-            scale(base_motion.record, motion.scaling.factor) for base_motion, motion in zip(base, motions, strict=True)
-        ]
-        return _suite_spectrum(ground, records, mode=filtered.mode)
-    if building is not None and building.storeys is not None and height <= building.height:
-        return _circolare_spectrum(ground, height=height, building=building, storeys=building.storeys)
-    return None
-
-
 def _suite_spectrum(ground: Spectrum, records: Sequence[Record], *, mode: FirstMode) -> Spectrum:
     """Return the envelope of the response spectra at the base, with its peaks broadened.
 
@@ -503,13 +510,6 @@ def _circolare_spectrum(ground: Spectrum, *, height: float, building: Building, 
         OF_CIRCOLARE,
         longest_period=ground.longest_period,
     )
-
-
-def broaden(period: FloatArray, acceleration: FloatArray) -> FloatArray:
-    """Return the largest ordinate within 15 % of each period, to both sides [n]."""
-    low = np.searchsorted(period, period * (1.0 - BROADENING), side="left")
-    high = np.searchsorted(period, period / (1.0 - BROADENING), side="right")
-    return np.array([acceleration[a:b].max() for a, b in zip(low, high, strict=True)])
 
 
 def _sample_periods() -> FloatArray:

@@ -66,77 +66,6 @@ def threshold_steps(joint: Joint, normal_force: float) -> tuple[Step, ...]:
     return (*first, *_crushing_steps(joint, normal_force, crushing))
 
 
-def _opening_steps(joint: Joint, N: float, opening: float) -> tuple[Step, ...]:
-    """Write the rotation of opening, before crushing or, under more than half of what a rectangle bears, after it."""
-    section, k, f = joint.section, joint.law.stiffness, joint.law.strength
-    b, A, x_c, width = section.depth, section.area, section.centroid, _rectangle_width(section)
-    given: Given = {"N": (N, "N"), "k": (k, "Pa/m"), "b": (b, "m")}
-    before = k * opening * b <= f * (1.0 + SAME_STRESS)
-    if width is not None:
-        given = {**given, "l": (width, "m")}
-        if before:
-            return (step("φ_o", OPENS, "thesis 6.2", "2 N / (k l b²)", opening, "rad", given=given),)
-        given = {**given, "f": (f, "Pa")}
-        return (step("φ_o", OPENS, BALANCE, "f / (2 k (b − N / (f l)))", opening, "rad", given=given),)
-    if before:
-        given = {**given, "A": (A, "m2"), "x_c": (x_c, "m")}
-        return (step("φ_o", OPENS, BALANCE, "N / (k A (b − x_c))", opening, "rad", given=given),)
-    opens = step("φ_o", OPENS, BALANCE, BY_BALANCE, opening, "rad")
-    return (opens, *_opening_checks(joint, N, opening))
-
-
-def _opening_checks(joint: Joint, N: float, opening: float) -> tuple[Step, ...]:
-    """Write the stresses as the far edge opens behind a crushed zone, and their resultant."""
-    k, f, b = joint.law.stiffness, joint.law.strength, joint.section.depth
-    c = f / (k * opening)
-    turned: Given = {"f": (f, "Pa"), "k": (k, "Pa/m"), "φ_o": (opening, "rad")}
-    sizes: Given = {"b": (b, "m"), "c_o": (c, "m")}
-    lines = (
-        step("c_o", ELASTIC, BALANCE, "f / (k φ_o)", c, "m", given=turned),
-        step("a_2o", CRUSHED, BALANCE, "b − c_o", b - c, "m", given=sizes),
-    )
-    zones = (
-        Zone(("p", 0.0), ("a_2o", b - c), (("f", f), ("f", f))),
-        Zone(("a_2o", b - c), ("c_o", c), (("f", f), ("σ_o", 0.0))),
-    )
-    checks, _ = _resultant_steps(StressState(joint.section, "o", zones, ("N", N)))
-    return (*lines, *checks)
-
-
-def _crushing_steps(joint: Joint, N: float, crushing: float) -> tuple[Step, ...]:
-    """Write the contact as its edge begins to crush, and from it a_SF."""
-    section, k, f = joint.section, joint.law.stiffness, joint.law.strength
-    b, width = section.depth, _rectangle_width(section)
-    found = contact(section, joint.law, normal_force=N, rotation=crushing)
-    a = f / (k * crushing)
-    pressed: Given = {"N": (N, "N"), "f": (f, "Pa")}
-    turned: Given = {"k": (k, "Pa/m"), "φ_c": (crushing, "rad")}
-    if a < b:
-        words, end = "depth of the contact then", 0.0
-        lines: tuple[Step, ...] = (
-            step("a_c", words, BALANCE, BY_BALANCE, a, "m")
-            if width is None
-            else step("a_c", words, "thesis 6.3", "2 N / (f l)", a, "m", given={**pressed, "l": (width, "m")}),
-            step("φ_c", CRUSHES, "thesis 6.4", "f / (k a_c)", crushing, "rad",
-                 given={"f": (f, "Pa"), "k": (k, "Pa/m"), "a_c": (a, "m")}),
-        )  # fmt: skip
-        zone = Zone(("p", 0.0), ("a_c", a), (("f", f), ("σ_c", 0.0)))
-    else:
-        end = f - k * crushing * b
-        rest: Given = {**pressed, "k": (k, "Pa/m"), "A": (section.area, "m2")}
-        half: Given = {"b": (b, "m")} if width is not None else {"x_c": (section.centroid, "m")}
-        formula = "2 (f − N / A) / (k b)" if width is not None else "(f − N / A) / (k x_c)"
-        lines = (
-            step("φ_c", CRUSHES, BALANCE, formula, crushing, "rad", given={**rest, **half}),
-            step("σ_c", "stress at the far edge then", BALANCE, "f − k φ_c b", end, "Pa",
-                 given={"f": (f, "Pa"), **turned, "b": (b, "m")}),
-        )  # fmt: skip
-        zone = Zone(("p", 0.0), ("b", b), (("f", f), ("σ_c", end)))
-    checks, arm = _resultant_steps(StressState(section, "c", (zone,), ("N", float(found.normal_force[0]))))
-    shift = semi_flexible_shift(section, joint.law, normal_force=N)
-    return (*lines, *checks, replace(arm, symbol="a_SF", description=SHIFT_DESCRIPTION, clause=SHIFT, value=shift))
-
-
 BY_AREA = "found by equilibrium: the area up to it is N / f"
 ANY_ROTATION = 1.0  # rad: any rotation, for a rigid joint with a strength
 FULL_CONTACT = 1e-9  # of the depth: a contact that is not open by more is full
@@ -234,6 +163,124 @@ def state_steps(rotated: RotatedJoint) -> tuple[Step, ...]:
     return (*lines, *checks, named)
 
 
+def block_steps(joint: Joint, normal_force: float) -> tuple[Step, ...]:
+    """Write the plastic block of a rigid joint with a strength, which forms as soon as the joint rotates.
+
+    Parameters
+    ----------
+    joint : rigid, with a strength
+    normal_force : N [N]
+
+    Returns
+    -------
+    tuple of Step
+    """
+    found = contact(joint.section, joint.law, normal_force=normal_force, rotation=ANY_ROTATION)
+    return state_steps(RotatedJoint("p", joint, ANY_ROTATION, found, 0))
+
+
+STRIP_FORCE = "force of a strip, ∫ σ w dx"
+STRIP_PLACE = "its place, ∫ σ w x dx over that force"
+
+NO_STRESS = 1e-12
+"""Fraction of the largest stress: less is none, but for rounding."""
+
+NamedValue = tuple[str, float]
+"""A symbol with its value, in SI."""
+
+
+@dataclass(frozen=True)
+class Strip:
+    """A zone or a part of one. width : at its start and end [m]; None where it is not linear between them."""
+
+    zone: Zone
+    width: tuple[NamedValue, NamedValue] | None
+
+
+@dataclass(frozen=True)
+class StressState:
+    """A contact whose stresses are known.
+
+    mark : behind each symbol; zones : from the compressed edge on; normal_force : [N]
+    """
+
+    section: ContactSection
+    mark: str
+    zones: tuple[Zone, ...]
+    normal_force: NamedValue
+
+
+def _opening_steps(joint: Joint, N: float, opening: float) -> tuple[Step, ...]:
+    """Write the rotation of opening, before crushing or, under more than half of what a rectangle bears, after it."""
+    section, k, f = joint.section, joint.law.stiffness, joint.law.strength
+    b, A, x_c, width = section.depth, section.area, section.centroid, _rectangle_width(section)
+    given: Given = {"N": (N, "N"), "k": (k, "Pa/m"), "b": (b, "m")}
+    before = k * opening * b <= f * (1.0 + SAME_STRESS)
+    if width is not None:
+        given = {**given, "l": (width, "m")}
+        if before:
+            return (step("φ_o", OPENS, "thesis 6.2", "2 N / (k l b²)", opening, "rad", given=given),)
+        given = {**given, "f": (f, "Pa")}
+        return (step("φ_o", OPENS, BALANCE, "f / (2 k (b − N / (f l)))", opening, "rad", given=given),)
+    if before:
+        given = {**given, "A": (A, "m2"), "x_c": (x_c, "m")}
+        return (step("φ_o", OPENS, BALANCE, "N / (k A (b − x_c))", opening, "rad", given=given),)
+    opens = step("φ_o", OPENS, BALANCE, BY_BALANCE, opening, "rad")
+    return (opens, *_opening_checks(joint, N, opening))
+
+
+def _opening_checks(joint: Joint, N: float, opening: float) -> tuple[Step, ...]:
+    """Write the stresses as the far edge opens behind a crushed zone, and their resultant."""
+    k, f, b = joint.law.stiffness, joint.law.strength, joint.section.depth
+    c = f / (k * opening)
+    turned: Given = {"f": (f, "Pa"), "k": (k, "Pa/m"), "φ_o": (opening, "rad")}
+    sizes: Given = {"b": (b, "m"), "c_o": (c, "m")}
+    lines = (
+        step("c_o", ELASTIC, BALANCE, "f / (k φ_o)", c, "m", given=turned),
+        step("a_2o", CRUSHED, BALANCE, "b − c_o", b - c, "m", given=sizes),
+    )
+    zones = (
+        Zone(("p", 0.0), ("a_2o", b - c), (("f", f), ("f", f))),
+        Zone(("a_2o", b - c), ("c_o", c), (("f", f), ("σ_o", 0.0))),
+    )
+    checks, _ = _resultant_steps(StressState(joint.section, "o", zones, ("N", N)))
+    return (*lines, *checks)
+
+
+def _crushing_steps(joint: Joint, N: float, crushing: float) -> tuple[Step, ...]:
+    """Write the contact as its edge begins to crush, and from it a_SF."""
+    section, k, f = joint.section, joint.law.stiffness, joint.law.strength
+    b, width = section.depth, _rectangle_width(section)
+    found = contact(section, joint.law, normal_force=N, rotation=crushing)
+    a = f / (k * crushing)
+    pressed: Given = {"N": (N, "N"), "f": (f, "Pa")}
+    turned: Given = {"k": (k, "Pa/m"), "φ_c": (crushing, "rad")}
+    if a < b:
+        words, end = "depth of the contact then", 0.0
+        lines: tuple[Step, ...] = (
+            step("a_c", words, BALANCE, BY_BALANCE, a, "m")
+            if width is None
+            else step("a_c", words, "thesis 6.3", "2 N / (f l)", a, "m", given={**pressed, "l": (width, "m")}),
+            step("φ_c", CRUSHES, "thesis 6.4", "f / (k a_c)", crushing, "rad",
+                 given={"f": (f, "Pa"), "k": (k, "Pa/m"), "a_c": (a, "m")}),
+        )  # fmt: skip
+        zone = Zone(("p", 0.0), ("a_c", a), (("f", f), ("σ_c", 0.0)))
+    else:
+        end = f - k * crushing * b
+        rest: Given = {**pressed, "k": (k, "Pa/m"), "A": (section.area, "m2")}
+        half: Given = {"b": (b, "m")} if width is not None else {"x_c": (section.centroid, "m")}
+        formula = "2 (f − N / A) / (k b)" if width is not None else "(f − N / A) / (k x_c)"
+        lines = (
+            step("φ_c", CRUSHES, BALANCE, formula, crushing, "rad", given={**rest, **half}),
+            step("σ_c", "stress at the far edge then", BALANCE, "f − k φ_c b", end, "Pa",
+                 given={"f": (f, "Pa"), **turned, "b": (b, "m")}),
+        )  # fmt: skip
+        zone = Zone(("p", 0.0), ("b", b), (("f", f), ("σ_c", end)))
+    checks, arm = _resultant_steps(StressState(section, "c", (zone,), ("N", float(found.normal_force[0]))))
+    shift = semi_flexible_shift(section, joint.law, normal_force=N)
+    return (*lines, *checks, replace(arm, symbol="a_SF", description=SHIFT_DESCRIPTION, clause=SHIFT, value=shift))
+
+
 def _crushed_throughout(rotated: RotatedJoint) -> StressLines:
     """A block at the strength and nothing else: N = f l a for a rectangle."""
     (N, force), width, f = rotated.force, rotated.width, rotated.joint.law.strength
@@ -324,22 +371,6 @@ def _two_zones(rotated: RotatedJoint, a_2: float, c: float, far: float) -> tuple
     m, f = rotated.mark, rotated.joint.law.strength
     block = Zone(START, (f"a_2{m}", a_2), (("f", f), ("f", f)))
     return block, Zone((f"a_2{m}", a_2), (f"c_{m}", c), (("f", f), (f"σ_2{m}", far)))
-
-
-def block_steps(joint: Joint, normal_force: float) -> tuple[Step, ...]:
-    """Write the plastic block of a rigid joint with a strength, which forms as soon as the joint rotates.
-
-    Parameters
-    ----------
-    joint : rigid, with a strength
-    normal_force : N [N]
-
-    Returns
-    -------
-    tuple of Step
-    """
-    found = contact(joint.section, joint.law, normal_force=normal_force, rotation=ANY_ROTATION)
-    return state_steps(RotatedJoint("p", joint, ANY_ROTATION, found, 0))
 
 
 BALANCE, GEOMETRY = "equilibrium", "geometry of the contact"
@@ -434,37 +465,6 @@ def _piece_steps(section: ContactSection) -> tuple[Step, ...]:
         step("A", AREA, GEOMETRY, " + ".join(areas), section.area, "m2", given=areas),
         step("x_c", CENTROID, GEOMETRY, f"({summed}) / A", section.centroid, "m", given=total),
     )
-
-
-STRIP_FORCE = "force of a strip, ∫ σ w dx"
-STRIP_PLACE = "its place, ∫ σ w x dx over that force"
-
-NO_STRESS = 1e-12
-"""Fraction of the largest stress: less is none, but for rounding."""
-
-NamedValue = tuple[str, float]
-"""A symbol with its value, in SI."""
-
-
-@dataclass(frozen=True)
-class Strip:
-    """A zone or a part of one. width : at its start and end [m]; None where it is not linear between them."""
-
-    zone: Zone
-    width: tuple[NamedValue, NamedValue] | None
-
-
-@dataclass(frozen=True)
-class StressState:
-    """A contact whose stresses are known.
-
-    mark : behind each symbol; zones : from the compressed edge on; normal_force : [N]
-    """
-
-    section: ContactSection
-    mark: str
-    zones: tuple[Zone, ...]
-    normal_force: NamedValue
 
 
 def _resultant_steps(state: StressState) -> tuple[tuple[Step, ...], Step]:

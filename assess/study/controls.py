@@ -70,66 +70,6 @@ def equilibrium_controls(mechanism: Mechanism, oscillator: Oscillator) -> tuple[
     return tuple(max(pair, key=lambda control: control.difference or 0.0) for pair in zip(*of_branches, strict=True))
 
 
-def _branch_multipliers(mechanism: Mechanism, oscillator: Oscillator) -> tuple[float, float | None]:
-    """Return the multiplier of each branch: of the oscillator, or on joints by moments about the moved hinges [-]."""
-    if not mechanism.flexible:
-        other = oscillator.negative
-        return threshold(oscillator.positive) or 0.0, None if other is None else threshold(other)
-    positive, *others = (moment_multiplier(chain_at_start(chain, name=mechanism.name)) for chain in mechanism.chains)
-    return positive, others[0] if others else None
-
-
-def _branch_controls(
-    mechanism: Mechanism, chain: Chain, forces: Sequence[HingeForces], multiplier: float | None
-) -> tuple[Control, Control]:
-    """Return the controls of one branch, in its own sign: vertical and horizontal."""
-    acting = _forces_at_rest(chain_at_start(chain, name=mechanism.name))
-    weight = sum(each.inertia_per_g for each in acting)
-    inertia = (multiplier or 0.0) * weight
-    horizontal, vertical = _sum_of_reactions(forces, blocks=len(chain.blocks))
-    how = note(
-        "control-reactions",
-        mechanism.name,
-        hinge=forces[0].hinge,
-        multiplier=Quantity(multiplier or 0.0, "ground acceleration", 4),
-    )
-    downward, onward = -sum(each.force[1] for each in acting), -sum(each.force[0] for each in acting) - inertia
-    pairs = ((VERTICAL, vertical, downward), (HORIZONTAL, horizontal, onward))
-    one, other = (
-        make_control(
-            "equilibrium",
-            mechanism.name,
-            quantity,
-            value=value,
-            reference=reference,
-            scale=weight,
-            dimension="force",
-            note=how,
-        )
-        for quantity, value, reference in pairs
-    )
-    return one, other
-
-
-def _sum_of_reactions(forces: Sequence[HingeForces], *, blocks: int) -> tuple[float, float]:
-    """Return the sum of the reactions of supports (x, z) on the mechanism [N].
-
-    Parameters
-    ----------
-    forces : sequence of HingeForces
-        Of one branch, from the base on.
-    blocks : int
-        One block stands on A; two are also held at C, along the direction only; three also stand on D.
-    """
-    base, far = forces[0], forces[-1]
-    horizontal, vertical = base.horizontal, base.vertical
-    if blocks > 1:
-        horizontal += far.horizontal
-    if blocks > 2:
-        vertical += far.vertical
-    return horizontal, vertical
-
-
 UPLIFT_MULTIPLIER = "uplift multiplier"
 
 
@@ -181,16 +121,6 @@ def multiplier_control(mechanism: Mechanism, oscillator: Oscillator) -> Control:
     return max(of_branches, key=lambda control: control.difference or 0.0)
 
 
-def _multiplier_on_joints(mechanism: Mechanism, chain: Chain, side: Branch) -> Control:
-    """Return the largest multiplier on joints beside that of rigid hinges, which need not be equal."""
-    value, rigid = linear_multiplier(side), moment_multiplier(chain)
-    how = note("control-rigid-moments", mechanism.name, lower=Quantity(100.0 * (1.0 - value / rigid), "percent", 2))
-    difference = abs(value - rigid) / abs(rigid)
-    return Control(
-        "hand-multiplier", mechanism.name, UPLIFT_MULTIPLIER, value, rigid, "ratio", difference, 0.0, None, how
-    )
-
-
 @dataclass(frozen=True)
 class ForceAtRest:
     """One mass or load at rest.
@@ -203,34 +133,6 @@ class ForceAtRest:
     at: Point
     force: Point
     inertia_per_g: float
-
-
-def _forces_at_rest(chain: Chain) -> list[ForceAtRest]:
-    """Return every mass and load of a chain.
-
-    A mass that is not bearing has horizontal inertia and no weight here; a tie that shortens as rocking starts is
-    slack, unless it acts both ways.
-    """
-    forces = [
-        ForceAtRest(number, block.centroid, (0.0, -block.mass * g), block.mass * g)
-        for number, block in enumerate(chain.blocks)
-    ]
-    for load in chain.loads:
-        if isinstance(load, PointMass):
-            weight = load.mass * g
-            forces.append(ForceAtRest(load.block, load.at, (0.0, -weight if load.bearing else 0.0), weight))
-        elif isinstance(load, Force):
-            forces.append(ForceAtRest(load.block, load.at, load.force, 0.0))
-        elif load.both or not _shortens(load, chain):
-            forces.append(ForceAtRest(load.block, load.at, pull_at_rest(load), 0.0))
-    return forces
-
-
-def _shortens(tie: Tie, chain: Chain) -> bool:
-    """Return whether the point of a tie starts to move along its pull."""
-    along, up = pull_at_rest(tie)
-    leaving = trace_point(move(chain, np.zeros(1)), block=tie.block, at=tie.at)
-    return bool(along * leaving.dx[0] + up * leaving.dz[0] > 0.0)
 
 
 CONTROL_TOLERANCE: Mapping[ControlKind, float] = {
@@ -308,3 +210,101 @@ def control_warnings(controls: Sequence[Control]) -> tuple[Message, ...]:
         for each in controls
         if each.met is False and each.difference is not None
     )
+
+
+def _branch_multipliers(mechanism: Mechanism, oscillator: Oscillator) -> tuple[float, float | None]:
+    """Return the multiplier of each branch: of the oscillator, or on joints by moments about the moved hinges [-]."""
+    if not mechanism.flexible:
+        other = oscillator.negative
+        return threshold(oscillator.positive) or 0.0, None if other is None else threshold(other)
+    positive, *others = (moment_multiplier(chain_at_start(chain, name=mechanism.name)) for chain in mechanism.chains)
+    return positive, others[0] if others else None
+
+
+def _branch_controls(
+    mechanism: Mechanism, chain: Chain, forces: Sequence[HingeForces], multiplier: float | None
+) -> tuple[Control, Control]:
+    """Return the controls of one branch, in its own sign: vertical and horizontal."""
+    acting = _forces_at_rest(chain_at_start(chain, name=mechanism.name))
+    weight = sum(each.inertia_per_g for each in acting)
+    inertia = (multiplier or 0.0) * weight
+    horizontal, vertical = _sum_of_reactions(forces, blocks=len(chain.blocks))
+    how = note(
+        "control-reactions",
+        mechanism.name,
+        hinge=forces[0].hinge,
+        multiplier=Quantity(multiplier or 0.0, "ground acceleration", 4),
+    )
+    downward, onward = -sum(each.force[1] for each in acting), -sum(each.force[0] for each in acting) - inertia
+    pairs = ((VERTICAL, vertical, downward), (HORIZONTAL, horizontal, onward))
+    one, other = (
+        make_control(
+            "equilibrium",
+            mechanism.name,
+            quantity,
+            value=value,
+            reference=reference,
+            scale=weight,
+            dimension="force",
+            note=how,
+        )
+        for quantity, value, reference in pairs
+    )
+    return one, other
+
+
+def _sum_of_reactions(forces: Sequence[HingeForces], *, blocks: int) -> tuple[float, float]:
+    """Return the sum of the reactions of supports (x, z) on the mechanism [N].
+
+    Parameters
+    ----------
+    forces : sequence of HingeForces
+        Of one branch, from the base on.
+    blocks : int
+        One block stands on A; two are also held at C, along the direction only; three also stand on D.
+    """
+    base, far = forces[0], forces[-1]
+    horizontal, vertical = base.horizontal, base.vertical
+    if blocks > 1:
+        horizontal += far.horizontal
+    if blocks > 2:
+        vertical += far.vertical
+    return horizontal, vertical
+
+
+def _multiplier_on_joints(mechanism: Mechanism, chain: Chain, side: Branch) -> Control:
+    """Return the largest multiplier on joints beside that of rigid hinges, which need not be equal."""
+    value, rigid = linear_multiplier(side), moment_multiplier(chain)
+    how = note("control-rigid-moments", mechanism.name, lower=Quantity(100.0 * (1.0 - value / rigid), "percent", 2))
+    difference = abs(value - rigid) / abs(rigid)
+    return Control(
+        "hand-multiplier", mechanism.name, UPLIFT_MULTIPLIER, value, rigid, "ratio", difference, 0.0, None, how
+    )
+
+
+def _forces_at_rest(chain: Chain) -> list[ForceAtRest]:
+    """Return every mass and load of a chain.
+
+    A mass that is not bearing has horizontal inertia and no weight here; a tie that shortens as rocking starts is
+    slack, unless it acts both ways.
+    """
+    forces = [
+        ForceAtRest(number, block.centroid, (0.0, -block.mass * g), block.mass * g)
+        for number, block in enumerate(chain.blocks)
+    ]
+    for load in chain.loads:
+        if isinstance(load, PointMass):
+            weight = load.mass * g
+            forces.append(ForceAtRest(load.block, load.at, (0.0, -weight if load.bearing else 0.0), weight))
+        elif isinstance(load, Force):
+            forces.append(ForceAtRest(load.block, load.at, load.force, 0.0))
+        elif load.both or not _shortens(load, chain):
+            forces.append(ForceAtRest(load.block, load.at, pull_at_rest(load), 0.0))
+    return forces
+
+
+def _shortens(tie: Tie, chain: Chain) -> bool:
+    """Return whether the point of a tie starts to move along its pull."""
+    along, up = pull_at_rest(tie)
+    leaving = trace_point(move(chain, np.zeros(1)), block=tie.block, at=tie.at)
+    return bool(along * leaving.dx[0] + up * leaving.dz[0] > 0.0)

@@ -52,6 +52,48 @@ def pieces_of(chain: Chain, outlines: Sequence[Outline]) -> list[BlockOutline]:
     return [(ring, block) for block, outline in zip(_block_numbers(chain), outlines, strict=True) for ring in outline]
 
 
+def hinges_of(mechanism: Mechanism) -> tuple[NamedPoint, ...]:
+    """Return hinges A, B, … of the positive branch and A', B', … of the negative one, at rest, not mirrored."""
+    negative = () if mechanism.negative is None else _hinges_of_chain(mechanism.negative, "'")
+    back = (NamedPoint(hinge.name, mirror_point(hinge.at)) for hinge in negative)
+    return (*_hinges_of_chain(mechanism.positive, ""), *back)
+
+
+VIEW_TRIANGLES = 4000  # triangles of a view
+COORDINATE_FIGURES = 5  # of a coordinate, counted from the first of the bodies' size
+RING_CORNERS = 300  # of a section's ring
+
+
+def view_in_space(mechanism: Mechanism, scene: Scene) -> View:
+    """Return the bodies with their axes of rotation, at rest."""
+    members = [*zip(scene.members, _block_numbers(mechanism.positive), strict=True), (scene.fixed, FIXED)]
+    surfaces = [(*_join_surfaces(solids), owner) for solids, owner in members if solids]
+    corners = np.concatenate([vertices for vertices, _, _ in surfaces])
+    size = np.ptp(corners, axis=0)
+    decimals = COORDINATE_FIGURES - 1 - floor(log10(float(size.max())))
+    simplified = _simplify_surfaces(surfaces)
+    starts = np.cumsum([0, *(len(vertices) for vertices, _, _ in simplified)])
+    return View(
+        vertices=rounded_points(np.concatenate([vertices for vertices, _, _ in simplified]), decimals),
+        triangles=tuple(
+            (a, b, c)
+            for start, (_, triangles, _) in zip(starts, simplified, strict=False)
+            for a, b, c in (triangles + start).tolist()
+        ),
+        block_of=tuple(owner for _, triangles, owner in simplified for _ in range(len(triangles))),
+        axes=_hinge_axes(mechanism, scene, decimals),
+        sections=tuple(rounded_points(_thin_ring(ring), decimals) for ring in scene.sections),
+        direction=_as_point(scene.direction),
+        size=rounded_points(size[None], decimals)[0],
+        given=sum(len(triangles) for _, triangles, _ in surfaces),
+    )
+
+
+def rounded_points(points: FloatArray, decimals: int) -> tuple[Place, ...]:
+    """Return points [k, 3] as plain numbers, rounded."""
+    return tuple(_as_point(point) for point in np.round(points, decimals) + 0.0)
+
+
 def _block_numbers(chain: Chain) -> tuple[int, ...]:
     """Return the block of each outline of a mechanism, FIXED where it does not move."""
     if not chain.parts:
@@ -94,13 +136,6 @@ def _draw_negative_side(mechanism: Mechanism, oscillator: Oscillator) -> Displac
         ),
         centroids=tuple(mirror_point(point) for point in turned.centroids),
     )
-
-
-def hinges_of(mechanism: Mechanism) -> tuple[NamedPoint, ...]:
-    """Return hinges A, B, … of the positive branch and A', B', … of the negative one, at rest, not mirrored."""
-    negative = () if mechanism.negative is None else _hinges_of_chain(mechanism.negative, "'")
-    back = (NamedPoint(hinge.name, mirror_point(hinge.at)) for hinge in negative)
-    return (*_hinges_of_chain(mechanism.positive, ""), *back)
 
 
 def _hinges_of_chain(chain: Chain, mark: str) -> tuple[NamedPoint, ...]:
@@ -171,36 +206,6 @@ def _unit_vector(vector: Point) -> Point | None:
     return (vector[0] / length, vector[1] / length) if length else None
 
 
-VIEW_TRIANGLES = 4000  # triangles of a view
-COORDINATE_FIGURES = 5  # of a coordinate, counted from the first of the bodies' size
-RING_CORNERS = 300  # of a section's ring
-
-
-def view_in_space(mechanism: Mechanism, scene: Scene) -> View:
-    """Return the bodies with their axes of rotation, at rest."""
-    members = [*zip(scene.members, _block_numbers(mechanism.positive), strict=True), (scene.fixed, FIXED)]
-    surfaces = [(*_join_surfaces(solids), owner) for solids, owner in members if solids]
-    corners = np.concatenate([vertices for vertices, _, _ in surfaces])
-    size = np.ptp(corners, axis=0)
-    decimals = COORDINATE_FIGURES - 1 - floor(log10(float(size.max())))
-    simplified = _simplify_surfaces(surfaces)
-    starts = np.cumsum([0, *(len(vertices) for vertices, _, _ in simplified)])
-    return View(
-        vertices=rounded_points(np.concatenate([vertices for vertices, _, _ in simplified]), decimals),
-        triangles=tuple(
-            (a, b, c)
-            for start, (_, triangles, _) in zip(starts, simplified, strict=False)
-            for a, b, c in (triangles + start).tolist()
-        ),
-        block_of=tuple(owner for _, triangles, owner in simplified for _ in range(len(triangles))),
-        axes=_hinge_axes(mechanism, scene, decimals),
-        sections=tuple(rounded_points(_thin_ring(ring), decimals) for ring in scene.sections),
-        direction=_as_point(scene.direction),
-        size=rounded_points(size[None], decimals)[0],
-        given=sum(len(triangles) for _, triangles, _ in surfaces),
-    )
-
-
 def _join_surfaces(solids: Sequence[Solid]) -> tuple[FloatArray, IntArray]:
     """Return the surfaces of several solids as one."""
     starts = np.cumsum([0, *(len(solid.vertices) for solid in solids[:-1])])
@@ -243,11 +248,6 @@ def _thin_ring(ring: FloatArray) -> FloatArray:
     """Thin a closed ring [k, 3] evenly to no more than RING_CORNERS corners."""
     step = -(-(len(ring) - 1) // RING_CORNERS)
     return np.concatenate([ring[:-1:step], ring[:1]])
-
-
-def rounded_points(points: FloatArray, decimals: int) -> tuple[Place, ...]:
-    """Return points [k, 3] as plain numbers, rounded."""
-    return tuple(_as_point(point) for point in np.round(points, decimals) + 0.0)
 
 
 def _as_point(point: FloatArray) -> Place:

@@ -153,19 +153,6 @@ def question_with_measures(study: Study) -> FragilityQuestion:
     return replace(study.fragility, measures=default_measures(period))
 
 
-def _unscaled_records(study: Study, *, jobs: int) -> tuple[Record, ...]:
-    """Return the records of a study as they are, artificial ones last."""
-    if study.artificial is None:
-        records: tuple[Record, ...] = study.records
-    elif study.spectrum is None:
-        raise ProjectError("records: none, and no [site.spectrum] to make artificial ones for; give files")
-    else:
-        records = tuple(motion.record for motion in motions_of(study, study.spectrum, jobs=jobs))
-    if not records:
-        raise ProjectError("records: none; give files of recorded motions")
-    return records
-
-
 def run_records(
     study: Study, mechanism: Mechanism, records: Sequence[Record], question: FragilityQuestion, *, jobs: int
 ) -> MechanismRuns:
@@ -208,6 +195,54 @@ def run_records(
     else:
         runs = run_intensities(case, all_intensities[0].unit, question, threads=jobs)
     return MechanismRuns(mechanism, case, rocker, all_intensities, runs)
+
+
+Write = Callable[[Sequence[ExportedCurve]], Export]
+
+EXPORT_FORMATS: Mapping[str, Mapping[str, Write]] = {
+    "nrml": {
+        "fragility_continuous.xml": partial(nrml_text, format="continuous"),
+        "fragility_discrete.xml": partial(nrml_text, format="discrete"),
+    },
+    "pelicun": {"fragility_pelicun.csv": pelicun_text},
+    "csv": {"fragility_curves.csv": csv_text},
+}
+"""The files of each format."""
+EXPORT_UNITS: Mapping[str, MeasureUnit] = {"ground acceleration": "g", "velocity": "m/s", "ratio": "-"}
+
+LEFT_OUT_REASONS: Mapping[OmissionReason, Term] = {
+    "no-name-of-measure": Term("the format has no name for this measure"),
+    "state-without-curve": Term("its severest state has no curve"),
+    "state-left-out": Term("a state that it has no curve for is left out of the file"),
+    "curves-cross": Term("curves of two states cross, which some programs cannot use; it is in the file"),
+}
+
+
+def export_curves(results: FragilityResults, formats: Sequence[str]) -> tuple[dict[str, str], tuple[Message, ...]]:
+    """Return the files of some formats, by name, and notes on what they leave out.
+
+    Parameters
+    ----------
+    results : of `assess fragility`
+    formats : of `EXPORT_FORMATS`
+    """
+    curves = [each for mechanism in results.mechanisms for each in _exported_curves(mechanism)]
+    files = {name: write(curves) for format in formats for name, write in EXPORT_FORMATS[format].items()}
+    notes = [_left_out_note(name, one) for name, file in files.items() for one in file.left_out]
+    return {name: file.text for name, file in files.items()}, tuple(dict.fromkeys(notes))
+
+
+def _unscaled_records(study: Study, *, jobs: int) -> tuple[Record, ...]:
+    """Return the records of a study as they are, artificial ones last."""
+    if study.artificial is None:
+        records: tuple[Record, ...] = study.records
+    elif study.spectrum is None:
+        raise ProjectError("records: none, and no [site.spectrum] to make artificial ones for; give files")
+    else:
+        records = tuple(motion.record for motion in motions_of(study, study.spectrum, jobs=jobs))
+    if not records:
+        raise ProjectError("records: none; give files of recorded motions")
+    return records
 
 
 def _mechanism_fragility(
@@ -403,41 +438,6 @@ def _mechanism_notes(
 def _base_motion_known(study: Study, mechanism: Mechanism) -> bool:
     """Return whether the records reach the base of a mechanism as it moves: on the ground, or through the building."""
     return not study.heights[mechanism.name].above or study.amplified[mechanism.name].method == "modal-filter"
-
-
-Write = Callable[[Sequence[ExportedCurve]], Export]
-
-EXPORT_FORMATS: Mapping[str, Mapping[str, Write]] = {
-    "nrml": {
-        "fragility_continuous.xml": partial(nrml_text, format="continuous"),
-        "fragility_discrete.xml": partial(nrml_text, format="discrete"),
-    },
-    "pelicun": {"fragility_pelicun.csv": pelicun_text},
-    "csv": {"fragility_curves.csv": csv_text},
-}
-"""The files of each format."""
-EXPORT_UNITS: Mapping[str, MeasureUnit] = {"ground acceleration": "g", "velocity": "m/s", "ratio": "-"}
-
-LEFT_OUT_REASONS: Mapping[OmissionReason, Term] = {
-    "no-name-of-measure": Term("the format has no name for this measure"),
-    "state-without-curve": Term("its severest state has no curve"),
-    "state-left-out": Term("a state that it has no curve for is left out of the file"),
-    "curves-cross": Term("curves of two states cross, which some programs cannot use; it is in the file"),
-}
-
-
-def export_curves(results: FragilityResults, formats: Sequence[str]) -> tuple[dict[str, str], tuple[Message, ...]]:
-    """Return the files of some formats, by name, and notes on what they leave out.
-
-    Parameters
-    ----------
-    results : of `assess fragility`
-    formats : of `EXPORT_FORMATS`
-    """
-    curves = [each for mechanism in results.mechanisms for each in _exported_curves(mechanism)]
-    files = {name: write(curves) for format in formats for name, write in EXPORT_FORMATS[format].items()}
-    notes = [_left_out_note(name, one) for name, file in files.items() for one in file.left_out]
-    return {name: file.text for name, file in files.items()}, tuple(dict.fromkeys(notes))
 
 
 def _left_out_note(file: str, one: LeftOut) -> Message:

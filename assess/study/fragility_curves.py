@@ -91,6 +91,173 @@ def fragility_curve(
     return make(runs, intensities, state, events, question)
 
 
+Fits = Callable[[FloatArray], tuple[FloatArray, FloatArray]]
+"""Takes how often each record counts [draws, records]; returns medians and dispersions [draws], nan where unbounded."""
+
+MOST_UNBOUNDED = 0.05
+"""Share of draws that need not bound a curve."""
+BAND_POINTS = 25
+
+BAND_REACH = 2.5
+"""Dispersions to each side of the median over which the band of a curve is given."""
+
+
+def lognormal_result(fits: Fits, events: Sequence[str], *, seed: int, draws: int) -> LognormalResult | None:
+    """Return the lognormal of all records with its intervals; None where they do not bound one.
+
+    Intervals are None where more than 5 % of the draws do not bound a curve, or earthquakes are fewer than three.
+
+    Parameters
+    ----------
+    fits : of the curve
+    events : earthquake of each record [records]
+    seed : of the random draws
+    draws : how many
+    """
+    (median,), (dispersion,) = fits(np.ones((1, len(events))))
+    if np.isnan(median + dispersion):
+        return None
+    plain = LognormalResult(float(median), float(dispersion))
+    number = len(set(events))
+    if number < LEAST_EVENTS:
+        return plain
+    medians, dispersions = fits(event_counts(events, seed=seed, draws=draws))
+    good = np.isfinite(medians) & np.isfinite(dispersions)
+    if np.count_nonzero(~good) > MOST_UNBOUNDED * draws:
+        return plain
+    return _with_intervals(plain, medians[good], dispersions[good], number)
+
+
+ROUNDING = 1e-9
+"""Relative difference below which the ratios of two measures are one number."""
+
+
+def factor_between(one: FloatArray, other: FloatArray) -> float | None:
+    """Return the number that intensities of one measure are times those of another [records]; None if it varies."""
+    ratio = other / one
+    return float(ratio[0]) if np.ptp(ratio) <= ROUNDING * ratio[0] else None
+
+
+def convert_curve(curve: FragilityCurve, measure: MeasureResult, factor: float) -> FragilityCurve:
+    """Return a curve in another measure.
+
+    Parameters
+    ----------
+    curve : in its own measure
+    measure : the other one
+    factor : intensity of the other measure over that of its own
+    """
+    return replace(
+        curve,
+        measure=measure,
+        empirical=tuple(replace(point, intensity=factor * point.intensity) for point in curve.empirical),
+        lognormal=_scaled_lognormal(curve.lognormal, factor),
+        first=_scaled_lognormal(curve.first, factor),
+        least_run=None if curve.least_run is None else factor * curve.least_run,
+        largest_run=None if curve.largest_run is None else factor * curve.largest_run,
+    )
+
+
+LEAST_SCATTER = 1e-6
+"""Standard deviation of residuals below which they are rounding, and no trend is sought."""
+RecordProperty = Literal["magnitude", "distance", "scale"]
+
+
+@dataclass(frozen=True, repr=False)
+class Origins(ShortRepr):
+    """What is known of the records [records]: magnitude and ln distance, nan where not known, and the earthquake."""
+
+    magnitude: FloatArray
+    log_distance: FloatArray
+    event: tuple[str, ...]
+
+
+def origins_of(records: Sequence[Record]) -> Origins:
+    """Return what is known of the records."""
+    magnitude = [each.earthquake.magnitude for each in records]
+    distance = [each.distance if each.distance and each.distance > 0.0 else None for each in records]
+    return Origins(
+        np.array([np.nan if one is None else one for one in magnitude]),
+        np.array([np.nan if one is None else np.log(one) for one in distance]),
+        tuple(map(_event_of, records)),
+    )
+
+
+def compare_measure(
+    runs: FragilityRuns, intensities: Intensities, curve: FragilityCurve, origins: Origins
+) -> MeasureComparison:
+    """Return how well a measure explains a state.
+
+    Residuals are those of records that reach the state, at their first exceedance; a cloud has none.
+
+    Parameters
+    ----------
+    runs : of all records
+    intensities : the measure
+    curve : of the measure, in the state
+    origins : of the records
+    """
+    fitted = curve.lognormal or curve.first
+    trends = () if curve.method == "cloud" else tuple(_trends(runs, intensities, curve, origins))
+    return MeasureComparison(intensities.measure, curve.state, None if fitted is None else fitted.dispersion, trends)
+
+
+ExceedanceCurve = EmpiricalCurve | Lognormal
+
+NOTABLE = 0.05
+"""Share of the rate from which a warning says what may be missing of it."""
+
+INTENSITY_RANGES = 32
+"""Ranges of intensity that contributions are given for."""
+
+FAR_FROM_SITE = 10.0
+"""Distance of the hazard from the site from which there is a warning [km]."""
+
+
+def risks(
+    curves: Sequence[FragilityCurve], question: FragilityQuestion, *, epistemic: float | None, motion_known: bool
+) -> Iterator[RiskResult]:
+    """Yield the rate of each state by each curve in the measure of the hazard.
+
+    Parameters
+    ----------
+    curves : of one mechanism
+    question : its hazard and target
+    epistemic : dispersion that curves are widened by to compare with the target [-]; None where it is not given
+    motion_known : whether the records are those of the base of the mechanism
+    """
+    if question.hazard is None:
+        return
+    hazard = HazardCurve(np.array(question.hazard.intensity), np.array(question.hazard.annual_rate))
+    for curve in curves:
+        if _same_measure(curve.measure, question.hazard.measure) and curve.empirical:
+            for found in _risks_of_curve(curve, hazard, question, epistemic):
+                yield replace(found, motion_known=motion_known)
+
+
+def hazard_messages(measures: Sequence[MeasureResult], hazard: HazardResult | None) -> Iterator[Message]:
+    """Yield warnings if the hazard is in a measure that is not requested, or of a place far from the site."""
+    if hazard is None:
+        return
+    if not any(_same_measure(each, hazard.measure) for each in measures):
+        yield warning("fragility-no-hazard-measure", "analysis.risk", measure=measure_key_text(hazard.measure))
+    if hazard.distance_km is not None and hazard.distance_km > FAR_FROM_SITE:
+        distance = Quantity(1000.0 * hazard.distance_km, "distance", 2)
+        yield warning("fragility-hazard-far", "analysis.risk.curve", distance=distance)
+
+
+def epistemic_messages(question: FragilityQuestion) -> Iterator[Message]:
+    """Yield a warning where a target is set, and no dispersion of what is not known of the mechanisms."""
+    if question.target_rate is not None and question.hazard is not None and not question.epistemic:
+        yield warning("fragility-no-epistemic", "analysis.fragility.epistemic")
+
+
+def measure_key_text(measure: MeasureResult) -> str:
+    """Return a measure as the project names it."""
+    periods = ", ".join(f"{period:g} s" for period in measure.periods_s)
+    return f"{measure.key}({periods})" if periods else measure.key
+
+
 def _level_curve(
     runs: FragilityRuns,
     intensities: Intensities,
@@ -231,43 +398,6 @@ def _curve_notes(fitted: LognormalResult | None, why: str | None, events: Sequen
             yield note("fragility-interval-draws")
 
 
-Fits = Callable[[FloatArray], tuple[FloatArray, FloatArray]]
-"""Takes how often each record counts [draws, records]; returns medians and dispersions [draws], nan where unbounded."""
-
-MOST_UNBOUNDED = 0.05
-"""Share of draws that need not bound a curve."""
-BAND_POINTS = 25
-
-BAND_REACH = 2.5
-"""Dispersions to each side of the median over which the band of a curve is given."""
-
-
-def lognormal_result(fits: Fits, events: Sequence[str], *, seed: int, draws: int) -> LognormalResult | None:
-    """Return the lognormal of all records with its intervals; None where they do not bound one.
-
-    Intervals are None where more than 5 % of the draws do not bound a curve, or earthquakes are fewer than three.
-
-    Parameters
-    ----------
-    fits : of the curve
-    events : earthquake of each record [records]
-    seed : of the random draws
-    draws : how many
-    """
-    (median,), (dispersion,) = fits(np.ones((1, len(events))))
-    if np.isnan(median + dispersion):
-        return None
-    plain = LognormalResult(float(median), float(dispersion))
-    number = len(set(events))
-    if number < LEAST_EVENTS:
-        return plain
-    medians, dispersions = fits(event_counts(events, seed=seed, draws=draws))
-    good = np.isfinite(medians) & np.isfinite(dispersions)
-    if np.count_nonzero(~good) > MOST_UNBOUNDED * draws:
-        return plain
-    return _with_intervals(plain, medians[good], dispersions[good], number)
-
-
 def _with_intervals(
     plain: LognormalResult, medians: FloatArray, dispersions: FloatArray, events: int
 ) -> LognormalResult:
@@ -296,36 +426,6 @@ def _with_intervals(
     )
 
 
-ROUNDING = 1e-9
-"""Relative difference below which the ratios of two measures are one number."""
-
-
-def factor_between(one: FloatArray, other: FloatArray) -> float | None:
-    """Return the number that intensities of one measure are times those of another [records]; None if it varies."""
-    ratio = other / one
-    return float(ratio[0]) if np.ptp(ratio) <= ROUNDING * ratio[0] else None
-
-
-def convert_curve(curve: FragilityCurve, measure: MeasureResult, factor: float) -> FragilityCurve:
-    """Return a curve in another measure.
-
-    Parameters
-    ----------
-    curve : in its own measure
-    measure : the other one
-    factor : intensity of the other measure over that of its own
-    """
-    return replace(
-        curve,
-        measure=measure,
-        empirical=tuple(replace(point, intensity=factor * point.intensity) for point in curve.empirical),
-        lognormal=_scaled_lognormal(curve.lognormal, factor),
-        first=_scaled_lognormal(curve.first, factor),
-        least_run=None if curve.least_run is None else factor * curve.least_run,
-        largest_run=None if curve.largest_run is None else factor * curve.largest_run,
-    )
-
-
 def _scaled_lognormal(fitted: LognormalResult | None, factor: float) -> LognormalResult | None:
     if fitted is None:
         return None
@@ -343,53 +443,9 @@ def _scaled_interval(found: tuple[float, float] | None, factor: float) -> tuple[
     return None if found is None else (factor * found[0], factor * found[1])
 
 
-LEAST_SCATTER = 1e-6
-"""Standard deviation of residuals below which they are rounding, and no trend is sought."""
-RecordProperty = Literal["magnitude", "distance", "scale"]
-
-
-@dataclass(frozen=True, repr=False)
-class Origins(ShortRepr):
-    """What is known of the records [records]: magnitude and ln distance, nan where not known, and the earthquake."""
-
-    magnitude: FloatArray
-    log_distance: FloatArray
-    event: tuple[str, ...]
-
-
-def origins_of(records: Sequence[Record]) -> Origins:
-    """Return what is known of the records."""
-    magnitude = [each.earthquake.magnitude for each in records]
-    distance = [each.distance if each.distance and each.distance > 0.0 else None for each in records]
-    return Origins(
-        np.array([np.nan if one is None else one for one in magnitude]),
-        np.array([np.nan if one is None else np.log(one) for one in distance]),
-        tuple(map(_event_of, records)),
-    )
-
-
 def _event_of(record: Record) -> str:
     """Return the earthquake of a record; a record that names none counts as one of its own."""
     return record.event or record.earthquake.time or record.id
-
-
-def compare_measure(
-    runs: FragilityRuns, intensities: Intensities, curve: FragilityCurve, origins: Origins
-) -> MeasureComparison:
-    """Return how well a measure explains a state.
-
-    Residuals are those of records that reach the state, at their first exceedance; a cloud has none.
-
-    Parameters
-    ----------
-    runs : of all records
-    intensities : the measure
-    curve : of the measure, in the state
-    origins : of the records
-    """
-    fitted = curve.lognormal or curve.first
-    trends = () if curve.method == "cloud" else tuple(_trends(runs, intensities, curve, origins))
-    return MeasureComparison(intensities.measure, curve.state, None if fitted is None else fitted.dispersion, trends)
 
 
 def _trends(runs: FragilityRuns, intensities: Intensities, curve: FragilityCurve, origins: Origins) -> Iterator[Trend]:
@@ -410,39 +466,6 @@ def _trends(runs: FragilityRuns, intensities: Intensities, curve: FragilityCurve
         found = trend(log[known] - log.mean(), values[known], event=own) if known.any() else None
         if found is not None:
             yield Trend(name, found.slope, found.p_value, found.n)
-
-
-ExceedanceCurve = EmpiricalCurve | Lognormal
-
-NOTABLE = 0.05
-"""Share of the rate from which a warning says what may be missing of it."""
-
-INTENSITY_RANGES = 32
-"""Ranges of intensity that contributions are given for."""
-
-FAR_FROM_SITE = 10.0
-"""Distance of the hazard from the site from which there is a warning [km]."""
-
-
-def risks(
-    curves: Sequence[FragilityCurve], question: FragilityQuestion, *, epistemic: float | None, motion_known: bool
-) -> Iterator[RiskResult]:
-    """Yield the rate of each state by each curve in the measure of the hazard.
-
-    Parameters
-    ----------
-    curves : of one mechanism
-    question : its hazard and target
-    epistemic : dispersion that curves are widened by to compare with the target [-]; None where it is not given
-    motion_known : whether the records are those of the base of the mechanism
-    """
-    if question.hazard is None:
-        return
-    hazard = HazardCurve(np.array(question.hazard.intensity), np.array(question.hazard.annual_rate))
-    for curve in curves:
-        if _same_measure(curve.measure, question.hazard.measure) and curve.empirical:
-            for found in _risks_of_curve(curve, hazard, question, epistemic):
-                yield replace(found, motion_known=motion_known)
 
 
 def _same_measure(one: MeasureResult, other: MeasureResult) -> bool:
@@ -596,26 +619,3 @@ def _below_runs(
     if below > NOTABLE * risk.annual_rate:
         share = Quantity(below / risk.annual_rate, "ratio", 2)
         yield warning("fragility-cloud-starts", intensity=Quantity(least, curve.measure.dimension, 3), share=share)
-
-
-def hazard_messages(measures: Sequence[MeasureResult], hazard: HazardResult | None) -> Iterator[Message]:
-    """Yield warnings if the hazard is in a measure that is not requested, or of a place far from the site."""
-    if hazard is None:
-        return
-    if not any(_same_measure(each, hazard.measure) for each in measures):
-        yield warning("fragility-no-hazard-measure", "analysis.risk", measure=measure_key_text(hazard.measure))
-    if hazard.distance_km is not None and hazard.distance_km > FAR_FROM_SITE:
-        distance = Quantity(1000.0 * hazard.distance_km, "distance", 2)
-        yield warning("fragility-hazard-far", "analysis.risk.curve", distance=distance)
-
-
-def epistemic_messages(question: FragilityQuestion) -> Iterator[Message]:
-    """Yield a warning where a target is set, and no dispersion of what is not known of the mechanisms."""
-    if question.target_rate is not None and question.hazard is not None and not question.epistemic:
-        yield warning("fragility-no-epistemic", "analysis.fragility.epistemic")
-
-
-def measure_key_text(measure: MeasureResult) -> str:
-    """Return a measure as the project names it."""
-    periods = ", ".join(f"{period:g} s" for period in measure.periods_s)
-    return f"{measure.key}({periods})" if periods else measure.key

@@ -101,63 +101,6 @@ def scale_factors(levels: FloatArray, unit: FloatArray, *, most: float) -> Float
     return np.where(factor <= most * (1.0 + 1e-12), factor, np.nan)
 
 
-def _lowest_level(case: RockingCase, unit: FloatArray) -> float:
-    """Return an intensity of the primary measure at which no record makes the mechanism rock [unit of the measure].
-
-    A body on a rigid base lifts off at the uplift acceleration; on joints without a threshold that is the largest
-    acceleration that they resist.
-    """
-    uplift = g * min(linear_multiplier(branch) for branch in case.oscillator.branches)
-    peak = np.array([motion.record.pga for motion in case.base])
-    return BELOW_UPLIFT * float(np.min(uplift / peak * unit))
-
-
-def _highest_level(severity: SeveritySolver, unit: FloatArray, lowest: float, *, most: float) -> float:
-    """Return the second of two successive intensities at which all records that may be scaled so far overturn.
-
-    Where that never happens, it is the last to which any record may be scaled.
-    """
-    end = most * float(unit.max())
-    before, level = False, lowest
-    for _ in range(MOST_SEARCHED):
-        if level * SEARCH_STEP >= end:
-            return end
-        level *= SEARCH_STEP
-        ratio = severity(scale_factors(np.array([level]), unit, most=most))
-        now = bool(np.all(np.isinf(ratio[~np.isnan(ratio)])))
-        if now and before:
-            return level
-        before = now
-    return level
-
-
-def _severity_solver(case: RockingCase, *, threads: int) -> SeveritySolver:
-    """Return a solver of the ratios of records at given scale factors, of the worse polarity and the worst rebound.
-
-    Ratios are over the rotation that overturns
-    the body on the joints in use, which is less than that on rigid ones.
-    """
-    oscillators, polarity, oscillator_number = run_variants(case)
-    run = make_solver(oscillators, [each.record for each in case.base], equation=case.equation, threads=threads)
-    branches = case.oscillator.branches
-    first, last = (branch.overturning / branch.unstable for branch in (branches[0], branches[-1]))
-
-    def solve(scale: FloatArray) -> FloatArray:
-        ratio = np.full(scale.shape, np.nan)
-        motion, level = np.nonzero(~np.isnan(scale))
-        size = max(1, CHUNK // polarity.size)
-        for start in range(0, motion.size, size):
-            m, k = motion[start : start + size], level[start : start + size]
-            factors = (scale[m, k][:, None] * polarity).ravel()
-            found = run(Jobs(np.tile(oscillator_number, m.size), np.repeat(m, polarity.size), factors))
-            ratios = found.max_ratio * np.where(found.max_rotation < 0.0, last, first)
-            severity = np.where(found.overturned, inf, ratios)
-            ratio[m, k] = severity.reshape(-1, polarity.size).max(axis=1)
-        return ratio
-
-    return solve
-
-
 @dataclass(frozen=True, repr=False)
 class StateOutcomes(ShortRepr):
     """Whether each record reaches a state at the same intensities.
@@ -212,19 +155,6 @@ def state_outcomes(runs: FragilityRuns, unit: FloatArray, reached: BoolArray, *,
         found[record], hollow[record] = reached[record, place], runs.scale[record, place] > LARGE_SCALE
         known[record] = (levels <= own[-1] * np.sqrt(step) * (1.0 + 1e-9)) | reached[record, end]
     return StateOutcomes(levels, found & known, known, hollow)
-
-
-def _intensity_levels(intensity: FloatArray, step: float) -> FloatArray:
-    """Return intensities in the ratio of the runs, from the least to the largest of records that are run twice."""
-    twice = intensity[~np.isnan(intensity[:, 1])]
-    least, most = float(np.nanmin(twice)), float(np.nanmax(twice))
-    return np.geomspace(least, most, 1 + ceil(log(most / least) / log(step) - 1e-9))
-
-
-def _nearest(rising: FloatArray, at: FloatArray) -> IntArray:
-    """Return the place of the nearest of rising numbers [n]; of two as near, the upper one."""
-    middle = 0.5 * (rising[1:] + rising[:-1])
-    return np.asarray(np.searchsorted(middle, at, side="right"), dtype=np.int64)
 
 
 def first_bounds(runs: FragilityRuns, unit: FloatArray, reached: BoolArray) -> tuple[FloatArray, FloatArray]:
@@ -366,3 +296,73 @@ class Intensities(ShortRepr):
     measure: MeasureResult
     unit: FloatArray
     primary: bool
+
+
+def _lowest_level(case: RockingCase, unit: FloatArray) -> float:
+    """Return an intensity of the primary measure at which no record makes the mechanism rock [unit of the measure].
+
+    A body on a rigid base lifts off at the uplift acceleration; on joints without a threshold that is the largest
+    acceleration that they resist.
+    """
+    uplift = g * min(linear_multiplier(branch) for branch in case.oscillator.branches)
+    peak = np.array([motion.record.pga for motion in case.base])
+    return BELOW_UPLIFT * float(np.min(uplift / peak * unit))
+
+
+def _highest_level(severity: SeveritySolver, unit: FloatArray, lowest: float, *, most: float) -> float:
+    """Return the second of two successive intensities at which all records that may be scaled so far overturn.
+
+    Where that never happens, it is the last to which any record may be scaled.
+    """
+    end = most * float(unit.max())
+    before, level = False, lowest
+    for _ in range(MOST_SEARCHED):
+        if level * SEARCH_STEP >= end:
+            return end
+        level *= SEARCH_STEP
+        ratio = severity(scale_factors(np.array([level]), unit, most=most))
+        now = bool(np.all(np.isinf(ratio[~np.isnan(ratio)])))
+        if now and before:
+            return level
+        before = now
+    return level
+
+
+def _severity_solver(case: RockingCase, *, threads: int) -> SeveritySolver:
+    """Return a solver of the ratios of records at given scale factors, of the worse polarity and the worst rebound.
+
+    Ratios are over the rotation that overturns
+    the body on the joints in use, which is less than that on rigid ones.
+    """
+    oscillators, polarity, oscillator_number = run_variants(case)
+    run = make_solver(oscillators, [each.record for each in case.base], equation=case.equation, threads=threads)
+    branches = case.oscillator.branches
+    first, last = (branch.overturning / branch.unstable for branch in (branches[0], branches[-1]))
+
+    def solve(scale: FloatArray) -> FloatArray:
+        ratio = np.full(scale.shape, np.nan)
+        motion, level = np.nonzero(~np.isnan(scale))
+        size = max(1, CHUNK // polarity.size)
+        for start in range(0, motion.size, size):
+            m, k = motion[start : start + size], level[start : start + size]
+            factors = (scale[m, k][:, None] * polarity).ravel()
+            found = run(Jobs(np.tile(oscillator_number, m.size), np.repeat(m, polarity.size), factors))
+            ratios = found.max_ratio * np.where(found.max_rotation < 0.0, last, first)
+            severity = np.where(found.overturned, inf, ratios)
+            ratio[m, k] = severity.reshape(-1, polarity.size).max(axis=1)
+        return ratio
+
+    return solve
+
+
+def _intensity_levels(intensity: FloatArray, step: float) -> FloatArray:
+    """Return intensities in the ratio of the runs, from the least to the largest of records that are run twice."""
+    twice = intensity[~np.isnan(intensity[:, 1])]
+    least, most = float(np.nanmin(twice)), float(np.nanmax(twice))
+    return np.geomspace(least, most, 1 + ceil(log(most / least) / log(step) - 1e-9))
+
+
+def _nearest(rising: FloatArray, at: FloatArray) -> IntArray:
+    """Return the place of the nearest of rising numbers [n]; of two as near, the upper one."""
+    middle = 0.5 * (rising[1:] + rising[:-1])
+    return np.asarray(np.searchsorted(middle, at, side="right"), dtype=np.int64)

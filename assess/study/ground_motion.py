@@ -157,6 +157,79 @@ def misfit_of_mean(motions: Sequence[ScaledRecord], spectrum: Spectrum, band: Ba
     return float(mean_square(np.log(np.mean(ratios, axis=0)), weight=used_band.weight))
 
 
+def spectrum_result(spectrum: Spectrum) -> SpectrumResult:
+    """Return the site's spectrum at the periods shown."""
+    period = _display_periods(spectrum)
+    scale = {} if spectrum.factor == 1.0 else {"scale": spectrum.factor}
+    return SpectrumResult(
+        code=spectrum.code,
+        parameters={**spectrum.parameters, **scale},
+        damping=spectrum.damping,
+        damping_rule=spectrum.damping_rule,
+        clause=spectrum.clause,
+        pga_g=spectrum.pga / g,
+        period_s=tuple(period.tolist()),
+        acceleration_g=tuple((spectrum.acceleration(period) / g).tolist()),
+    )
+
+
+def record_result(motion: ScaledRecord, spectrum: Spectrum, *, nga: int | None = None) -> RecordResult:
+    """Return a record as used.
+
+    Parameters
+    ----------
+    motion : ScaledRecord
+        The record with its factor.
+    spectrum : Spectrum
+        The site's spectrum, at whose periods that of the record is given.
+    nga : int, optional
+        Its number in the NGA database; by default the one in its file name.
+
+    Returns
+    -------
+    RecordResult
+        The record scaled to the site.
+    """
+    used = scale(motion.record, motion.scaling.factor)
+    period = _display_periods(spectrum)
+    return RecordResult(
+        id=used.id,
+        path=used.path,
+        event=used.event,
+        station=used.station,
+        component=used.component,
+        dt_s=used.dt,
+        npts=used.npts,
+        pga_g=used.pga / g,
+        scale_factor=motion.scaling.factor,
+        mse=motion.scaling.mse,
+        trail=tuple(map(str, used.processing_history)),
+        processing=used.processing_history,
+        spectrum=RecordSpectrum(tuple(period.tolist()), tuple((response_spectrum(used, period) / g).tolist())),
+        date=used.earthquake.time,
+        magnitude=used.earthquake.magnitude,
+        distance_km=None if used.distance is None else used.distance / 1000.0,
+        vs30_m_per_s=used.site.vs30,
+        nga=sequence_number(used.path) if nga is None else nga,
+    )
+
+
+MOST_PULSES = 3  # of a record: the best, and the next ones, which may be longer and match worse
+LEAST_ENERGY_SHARE = 0.1  # of the energy that the best pulse explains: pulses that explain less are dropped
+
+
+def with_primary_pulses(
+    records: Sequence[RecordResult], motions: Sequence[ScaledRecord], grid: PulseGrid | None
+) -> tuple[RecordResult, ...]:
+    """Return the records with the pulses of the grid's shape found in them, scaled as they are."""
+    if grid is None:
+        return tuple(records)
+    return tuple(
+        replace(record, primary_pulses=_pulses_of(motion, grid))
+        for record, motion in zip(records, motions, strict=True)
+    )
+
+
 def _requirements_of(
     motions: Sequence[ScaledRecord],
     spectrum: Spectrum,
@@ -231,79 +304,6 @@ def _display_periods(spectrum: Spectrum) -> FloatArray:
     even = np.geomspace(SHORTEST_SHOWN, longest, 160)
     apart = [period for period in extra if np.abs(even / period - 1.0).min() > SAME_PERIOD]
     return np.concatenate(([0.0], np.unique(np.concatenate([even, apart]))))
-
-
-def spectrum_result(spectrum: Spectrum) -> SpectrumResult:
-    """Return the site's spectrum at the periods shown."""
-    period = _display_periods(spectrum)
-    scale = {} if spectrum.factor == 1.0 else {"scale": spectrum.factor}
-    return SpectrumResult(
-        code=spectrum.code,
-        parameters={**spectrum.parameters, **scale},
-        damping=spectrum.damping,
-        damping_rule=spectrum.damping_rule,
-        clause=spectrum.clause,
-        pga_g=spectrum.pga / g,
-        period_s=tuple(period.tolist()),
-        acceleration_g=tuple((spectrum.acceleration(period) / g).tolist()),
-    )
-
-
-def record_result(motion: ScaledRecord, spectrum: Spectrum, *, nga: int | None = None) -> RecordResult:
-    """Return a record as used.
-
-    Parameters
-    ----------
-    motion : ScaledRecord
-        The record with its factor.
-    spectrum : Spectrum
-        The site's spectrum, at whose periods that of the record is given.
-    nga : int, optional
-        Its number in the NGA database; by default the one in its file name.
-
-    Returns
-    -------
-    RecordResult
-        The record scaled to the site.
-    """
-    used = scale(motion.record, motion.scaling.factor)
-    period = _display_periods(spectrum)
-    return RecordResult(
-        id=used.id,
-        path=used.path,
-        event=used.event,
-        station=used.station,
-        component=used.component,
-        dt_s=used.dt,
-        npts=used.npts,
-        pga_g=used.pga / g,
-        scale_factor=motion.scaling.factor,
-        mse=motion.scaling.mse,
-        trail=tuple(map(str, used.processing_history)),
-        processing=used.processing_history,
-        spectrum=RecordSpectrum(tuple(period.tolist()), tuple((response_spectrum(used, period) / g).tolist())),
-        date=used.earthquake.time,
-        magnitude=used.earthquake.magnitude,
-        distance_km=None if used.distance is None else used.distance / 1000.0,
-        vs30_m_per_s=used.site.vs30,
-        nga=sequence_number(used.path) if nga is None else nga,
-    )
-
-
-MOST_PULSES = 3  # of a record: the best, and the next ones, which may be longer and match worse
-LEAST_ENERGY_SHARE = 0.1  # of the energy that the best pulse explains: pulses that explain less are dropped
-
-
-def with_primary_pulses(
-    records: Sequence[RecordResult], motions: Sequence[ScaledRecord], grid: PulseGrid | None
-) -> tuple[RecordResult, ...]:
-    """Return the records with the pulses of the grid's shape found in them, scaled as they are."""
-    if grid is None:
-        return tuple(records)
-    return tuple(
-        replace(record, primary_pulses=_pulses_of(motion, grid))
-        for record, motion in zip(records, motions, strict=True)
-    )
 
 
 def _pulses_of(motion: ScaledRecord, grid: PulseGrid) -> tuple[PrimaryPulseResult, ...]:

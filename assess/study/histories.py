@@ -153,40 +153,6 @@ def run_levels(
     return RockingHistories(histories, suites[: len(levels)], suites[len(levels) :])
 
 
-def _history(level_peaks: LevelPeaks, runs: IntArray, at_base: BaseMotion, level: float) -> HistoryResult:
-    """Return the result of the runs of a record at a level [m/s2], of which the first is the record as it is."""
-    job, peaks = int(runs[0]), level_peaks.peaks
-    scale = float(level_peaks.scale[job])
-    overturned = bool(peaks.overturned[job])
-    return HistoryResult(
-        record=at_base.record.id,
-        polarity=1 if scale >= 0 else -1,
-        level_pga_g=level / g,
-        scale_factor=abs(scale),
-        amplification=at_base.factor,
-        max_rotation_rad=None if overturned else float(peaks.max_rotation[job]),
-        max_rotation_ratio=None if overturned else float(peaks.max_ratio[job]),
-        time_of_max_s=None if overturned else float(peaks.time_of_max[job]),
-        impacts=int(peaks.impacts[job]),
-        overturned=overturned,
-        overturning_time_s=float(peaks.overturning_time[job]) if overturned else None,
-        trace=None,
-        branch=branch_of(float(peaks.max_rotation[job])),
-        rebound=float(level_peaks.rebound[job]),
-        twin_ratios=_values_of_runs(peaks.max_ratio, peaks, runs),
-        twin_times_s=_values_of_runs(peaks.time_of_max, peaks, runs),
-        twin_impacts=tuple(peaks.impacts[runs].tolist()) if runs.size > 1 else (),
-    )
-
-
-def _values_of_runs(values: FloatArray, peaks: Peaks, runs: IntArray) -> tuple[float | None, ...]:
-    """Return values of the runs of a record, None where the body overturned; none where it was run alone."""
-    if runs.size == 1:
-        return ()
-    pairs = zip(values[runs].tolist(), peaks.overturned[runs].tolist(), strict=True)
-    return tuple(None if over else value for value, over in pairs)
-
-
 def with_governing_trace(
     case: RockingCase, histories: Sequence[Sequence[HistoryResult]], motions: Sequence[ScaledRecord]
 ) -> tuple[tuple[HistoryResult, ...], ...]:
@@ -200,22 +166,6 @@ def with_governing_trace(
 def history_severity(history: HistoryResult) -> float:
     """Return max|rotation| / overturning rotation of a history, inf where it overturned."""
     return inf if history.max_rotation_ratio is None else history.max_rotation_ratio
-
-
-def _trace(case: RockingCase, history: HistoryResult, motions: Sequence[ScaledRecord]) -> HistoryTrace:
-    """Run one history again, sample by sample."""
-    place = next(place for place, motion in enumerate(motions) if motion.record.id == history.record)
-    ground, base = motions[place].record, case.base[place].record
-    scale = history.polarity * history.scale_factor
-    path = trace(with_restitution_factor(case.oscillator, history.rebound), base, scale=scale, equation=case.equation)
-    below = np.interp(path.time, ground.time, ground.acceleration, right=0.0)
-    same, above = base is ground, base.acceleration[: path.time.size]
-    return HistoryTrace(
-        time_s=tuple(path.time.tolist()),
-        rotation_rad=tuple(path.rotation.tolist()),
-        ground_acceleration_g=tuple((scale / g * below).tolist()),
-        base_acceleration_g=None if same else tuple((scale / g * above).tolist()),
-    )
 
 
 @dataclass(frozen=True, repr=False)
@@ -343,19 +293,6 @@ def run_variants(case: RockingCase) -> tuple[list[Oscillator], FloatArray, IntAr
     return oscillators, np.tile(signs, len(oscillators)), np.repeat(np.arange(len(oscillators)), signs.size)
 
 
-def _twins_agree(ratio: FloatArray) -> BoolArray:
-    """Return which histories have outer twins that follow them [n], of the ratios of all three [n, 3]."""
-    own = np.where(np.isinf(ratio[:, :1]), np.nan, ratio[:, :1])  # of one that overturns they never agree
-    agree: BoolArray = np.all(np.abs(ratio[:, 1:] - own) <= AGREEMENT * own, axis=1)
-    return agree
-
-
-def _join_columns(first: ColumnsT, second: ColumnsT) -> ColumnsT:
-    """Return the columns of two sets of jobs, or of their peaks, end to end."""
-    each = ((getattr(first, name), getattr(second, name)) for name in (field.name for field in fields(first)))
-    return type(first)(*map(np.concatenate, each))
-
-
 def with_restitution_factor(oscillator: Oscillator, factor: float) -> Oscillator:
     """Return the oscillator with its restitution multiplied by a factor, at most 1."""
     if factor == 1.0:
@@ -381,11 +318,6 @@ def suites_of(level_peaks: LevelPeaks) -> tuple[SuiteResponse, ...]:
 def branch_of(rotation: float) -> BranchName:
     """Return the branch of a signed rotation [rad]."""
     return "negative" if rotation < 0 else "positive"
-
-
-def _severity(peaks: Peaks) -> FloatArray:
-    """Return max|rotation| / overturning rotation of each job, inf where it overturned."""
-    return np.where(peaks.overturned, inf, peaks.max_ratio)
 
 
 SCAN_STEP, SCAN_STEP_ON_JOINTS = 1.025, 1.05  # ratio of two PGAs of the scan, and where joints vibrate about rest
@@ -609,6 +541,74 @@ def find_envelope(
         equation=equation,
         threads=threads,
     )
+
+
+def _history(level_peaks: LevelPeaks, runs: IntArray, at_base: BaseMotion, level: float) -> HistoryResult:
+    """Return the result of the runs of a record at a level [m/s2], of which the first is the record as it is."""
+    job, peaks = int(runs[0]), level_peaks.peaks
+    scale = float(level_peaks.scale[job])
+    overturned = bool(peaks.overturned[job])
+    return HistoryResult(
+        record=at_base.record.id,
+        polarity=1 if scale >= 0 else -1,
+        level_pga_g=level / g,
+        scale_factor=abs(scale),
+        amplification=at_base.factor,
+        max_rotation_rad=None if overturned else float(peaks.max_rotation[job]),
+        max_rotation_ratio=None if overturned else float(peaks.max_ratio[job]),
+        time_of_max_s=None if overturned else float(peaks.time_of_max[job]),
+        impacts=int(peaks.impacts[job]),
+        overturned=overturned,
+        overturning_time_s=float(peaks.overturning_time[job]) if overturned else None,
+        trace=None,
+        branch=branch_of(float(peaks.max_rotation[job])),
+        rebound=float(level_peaks.rebound[job]),
+        twin_ratios=_values_of_runs(peaks.max_ratio, peaks, runs),
+        twin_times_s=_values_of_runs(peaks.time_of_max, peaks, runs),
+        twin_impacts=tuple(peaks.impacts[runs].tolist()) if runs.size > 1 else (),
+    )
+
+
+def _values_of_runs(values: FloatArray, peaks: Peaks, runs: IntArray) -> tuple[float | None, ...]:
+    """Return values of the runs of a record, None where the body overturned; none where it was run alone."""
+    if runs.size == 1:
+        return ()
+    pairs = zip(values[runs].tolist(), peaks.overturned[runs].tolist(), strict=True)
+    return tuple(None if over else value for value, over in pairs)
+
+
+def _trace(case: RockingCase, history: HistoryResult, motions: Sequence[ScaledRecord]) -> HistoryTrace:
+    """Run one history again, sample by sample."""
+    place = next(place for place, motion in enumerate(motions) if motion.record.id == history.record)
+    ground, base = motions[place].record, case.base[place].record
+    scale = history.polarity * history.scale_factor
+    path = trace(with_restitution_factor(case.oscillator, history.rebound), base, scale=scale, equation=case.equation)
+    below = np.interp(path.time, ground.time, ground.acceleration, right=0.0)
+    same, above = base is ground, base.acceleration[: path.time.size]
+    return HistoryTrace(
+        time_s=tuple(path.time.tolist()),
+        rotation_rad=tuple(path.rotation.tolist()),
+        ground_acceleration_g=tuple((scale / g * below).tolist()),
+        base_acceleration_g=None if same else tuple((scale / g * above).tolist()),
+    )
+
+
+def _twins_agree(ratio: FloatArray) -> BoolArray:
+    """Return which histories have outer twins that follow them [n], of the ratios of all three [n, 3]."""
+    own = np.where(np.isinf(ratio[:, :1]), np.nan, ratio[:, :1])  # of one that overturns they never agree
+    agree: BoolArray = np.all(np.abs(ratio[:, 1:] - own) <= AGREEMENT * own, axis=1)
+    return agree
+
+
+def _join_columns(first: ColumnsT, second: ColumnsT) -> ColumnsT:
+    """Return the columns of two sets of jobs, or of their peaks, end to end."""
+    each = ((getattr(first, name), getattr(second, name)) for name in (field.name for field in fields(first)))
+    return type(first)(*map(np.concatenate, each))
+
+
+def _severity(peaks: Peaks) -> FloatArray:
+    """Return max|rotation| / overturning rotation of each job, inf where it overturned."""
+    return np.where(peaks.overturned, inf, peaks.max_ratio)
 
 
 def _rising_axis(name: str, numbers: Sequence[float] | FloatArray, *, least: float) -> FloatArray:

@@ -180,11 +180,6 @@ def branch_energies(mechanism: Mechanism, oscillator: Oscillator, equation: Equa
     return tuple(map(_energies_of_table, oscillator.branches))
 
 
-def _is_rigid_chain_throughout(mechanism: Mechanism) -> bool:
-    """Return whether the histories are those of the rigid chain with every action that is there at rest."""
-    return not mechanism.flexible and mechanism.variants.deciding is mechanism.oscillator
-
-
 def sampled_finely(motion: Record, oscillator: Oscillator) -> Record:
     """Return the same motion at more samples, by the fastest vibration of the oscillator on its joints."""
     parts = min(ceil(2.0 * pi * fastest_vibration(oscillator) * motion.dt / PHASE), MOST_PARTS)
@@ -237,6 +232,95 @@ def energy_balance(
     so_far = np.concatenate([np.zeros(path.time.size), lost])[order].cumsum()
     work = _work_of_ground(time[order], ground, S, arriving, leaving)
     return EnergyBalance(kinetic + potential, so_far[sampled], work[sampled])
+
+
+@dataclass(frozen=True)
+class Energies:
+    """A branch at n rotations, in its own sign.
+
+    inertia : twice the kinetic energy at a rate of one [kg m2]
+    potential : energy of weights, forces and joints, from rest [J]
+    excitation_integral : sum of mass times horizontal displacement [kg m]; excitation : its derivative [kg m]
+    """
+
+    inertia: FloatArray
+    potential: FloatArray
+    excitation_integral: FloatArray
+    excitation: FloatArray
+
+
+LOOSER_TOLERANCE = 100.0  # times the error allowed in a step
+LARGEST_ROTATION = "largest rotation over that of overturning"
+OVERTURNING_TIME = "time of overturning"
+OVERTURNING_ROTATION = "overturning rotation"
+TABLE_COLUMNS = ("rotation", "inertia", "restoring", "excitation", "participation", "lift")
+
+
+def convergence_control(mechanism: Mechanism, governing: GoverningHistory | None) -> Control:
+    """Compare the governing history with itself on a coarser table, or the overturning rotation where none rocks.
+
+    Parameters
+    ----------
+    mechanism : Mechanism
+        The mechanism.
+    governing : GoverningHistory, optional
+        Its history; None where none rocks.
+
+    Returns
+    -------
+    Control
+        Relative to the value of the run.
+    """
+    if governing is None:
+        return _overturning_control(mechanism)
+    if governing.equation == "linearised":
+        return control_not_made(
+            "convergence", mechanism.name, LARGEST_ROTATION, dimension="ratio", why="control-without-table"
+        )
+    coarse = peaks(
+        [_coarser_oscillator(governing.oscillator)],
+        [governing.motion],
+        product(1, 1, governing.scale),
+        equation="exact",
+        threads=1,
+        tolerance=LOOSER_TOLERANCE * TOLERANCE,
+    )
+    history = governing.history
+    quantity, dimension = LARGEST_ROTATION, "ratio"
+    value, reference = history.max_rotation_ratio, float(coarse.max_ratio[0])
+    if history.overturned and coarse.overturned[0]:
+        quantity, dimension = OVERTURNING_TIME, "time"
+        value, reference = history.overturning_time_s, float(coarse.overturning_time[0])
+    if value is None:  # it overturns here, and not with less exact steps
+        value = 1.0
+    return make_control(
+        "convergence",
+        mechanism.name,
+        quantity,
+        value=value,
+        reference=reference,
+        scale=value,
+        dimension=dimension,
+        note=note(
+            "control-coarser",
+            mechanism.name,
+            record=history.record,
+            level=Quantity(history.level_pga_g, "ground acceleration", 3),
+            factor=Quantity(LOOSER_TOLERANCE, "ratio", 3),
+        ),
+    )
+
+
+def every_second(rotation: FloatArray) -> FloatArray:
+    """Return the numbers of the nodes to keep [m]; jumps, of two nodes at one rotation, stay."""
+    ends = np.concatenate([[0], np.flatnonzero(np.diff(rotation) == 0.0) + 1, [rotation.size]])
+    pieces = [np.arange(first, last) for first, last in pairwise(ends.tolist())]
+    return np.concatenate([np.union1d(piece[::2], piece[-1:]) for piece in pieces])
+
+
+def _is_rigid_chain_throughout(mechanism: Mechanism) -> bool:
+    """Return whether the histories are those of the rigid chain with every action that is there at rest."""
+    return not mechanism.flexible and mechanism.variants.deciding is mechanism.oscillator
 
 
 def _work_of_ground(
@@ -326,21 +410,6 @@ def _energy_note(mechanism: Mechanism, governing: GoverningHistory, *, impacts: 
     )
 
 
-@dataclass(frozen=True)
-class Energies:
-    """A branch at n rotations, in its own sign.
-
-    inertia : twice the kinetic energy at a rate of one [kg m2]
-    potential : energy of weights, forces and joints, from rest [J]
-    excitation_integral : sum of mass times horizontal displacement [kg m]; excitation : its derivative [kg m]
-    """
-
-    inertia: FloatArray
-    potential: FloatArray
-    excitation_integral: FloatArray
-    excitation: FloatArray
-
-
 EnergiesAt = Callable[[FloatArray], Energies]
 
 
@@ -407,68 +476,6 @@ def _work_of_load(load: Force | Tie, moved: PointPath) -> FloatArray:
     return np.zeros_like(work) if starting > 0.0 and not load.both else np.asarray(work)
 
 
-LOOSER_TOLERANCE = 100.0  # times the error allowed in a step
-LARGEST_ROTATION = "largest rotation over that of overturning"
-OVERTURNING_TIME = "time of overturning"
-OVERTURNING_ROTATION = "overturning rotation"
-TABLE_COLUMNS = ("rotation", "inertia", "restoring", "excitation", "participation", "lift")
-
-
-def convergence_control(mechanism: Mechanism, governing: GoverningHistory | None) -> Control:
-    """Compare the governing history with itself on a coarser table, or the overturning rotation where none rocks.
-
-    Parameters
-    ----------
-    mechanism : Mechanism
-        The mechanism.
-    governing : GoverningHistory, optional
-        Its history; None where none rocks.
-
-    Returns
-    -------
-    Control
-        Relative to the value of the run.
-    """
-    if governing is None:
-        return _overturning_control(mechanism)
-    if governing.equation == "linearised":
-        return control_not_made(
-            "convergence", mechanism.name, LARGEST_ROTATION, dimension="ratio", why="control-without-table"
-        )
-    coarse = peaks(
-        [_coarser_oscillator(governing.oscillator)],
-        [governing.motion],
-        product(1, 1, governing.scale),
-        equation="exact",
-        threads=1,
-        tolerance=LOOSER_TOLERANCE * TOLERANCE,
-    )
-    history = governing.history
-    quantity, dimension = LARGEST_ROTATION, "ratio"
-    value, reference = history.max_rotation_ratio, float(coarse.max_ratio[0])
-    if history.overturned and coarse.overturned[0]:
-        quantity, dimension = OVERTURNING_TIME, "time"
-        value, reference = history.overturning_time_s, float(coarse.overturning_time[0])
-    if value is None:  # it overturns here, and not with less exact steps
-        value = 1.0
-    return make_control(
-        "convergence",
-        mechanism.name,
-        quantity,
-        value=value,
-        reference=reference,
-        scale=value,
-        dimension=dimension,
-        note=note(
-            "control-coarser",
-            mechanism.name,
-            record=history.record,
-            level=Quantity(history.level_pga_g, "ground acceleration", 3),
-            factor=Quantity(LOOSER_TOLERANCE, "ratio", 3),
-        ),
-    )
-
-
 def _coarser_oscillator(oscillator: Oscillator) -> Oscillator:
     """Return the oscillator with every second rotation of its tables."""
     positive, negative = oscillator.positive, oscillator.negative
@@ -481,13 +488,6 @@ def _coarser_branch(branch: Branch) -> Branch:
     """Return the branch with every second rotation of its table, and both ends of each smooth piece of it."""
     kept = every_second(branch.rotation)
     return replace(branch, **{key: getattr(branch, key)[kept] for key in TABLE_COLUMNS})
-
-
-def every_second(rotation: FloatArray) -> FloatArray:
-    """Return the numbers of the nodes to keep [m]; jumps, of two nodes at one rotation, stay."""
-    ends = np.concatenate([[0], np.flatnonzero(np.diff(rotation) == 0.0) + 1, [rotation.size]])
-    pieces = [np.arange(first, last) for first, last in pairwise(ends.tolist())]
-    return np.concatenate([np.union1d(piece[::2], piece[-1:]) for piece in pieces])
 
 
 def _overturning_control(mechanism: Mechanism) -> Control:

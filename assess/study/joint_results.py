@@ -58,6 +58,77 @@ def sheets_of_joints(mechanism: Mechanism, oscillator: Oscillator, names: Sequen
         names = names[len(chain.hinges) :]
 
 
+def interface_curves(mechanism: Mechanism, rigid: Sequence[Branch]) -> InterfaceCurves:
+    """Return the moment of the positive branch with rigid joints, and about its fixed hinges a_SF."""
+    chain = FlexibleChain(mechanism.positive, mechanism.name).fixed_hinge_chain
+    rotation = np.linspace(0.0, min(rigid[0].rotation[-1], geometric_limit(chain) * (1.0 - FLAT)), NODES)
+    fixed = virtual_work(chain, rotation).restoring  # may be zero from the start, where the joint still resists
+    return InterfaceCurves(_branch_moment(rigid[0].rotation, rigid[0].restoring), _branch_moment(rotation, fixed))
+
+
+AT_REST = "equilibrium of each block at rest"
+AT_ROTATION = "equilibrium of each block at that rotation"
+OF_BLOCKS = "the rotations of the blocks that it joins"
+MULTIPLIER = "rotation at the largest multiplier"
+OVERTURNING = "rotation at overturning"
+STATE_DESCRIPTIONS = {"m": MULTIPLIER, "u": OVERTURNING}
+
+VerticalForces = dict[str, tuple[float, str]]
+"""Vertical forces by symbol, down positive [N]."""
+LEVEL = 1e-9  # of a force: a horizontal or vertical part that is less is none
+SAME_FORCE = 1e-6  # relative: of two forces that are one
+LEAST_SLOPE = 1e-9  # rad: a joint that has rotated by less rests
+
+
+@dataclass(frozen=True)
+class RotatedJoints:
+    """The joints of a chain at the rotations of two states.
+
+    marks : of the states, behind each symbol; rotation : of the mechanism [2] [rad]
+    equilibrium : of all joints; relative : rotation of each joint [hinges, 2] [rad]
+    """
+
+    marks: tuple[str, ...]
+    rotation: FloatArray
+    equilibrium: JointEquilibrium
+    relative: FloatArray
+
+
+def contact_sheets(
+    flexible: FlexibleChain, branch: Branch, names: Sequence[str], *, equilibrium: float
+) -> Iterator[ContactSheet]:
+    """Yield the sheet of each joint that yields or crushes.
+
+    Parameters
+    ----------
+    flexible : the chain on its joints
+    branch : of its oscillator
+    names : of its hinges
+    equilibrium : rotation at rest from which the branch counts [rad]
+    """
+    rest = flexible.solve_joints(np.zeros(1))
+    reactions, joints = _reactions(flexible, rest), _rotated_joints(flexible, branch, equilibrium)
+    for number, (name, joint) in enumerate(zip(names, flexible.jointed.joints, strict=False)):
+        if joint is None or rest.contacts[number] is None:
+            continue
+        N = float(rest.normal_force[number, 0])
+        at_rest = (*_force_steps(flexible, number, rest, reactions), *rest_steps(joint, N))
+        opening = block_steps(joint, N) if joint.law.stiffness == inf else threshold_steps(joint, N)
+        yield ContactSheet(name, (*at_rest, *opening, *_state_steps(joint, number, N, joints)))
+
+
+@dataclass(frozen=True)
+class MiddleHinge:
+    """The force of the hinge C on the third block at rest.
+
+    moments : lines of the two moments; given : what its formulas hold; force : to the right and up [N]
+    """
+
+    moments: tuple[Step, Step]
+    given: Given
+    force: complex
+
+
 def _rigid_joint(hinge: str, normal_force: float) -> dict[str, Any]:
     """Return a rigid contact, without curve; its force is that at incipient motion, negative in tension."""
     return {
@@ -117,67 +188,8 @@ def _finite(value: float) -> float | None:
     return float(value) if isfinite(value) else None
 
 
-def interface_curves(mechanism: Mechanism, rigid: Sequence[Branch]) -> InterfaceCurves:
-    """Return the moment of the positive branch with rigid joints, and about its fixed hinges a_SF."""
-    chain = FlexibleChain(mechanism.positive, mechanism.name).fixed_hinge_chain
-    rotation = np.linspace(0.0, min(rigid[0].rotation[-1], geometric_limit(chain) * (1.0 - FLAT)), NODES)
-    fixed = virtual_work(chain, rotation).restoring  # may be zero from the start, where the joint still resists
-    return InterfaceCurves(_branch_moment(rigid[0].rotation, rigid[0].restoring), _branch_moment(rotation, fixed))
-
-
 def _branch_moment(rotation: FloatArray, restoring: FloatArray) -> BranchMoment:
     return BranchMoment(tuple(rotation.tolist()), tuple(restoring.tolist()))
-
-
-AT_REST = "equilibrium of each block at rest"
-AT_ROTATION = "equilibrium of each block at that rotation"
-OF_BLOCKS = "the rotations of the blocks that it joins"
-MULTIPLIER = "rotation at the largest multiplier"
-OVERTURNING = "rotation at overturning"
-STATE_DESCRIPTIONS = {"m": MULTIPLIER, "u": OVERTURNING}
-
-VerticalForces = dict[str, tuple[float, str]]
-"""Vertical forces by symbol, down positive [N]."""
-LEVEL = 1e-9  # of a force: a horizontal or vertical part that is less is none
-SAME_FORCE = 1e-6  # relative: of two forces that are one
-LEAST_SLOPE = 1e-9  # rad: a joint that has rotated by less rests
-
-
-@dataclass(frozen=True)
-class RotatedJoints:
-    """The joints of a chain at the rotations of two states.
-
-    marks : of the states, behind each symbol; rotation : of the mechanism [2] [rad]
-    equilibrium : of all joints; relative : rotation of each joint [hinges, 2] [rad]
-    """
-
-    marks: tuple[str, ...]
-    rotation: FloatArray
-    equilibrium: JointEquilibrium
-    relative: FloatArray
-
-
-def contact_sheets(
-    flexible: FlexibleChain, branch: Branch, names: Sequence[str], *, equilibrium: float
-) -> Iterator[ContactSheet]:
-    """Yield the sheet of each joint that yields or crushes.
-
-    Parameters
-    ----------
-    flexible : the chain on its joints
-    branch : of its oscillator
-    names : of its hinges
-    equilibrium : rotation at rest from which the branch counts [rad]
-    """
-    rest = flexible.solve_joints(np.zeros(1))
-    reactions, joints = _reactions(flexible, rest), _rotated_joints(flexible, branch, equilibrium)
-    for number, (name, joint) in enumerate(zip(names, flexible.jointed.joints, strict=False)):
-        if joint is None or rest.contacts[number] is None:
-            continue
-        N = float(rest.normal_force[number, 0])
-        at_rest = (*_force_steps(flexible, number, rest, reactions), *rest_steps(joint, N))
-        opening = block_steps(joint, N) if joint.law.stiffness == inf else threshold_steps(joint, N)
-        yield ContactSheet(name, (*at_rest, *opening, *_state_steps(joint, number, N, joints)))
 
 
 def _rotated_joints(flexible: FlexibleChain, branch: Branch, equilibrium: float) -> RotatedJoints:
@@ -310,18 +322,6 @@ def _points_at_rest(jointed: JointedChain, rest: JointEquilibrium) -> ComplexArr
     """Return the resultants of the joints at rest, x + iz [hinges] [m]."""
     inside = contact_arrays(rest.contacts, "resultant", rest.closure.shape)
     return np.asarray((rest.configuration.corner + inside * jointed.faces(rest.configuration))[:, 0])
-
-
-@dataclass(frozen=True)
-class MiddleHinge:
-    """The force of the hinge C on the third block at rest.
-
-    moments : lines of the two moments; given : what its formulas hold; force : to the right and up [N]
-    """
-
-    moments: tuple[Step, Step]
-    given: Given
-    force: complex
 
 
 DENOMINATOR = "((x_B − x_C) (z_C − z_D) − (z_B − z_C) (x_C − x_D))"

@@ -174,25 +174,6 @@ def mechanism_result(
     )
 
 
-def _hinge_force_result(forces: HingeForces) -> HingeForceResult:
-    """Return the forces of one hinge when rocking starts, as results."""
-    return HingeForceResult(
-        hinge=forces.hinge,
-        branch=forces.branch,
-        horizontal_n=forces.horizontal,
-        vertical_n=forces.vertical,
-        needed_friction=forces.required_friction,
-        friction=forces.friction,
-        normal_n=forces.starting.normal,
-        shear_n=forces.starting.shear,
-        face=forces.face,
-        face_found=forces.found,
-        activation_g=forces.acceleration / g,
-        sliding_g=None if forces.sliding_acceleration is None else forces.sliding_acceleration / g,
-        held=forces.held,
-    )
-
-
 def direction_sweep(directions: Directions) -> DirectionSweep:
     """Return the search for the weakest direction as results."""
     return DirectionSweep(
@@ -224,14 +205,6 @@ def suite_statistics(histories: Sequence[HistoryResult]) -> SuiteResult:
         p84_ratio=p84,
         figures=max(1, min(stand, default=FIGURES)),
     )
-
-
-def _statistics(ratios: Sequence[float | None]) -> tuple[float | None, float | None, float | None, float | None]:
-    """Return mean, largest of those standing, median and 84 % of ratios; None, an overturned record, is the largest."""
-    standing = [ratio for ratio in ratios if ratio is not None]
-    ranked = [*sorted(standing), *[None] * (len(ratios) - len(standing))]
-    mean = float(np.mean(standing)) if len(standing) == len(ratios) else None
-    return mean, max(standing, default=None), ranked[ceil(0.5 * len(ranked)) - 1], ranked[ceil(0.84 * len(ranked)) - 1]
 
 
 def comparison_rows(results: Sequence[MechanismResult]) -> tuple[ComparisonRow, ...]:
@@ -287,32 +260,6 @@ def oscillator_result(branch: Branch, *, mass: float, rigid: Branch, equilibrium
     )
 
 
-def _linearised_result(linear: Linearised) -> LinearisedResult:
-    """Return the kinematic constants of the linearised branch."""
-    rounding = 1e-9 * linear.stiffness * linear.critical  # of the table at phi_cr, where without forces M = 0
-    return LinearisedResult(
-        inertia_kg_m2=linear.inertia,
-        stiffness_n_m_per_rad=linear.stiffness,
-        excitation_kg_m=linear.excitation,
-        moment_n_m=0.0 if abs(linear.moment) <= rounding else linear.moment,
-        critical_rad=linear.critical,
-        overturning_rad=linear.overturning,
-        uplift_multiplier=linear.multiplier,
-    )
-
-
-def _branch_curve(branch: Branch, *, mass: float) -> BranchCurve:
-    """Return the capacity curve of one branch."""
-    return BranchCurve(
-        rotation_rad=tuple(branch.rotation.tolist()),
-        inertia_kg_m2=tuple(branch.inertia.tolist()),
-        restoring_n_m=tuple(branch.restoring.tolist()),
-        excitation_kg_m=tuple(branch.excitation.tolist()),
-        participating_mass_kg=tuple(participating_mass(branch).tolist()),
-        displacement_m=tuple(displacement(branch, branch.rotation, mass=mass).tolist()),
-    )
-
-
 def curve_of(oscillator: Oscillator) -> CapacityCurve:
     """Return the capacity curves of both branches."""
     positive, negative, mass = oscillator.positive, oscillator.negative, oscillator.mass
@@ -333,59 +280,6 @@ def rigid_branches(mechanism: Mechanism, oscillator: Oscillator) -> tuple[Branch
     return tuple(
         rigid_branch(replace(chain, joints=()), restitution=1.0, name=mechanism.name) for chain in mechanism.chains
     )
-
-
-WIDEST_SEAT = 2.0  # m: floors and roofs rest on less
-
-
-def _load_results(mechanism: Mechanism) -> tuple[LoadResult, ...]:
-    """Return every load as used, with its source."""
-    number, found = 0, []
-    for load in mechanism.positive.loads:
-        result = _load_result(load)
-        if not isinstance(load, PointMass):
-            result = _with_duration(mechanism, number, result)
-            number += 1
-        found.append(result)
-    return tuple(found)
-
-
-def _load_result(load: Load) -> LoadResult:
-    """Return a load as used, with its source."""
-    found = load.source_parts or (Term("given"),)
-    source = source_phrase(found)
-    if isinstance(load, PointMass):
-        seat, mass = load.seat if load.bearing else None, load.mass
-        result = LoadResult(load.name, "mass", load.block, load.at, mass, load.bearing, None, source, seat_m=seat)
-        return replace(result, found=found)
-    at, missing = load.at, load.missing
-    kind: Literal["force", "tie"] = "force" if isinstance(load, Force) else "tie"
-    force = load.force if isinstance(load, Force) else pull_at_rest(load)
-    return LoadResult(load.name, kind, load.block, at, None, None, force, source, missing=missing, found=found)
-
-
-def _with_duration(mechanism: Mechanism, number: int, load: LoadResult) -> LoadResult:
-    """Return a force or tie, by its number, with how long it lasts on the branch where it ends first."""
-    sides = list(zip(mechanism.actions, mechanism.variants.ends, strict=True))
-    resisting = [(actions, kept[number]) for actions, kept in sides if actions.ever_resists(number)]
-    if not resisting:
-        return replace(load, missing=())
-    first = min((actions for actions, _ in resisting), key=lambda actions: actions.ends[number])
-    end, lasts = first.ends[number], all(kept > 0.0 for _, kept in resisting)
-    broken = 0.0 < end < inf
-    return replace(
-        load,
-        lasting=_duration_kind(lasts, broken),
-        missing=load.missing if end == 0.0 else (),
-        end_rad=end if broken else None,
-        end_m=load_displacement(first.chain, first.actions[number], end) if broken else None,
-    )
-
-
-def _duration_kind(lasts: bool, broken: bool) -> Lasting:
-    if lasts:
-        return "to collapse"
-    return "to its end" if broken else "not shown"
 
 
 def load_messages(mechanism: Mechanism) -> Iterator[Message]:
@@ -440,6 +334,112 @@ def amplification_result(
         said=(*amplified.description, *amplified.assumptions),
         motion=_base_motion_result(motions[most], base[most].record) if filtered else None,
     )
+
+
+def _hinge_force_result(forces: HingeForces) -> HingeForceResult:
+    """Return the forces of one hinge when rocking starts, as results."""
+    return HingeForceResult(
+        hinge=forces.hinge,
+        branch=forces.branch,
+        horizontal_n=forces.horizontal,
+        vertical_n=forces.vertical,
+        needed_friction=forces.required_friction,
+        friction=forces.friction,
+        normal_n=forces.starting.normal,
+        shear_n=forces.starting.shear,
+        face=forces.face,
+        face_found=forces.found,
+        activation_g=forces.acceleration / g,
+        sliding_g=None if forces.sliding_acceleration is None else forces.sliding_acceleration / g,
+        held=forces.held,
+    )
+
+
+def _statistics(ratios: Sequence[float | None]) -> tuple[float | None, float | None, float | None, float | None]:
+    """Return mean, largest of those standing, median and 84 % of ratios; None, an overturned record, is the largest."""
+    standing = [ratio for ratio in ratios if ratio is not None]
+    ranked = [*sorted(standing), *[None] * (len(ratios) - len(standing))]
+    mean = float(np.mean(standing)) if len(standing) == len(ratios) else None
+    return mean, max(standing, default=None), ranked[ceil(0.5 * len(ranked)) - 1], ranked[ceil(0.84 * len(ranked)) - 1]
+
+
+def _linearised_result(linear: Linearised) -> LinearisedResult:
+    """Return the kinematic constants of the linearised branch."""
+    rounding = 1e-9 * linear.stiffness * linear.critical  # of the table at phi_cr, where without forces M = 0
+    return LinearisedResult(
+        inertia_kg_m2=linear.inertia,
+        stiffness_n_m_per_rad=linear.stiffness,
+        excitation_kg_m=linear.excitation,
+        moment_n_m=0.0 if abs(linear.moment) <= rounding else linear.moment,
+        critical_rad=linear.critical,
+        overturning_rad=linear.overturning,
+        uplift_multiplier=linear.multiplier,
+    )
+
+
+def _branch_curve(branch: Branch, *, mass: float) -> BranchCurve:
+    """Return the capacity curve of one branch."""
+    return BranchCurve(
+        rotation_rad=tuple(branch.rotation.tolist()),
+        inertia_kg_m2=tuple(branch.inertia.tolist()),
+        restoring_n_m=tuple(branch.restoring.tolist()),
+        excitation_kg_m=tuple(branch.excitation.tolist()),
+        participating_mass_kg=tuple(participating_mass(branch).tolist()),
+        displacement_m=tuple(displacement(branch, branch.rotation, mass=mass).tolist()),
+    )
+
+
+WIDEST_SEAT = 2.0  # m: floors and roofs rest on less
+
+
+def _load_results(mechanism: Mechanism) -> tuple[LoadResult, ...]:
+    """Return every load as used, with its source."""
+    number, found = 0, []
+    for load in mechanism.positive.loads:
+        result = _load_result(load)
+        if not isinstance(load, PointMass):
+            result = _with_duration(mechanism, number, result)
+            number += 1
+        found.append(result)
+    return tuple(found)
+
+
+def _load_result(load: Load) -> LoadResult:
+    """Return a load as used, with its source."""
+    found = load.source_parts or (Term("given"),)
+    source = source_phrase(found)
+    if isinstance(load, PointMass):
+        seat, mass = load.seat if load.bearing else None, load.mass
+        result = LoadResult(load.name, "mass", load.block, load.at, mass, load.bearing, None, source, seat_m=seat)
+        return replace(result, found=found)
+    at, missing = load.at, load.missing
+    kind: Literal["force", "tie"] = "force" if isinstance(load, Force) else "tie"
+    force = load.force if isinstance(load, Force) else pull_at_rest(load)
+    return LoadResult(load.name, kind, load.block, at, None, None, force, source, missing=missing, found=found)
+
+
+def _with_duration(mechanism: Mechanism, number: int, load: LoadResult) -> LoadResult:
+    """Return a force or tie, by its number, with how long it lasts on the branch where it ends first."""
+    sides = list(zip(mechanism.actions, mechanism.variants.ends, strict=True))
+    resisting = [(actions, kept[number]) for actions, kept in sides if actions.ever_resists(number)]
+    if not resisting:
+        return replace(load, missing=())
+    first = min((actions for actions, _ in resisting), key=lambda actions: actions.ends[number])
+    end, lasts = first.ends[number], all(kept > 0.0 for _, kept in resisting)
+    broken = 0.0 < end < inf
+    return replace(
+        load,
+        lasting=_duration_kind(lasts, broken),
+        missing=load.missing if end == 0.0 else (),
+        end_rad=end if broken else None,
+        end_m=load_displacement(first.chain, first.actions[number], end) if broken else None,
+    )
+
+
+def _duration_kind(lasts: bool, broken: bool) -> Lasting:
+    if lasts:
+        return "to collapse"
+    return "to its end" if broken else "not shown"
 
 
 def _base_motion_result(motion: ScaledRecord, base: Record) -> CarriedMotion:

@@ -160,30 +160,6 @@ def run_study(study: Study, *, jobs: int = 0, progress: Progress = no_progress) 
     )
 
 
-def _deciding_question(study: Study, controlling: Mapping[str, MechanismSweep]) -> Question:
-    """Return what decides in the controlling cases if they agree (a sweep may change the site), else in the study."""
-    questions = [
-        controlling[mechanism.name].controlling_case.study.question if mechanism.name in controlling else study.question
-        for mechanism in study.mechanisms
-    ]
-    return questions[0] if questions and all(question == questions[0] for question in questions) else study.question
-
-
-def _decide_with_tolerance(
-    study: Study, question: Question, spectrum: Spectrum, results: Sequence[MechanismResult]
-) -> Verdict:
-    """Decide on the mechanisms, with the survey's tolerance on the index of those near their threshold.
-
-    The tolerance applies at the site of the project file only, not at that of a sweep.
-    """
-    with_question = replace(study, question=question)
-    decided = decide(with_question, results)
-    if question != study.question:
-        return decided
-    losses = survey_tolerances(study.survey, spectrum, question, decided, results)
-    return decide(with_question, results, losses) if losses else decided
-
-
 NO_HISTORIES = RockingHistories((), ())
 
 
@@ -230,41 +206,6 @@ def find_verdict(study: Study, *, jobs: int = 1) -> Verdict:
     return decide(study, checked)
 
 
-def _needs_motions(study: Study) -> bool:
-    """Return whether an answer of a study depends on its ground motions."""
-    above = any(study.amplified[mechanism.name].height is not None for mechanism in study.mechanisms)
-    return above or any(follows_motion(name) for name in study.procedures)
-
-
-def _check_what_decides(
-    study: Study, spectrum: Spectrum, motions: tuple[ScaledRecord, ...], mechanism: Mechanism, *, jobs: int
-) -> CheckedMechanism:
-    """Return the checks of a mechanism, with time histories where one of them asks for these."""
-    case = rocking_case(study, mechanism, motions)
-    histories = _histories_that_decide(study, spectrum, motions, mechanism, case, jobs=jobs)
-    context = context_of(study, spectrum, mechanism, histories, case.base, motions)
-    return CheckedMechanism(mechanism.name, checks_of(study, case.oscillator, context))
-
-
-def _histories_that_decide(
-    study: Study,
-    spectrum: Spectrum,
-    motions: tuple[ScaledRecord, ...],
-    mechanism: Mechanism,
-    case: RockingCase,
-    *,
-    jobs: int,
-) -> RockingHistories:
-    """Run the time histories that decide; without a scan only those at the PGA that the rules of procedures ask for."""
-    by_histories = set(filter(uses_histories, study.procedures))
-    if not by_histories:
-        return NO_HISTORIES
-    if study.scan or not by_histories <= set(pga_rules(study.options)):
-        return mechanism_histories(study, spectrum, motions, mechanism, case, threads=jobs)
-    levels = rule_levels(study, spectrum, mechanism)
-    return run_levels(case, motions, levels=(), further=levels, site_pga=spectrum.pga, threads=jobs)
-
-
 @dataclass(frozen=True, repr=False)
 class AssessedMechanism(ShortRepr):
     """One mechanism with the study that it was assessed in, the motions of that study, and what was found."""
@@ -273,99 +214,6 @@ class AssessedMechanism(ShortRepr):
     study: Study
     motions: tuple[ScaledRecord, ...]
     result: MechanismResult
-
-
-def _controls_of(
-    study: Study,
-    controlling: Mapping[str, MechanismSweep],
-    motions: tuple[ScaledRecord, ...],
-    results: Sequence[MechanismResult],
-    *,
-    jobs: int,
-) -> tuple[Control, ...]:
-    """Make every control of every mechanism, swept ones in their controlling case.
-
-    Parameters
-    ----------
-    study : Study
-        The study.
-    controlling : mapping
-        The sweep that represents each swept mechanism, by name.
-    motions : tuple of ScaledRecord
-        The motions of the study.
-    results : sequence of MechanismResult
-        What was found of its mechanisms.
-    jobs : int
-        Number of threads; 0 for all cores. The controls do not depend on it.
-
-    Returns
-    -------
-    tuple of Control
-        In the order of the mechanisms, of each in the order of equilibrium, energy, multiplier, convergence.
-    """
-    by_name = {mechanism.name: mechanism for mechanism in results}
-    cases = [
-        _as_assessed(study, controlling.get(mechanism.name), motions, by_name[mechanism.name], jobs=jobs)
-        for mechanism in study.mechanisms
-    ]
-    with ThreadPoolExecutor(jobs or available_cores()) as pool:
-        return tuple(control for of_mechanism in pool.map(_mechanism_controls, cases) for control in of_mechanism)
-
-
-def _mechanism_controls(case: AssessedMechanism) -> tuple[Control, ...]:
-    """Make every control of one mechanism."""
-    mechanism, study = case.mechanism, case.study
-    equation = study.equations[mechanism.name]
-    assert study.spectrum is not None  # histories were scaled to it
-    governing = governing_history(
-        mechanism,
-        case.result.histories,
-        {motion.record.id: motion for motion in case.motions},
-        study.amplified[mechanism.name],
-        equation=equation,
-        site_pga=study.spectrum.pga,
-    )
-    return (
-        *equilibrium_controls(mechanism, mechanism.oscillator),
-        energy_control(mechanism, governing, equation=equation),
-        multiplier_control(mechanism, mechanism.oscillator),
-        convergence_control(mechanism, governing),
-    )
-
-
-def _as_assessed(
-    study: Study,
-    swept: MechanismSweep | None,
-    motions: tuple[ScaledRecord, ...],
-    result: MechanismResult,
-    *,
-    jobs: int,
-) -> AssessedMechanism:
-    """Return a mechanism as it was assessed: in the study, or in the controlling case of its sweep."""
-    study_there, mechanism = _where_assessed(study, swept, result.name)
-    motions_there = motions if swept is None else motions_of_case(swept.controlling_case, study, motions, jobs=jobs)
-    return AssessedMechanism(mechanism, study_there, motions_there, result)
-
-
-def _where_assessed(study: Study, swept: MechanismSweep | None, name: str) -> tuple[Study, Mechanism]:
-    """Return the study in which a mechanism was assessed, that of the controlling case if swept, and the mechanism."""
-    deciding = study if swept is None else swept.controlling_case.study
-    return deciding, next(mechanism for mechanism in deciding.mechanisms if mechanism.name == name)
-
-
-def _study_messages(study: Study, controlling: Mapping[str, MechanismSweep]) -> tuple[Message, ...]:
-    """Return the messages of the study; those on a swept mechanism itself are of its controlling case."""
-    swept = [mechanism for mechanism in study.mechanisms if mechanism.name in controlling]
-    replaced = [warned for mechanism in swept for warned in locate(mechanism.warnings, f"mechanisms.{mechanism.name}")]
-    kept = [message for message in study.messages if message not in replaced]
-    return (*kept, *(message for sweep in controlling.values() for message in case_messages(sweep)))
-
-
-def _suite_messages(study: Study, motions: tuple[ScaledRecord, ...]) -> tuple[Message, ...]:
-    """Return the messages on artificial records; a note only if no method that follows the ground's motion decides."""
-    if not any(motion.record.artificial for motion in motions):
-        return ()
-    return ((warning if may_follow_motion(study.question) else note)("artificial-records", "records"),)
 
 
 FEWEST_ELASTIC = 6.0
@@ -487,29 +335,6 @@ class EnvelopeCase(ShortRepr):
     case: str = ""
 
 
-def _map_envelopes(
-    cases: Sequence[EnvelopeCase], grid: PulseGrid | None, *, jobs: int, progress: Progress
-) -> dict[str, EnvelopeResult]:
-    """Return the envelope of every mechanism by name; empty without a grid of pulses."""
-    if grid is None:
-        return {}
-    results = {}
-    for count, case in enumerate(cases):
-        progress("overturning envelopes", count, len(cases))
-        computed = envelope(
-            case.oscillator,
-            grid.shape,
-            grid.frequency,
-            grid.amplitude,
-            equation=case.equation,
-            factor=case.factor(grid.frequency),
-            threads=jobs,
-        )
-        results[case.name] = replace(envelope_result(computed, case.oscillator), case=case.case)
-    progress("overturning envelopes", len(cases), len(cases))
-    return results
-
-
 def envelope_result(computed: Envelope, oscillator: Oscillator) -> EnvelopeResult:
     """Return the envelope in the units of results."""
     form = min((branch.linearised for branch in oscillator.branches), key=lambda form: form.multiplier)
@@ -531,6 +356,190 @@ def envelope_result(computed: Envelope, oscillator: Oscillator) -> EnvelopeResul
         omega=tuple((2 * np.pi * computed.frequency / form.p).tolist()),
         lower_bound_ratio=_none_for_nan(bound * computed.factor / form.multiplier),
     )
+
+
+def envelope_messages(study: Study) -> tuple[Message, ...]:
+    """Return the messages on envelopes, where no procedure of a code is used."""
+    kept = tuple(message for message in study.messages if message.key != "confidence-factor")
+    if not study.sweeps:
+        return kept
+    keys = ", ".join(sweep.key for sweep in study.sweeps)
+    return (*kept, warning("sweep-left-out", "analysis.sweep", keys=keys))
+
+
+def _deciding_question(study: Study, controlling: Mapping[str, MechanismSweep]) -> Question:
+    """Return what decides in the controlling cases if they agree (a sweep may change the site), else in the study."""
+    questions = [
+        controlling[mechanism.name].controlling_case.study.question if mechanism.name in controlling else study.question
+        for mechanism in study.mechanisms
+    ]
+    return questions[0] if questions and all(question == questions[0] for question in questions) else study.question
+
+
+def _decide_with_tolerance(
+    study: Study, question: Question, spectrum: Spectrum, results: Sequence[MechanismResult]
+) -> Verdict:
+    """Decide on the mechanisms, with the survey's tolerance on the index of those near their threshold.
+
+    The tolerance applies at the site of the project file only, not at that of a sweep.
+    """
+    with_question = replace(study, question=question)
+    decided = decide(with_question, results)
+    if question != study.question:
+        return decided
+    losses = survey_tolerances(study.survey, spectrum, question, decided, results)
+    return decide(with_question, results, losses) if losses else decided
+
+
+def _needs_motions(study: Study) -> bool:
+    """Return whether an answer of a study depends on its ground motions."""
+    above = any(study.amplified[mechanism.name].height is not None for mechanism in study.mechanisms)
+    return above or any(follows_motion(name) for name in study.procedures)
+
+
+def _check_what_decides(
+    study: Study, spectrum: Spectrum, motions: tuple[ScaledRecord, ...], mechanism: Mechanism, *, jobs: int
+) -> CheckedMechanism:
+    """Return the checks of a mechanism, with time histories where one of them asks for these."""
+    case = rocking_case(study, mechanism, motions)
+    histories = _histories_that_decide(study, spectrum, motions, mechanism, case, jobs=jobs)
+    context = context_of(study, spectrum, mechanism, histories, case.base, motions)
+    return CheckedMechanism(mechanism.name, checks_of(study, case.oscillator, context))
+
+
+def _histories_that_decide(
+    study: Study,
+    spectrum: Spectrum,
+    motions: tuple[ScaledRecord, ...],
+    mechanism: Mechanism,
+    case: RockingCase,
+    *,
+    jobs: int,
+) -> RockingHistories:
+    """Run the time histories that decide; without a scan only those at the PGA that the rules of procedures ask for."""
+    by_histories = set(filter(uses_histories, study.procedures))
+    if not by_histories:
+        return NO_HISTORIES
+    if study.scan or not by_histories <= set(pga_rules(study.options)):
+        return mechanism_histories(study, spectrum, motions, mechanism, case, threads=jobs)
+    levels = rule_levels(study, spectrum, mechanism)
+    return run_levels(case, motions, levels=(), further=levels, site_pga=spectrum.pga, threads=jobs)
+
+
+def _controls_of(
+    study: Study,
+    controlling: Mapping[str, MechanismSweep],
+    motions: tuple[ScaledRecord, ...],
+    results: Sequence[MechanismResult],
+    *,
+    jobs: int,
+) -> tuple[Control, ...]:
+    """Make every control of every mechanism, swept ones in their controlling case.
+
+    Parameters
+    ----------
+    study : Study
+        The study.
+    controlling : mapping
+        The sweep that represents each swept mechanism, by name.
+    motions : tuple of ScaledRecord
+        The motions of the study.
+    results : sequence of MechanismResult
+        What was found of its mechanisms.
+    jobs : int
+        Number of threads; 0 for all cores. The controls do not depend on it.
+
+    Returns
+    -------
+    tuple of Control
+        In the order of the mechanisms, of each in the order of equilibrium, energy, multiplier, convergence.
+    """
+    by_name = {mechanism.name: mechanism for mechanism in results}
+    cases = [
+        _as_assessed(study, controlling.get(mechanism.name), motions, by_name[mechanism.name], jobs=jobs)
+        for mechanism in study.mechanisms
+    ]
+    with ThreadPoolExecutor(jobs or available_cores()) as pool:
+        return tuple(control for of_mechanism in pool.map(_mechanism_controls, cases) for control in of_mechanism)
+
+
+def _mechanism_controls(case: AssessedMechanism) -> tuple[Control, ...]:
+    """Make every control of one mechanism."""
+    mechanism, study = case.mechanism, case.study
+    equation = study.equations[mechanism.name]
+    assert study.spectrum is not None  # histories were scaled to it
+    governing = governing_history(
+        mechanism,
+        case.result.histories,
+        {motion.record.id: motion for motion in case.motions},
+        study.amplified[mechanism.name],
+        equation=equation,
+        site_pga=study.spectrum.pga,
+    )
+    return (
+        *equilibrium_controls(mechanism, mechanism.oscillator),
+        energy_control(mechanism, governing, equation=equation),
+        multiplier_control(mechanism, mechanism.oscillator),
+        convergence_control(mechanism, governing),
+    )
+
+
+def _as_assessed(
+    study: Study,
+    swept: MechanismSweep | None,
+    motions: tuple[ScaledRecord, ...],
+    result: MechanismResult,
+    *,
+    jobs: int,
+) -> AssessedMechanism:
+    """Return a mechanism as it was assessed: in the study, or in the controlling case of its sweep."""
+    study_there, mechanism = _where_assessed(study, swept, result.name)
+    motions_there = motions if swept is None else motions_of_case(swept.controlling_case, study, motions, jobs=jobs)
+    return AssessedMechanism(mechanism, study_there, motions_there, result)
+
+
+def _where_assessed(study: Study, swept: MechanismSweep | None, name: str) -> tuple[Study, Mechanism]:
+    """Return the study in which a mechanism was assessed, that of the controlling case if swept, and the mechanism."""
+    deciding = study if swept is None else swept.controlling_case.study
+    return deciding, next(mechanism for mechanism in deciding.mechanisms if mechanism.name == name)
+
+
+def _study_messages(study: Study, controlling: Mapping[str, MechanismSweep]) -> tuple[Message, ...]:
+    """Return the messages of the study; those on a swept mechanism itself are of its controlling case."""
+    swept = [mechanism for mechanism in study.mechanisms if mechanism.name in controlling]
+    replaced = [warned for mechanism in swept for warned in locate(mechanism.warnings, f"mechanisms.{mechanism.name}")]
+    kept = [message for message in study.messages if message not in replaced]
+    return (*kept, *(message for sweep in controlling.values() for message in case_messages(sweep)))
+
+
+def _suite_messages(study: Study, motions: tuple[ScaledRecord, ...]) -> tuple[Message, ...]:
+    """Return the messages on artificial records; a note only if no method that follows the ground's motion decides."""
+    if not any(motion.record.artificial for motion in motions):
+        return ()
+    return ((warning if may_follow_motion(study.question) else note)("artificial-records", "records"),)
+
+
+def _map_envelopes(
+    cases: Sequence[EnvelopeCase], grid: PulseGrid | None, *, jobs: int, progress: Progress
+) -> dict[str, EnvelopeResult]:
+    """Return the envelope of every mechanism by name; empty without a grid of pulses."""
+    if grid is None:
+        return {}
+    results = {}
+    for count, case in enumerate(cases):
+        progress("overturning envelopes", count, len(cases))
+        computed = envelope(
+            case.oscillator,
+            grid.shape,
+            grid.frequency,
+            grid.amplitude,
+            equation=case.equation,
+            factor=case.factor(grid.frequency),
+            threads=jobs,
+        )
+        results[case.name] = replace(envelope_result(computed, case.oscillator), case=case.case)
+    progress("overturning envelopes", len(cases), len(cases))
+    return results
 
 
 def _critical_result(envelopes: dict[str, EnvelopeResult]) -> CriticalResult | None:
@@ -567,12 +576,3 @@ def _names(index: NDArray[np.int64], names: Sequence[str]) -> tuple[str | None, 
 def _none_for_nan(values: FloatArray) -> tuple[float | None, ...]:
     """Return numbers [n], None in place of nan."""
     return tuple(None if np.isnan(value) else float(value) for value in values)
-
-
-def envelope_messages(study: Study) -> tuple[Message, ...]:
-    """Return the messages on envelopes, where no procedure of a code is used."""
-    kept = tuple(message for message in study.messages if message.key != "confidence-factor")
-    if not study.sweeps:
-        return kept
-    keys = ", ".join(sweep.key for sweep in study.sweeps)
-    return (*kept, warning("sweep-left-out", "analysis.sweep", keys=keys))

@@ -97,14 +97,6 @@ def motions_of(study: Study, spectrum: Spectrum, *, jobs: int = 1) -> tuple[Scal
     return _apply_record_factor(motions, spectrum, study)
 
 
-def _scale_records(study: Study, records: Sequence[Record], spectrum: Spectrum) -> tuple[ScaledRecord, ...]:
-    """Return the records as the study scales them."""
-    factors = study.fitting.given_factors
-    if factors is not None:
-        return apply_given_factors(records, spectrum, factors, band=study.fitting.band)
-    return scale_together(records, spectrum, study.fitting, scale_to=study.scale_to)
-
-
 def apply_given_factors(
     records: Sequence[Record], spectrum: Spectrum, given_factors: GivenFactors, *, band: Band
 ) -> tuple[ScaledRecord, ...]:
@@ -155,24 +147,6 @@ def raise_artificial(
     raised = note("suite-raised", factor=Quantity(factor, figures=6), period=Quantity(band[1], "time", 3))
     noted = tuple(replace(motion, record=with_step(motion.record, raised)) for motion in motions)
     return _multiply_all(noted, factor, spectrum, fitting.band)
-
-
-def _apply_record_factor(
-    motions: tuple[ScaledRecord, ...], spectrum: Spectrum, study: Study
-) -> tuple[ScaledRecord, ...]:
-    """Multiply every motion by the further factor of the study."""
-    if study.record_factor == 1.0:
-        return motions
-    return _multiply_all(motions, study.record_factor, spectrum, study.fitting.band)
-
-
-def _multiply_all(
-    motions: tuple[ScaledRecord, ...], factor: float, spectrum: Spectrum, band: Band
-) -> tuple[ScaledRecord, ...]:
-    return tuple(
-        ScaledRecord(motion.record, _scaling(motion.record, spectrum, band, motion.scaling.factor * factor))
-        for motion in motions
-    )
 
 
 def scale_together(
@@ -356,20 +330,6 @@ def read_candidate(candidate: Candidate) -> Record:
     return read_with_overrides(Path(candidate.path), candidate.overrides)[candidate.position]
 
 
-def _described_record(candidate: Candidate, *, folder: Path) -> Record:
-    """Read the record of a candidate, with the data of a flatfile, and its path as the project file writes it."""
-    record = read_candidate(candidate)
-    return replace(
-        record,
-        path=relative_path(Path(candidate.path), folder),
-        event=candidate.event,
-        station=candidate.station,
-        distance=candidate.distance,
-        earthquake=replace(record.earthquake, time=candidate.date, magnitude=candidate.magnitude),
-        site=replace(record.site, vs30=candidate.vs30),
-    )
-
-
 def offer_messages(offer: OfferedRecords) -> Iterator[Message]:
     """What to know of the files that were not read, and of a flatfile that does not fit."""
     yield from _first_messages(
@@ -395,13 +355,6 @@ def record_messages(records: Sequence[Record]) -> Iterator[Message]:
         for what in implausibility_warnings(record)
     ]
     yield from _first_messages(locate([*own, *warnings_among(records)], "records.unit"), "of-further-records")
-
-
-def _first_messages(messages: Sequence[Message], key: str) -> Iterator[Message]:
-    """Yield the first of many messages, and how many others there are."""
-    yield from messages[:MOST_NAMED]
-    if len(messages) > MOST_NAMED:
-        yield warning(key, messages[0].where, number=whole_number(len(messages) - MOST_NAMED))
 
 
 def with_unique_names(records: Sequence[Record]) -> tuple[Record, ...]:
@@ -441,6 +394,166 @@ def suite_faults(
         By code; an empty tuple where all rules are met.
     """
     return {code: tuple(_faults_by_code(code, study, spectrum, motions)) for code in RULES}
+
+
+FACTOR_STEPS = 1000.0  # a factor is proposed to three decimals, rounded to the side that meets the rule
+FILES_LINE = 'files = ["records/*.AT2"]'
+NO_FACTOR = Term("no one factor does: choose records whose mean has the shape of the target")
+
+
+@dataclass(frozen=True)
+class Remedy:
+    """A change of the project: its key, in words, and as a line of TOML, empty if there is none."""
+
+    key: str
+    text: Term | Message
+    toml: str = ""
+
+
+@dataclass(frozen=True)
+class SuiteReview:
+    """A suite with its study and the requirements of a code on it."""
+
+    study: Study
+    suite: Suite
+    requirements: tuple[Requirement, ...]
+
+    @property
+    def unmet(self) -> tuple[Requirement, ...]:
+        """The requirements that are not met."""
+        return tuple(requirement for requirement in self.requirements if requirement.verdict == "not met")
+
+
+LONGEST_PERIOD_SHARE = (
+    3.0  # artificial records hold periods up to their duration over this, well within what can be fitted
+)
+
+
+class FittedRange(Protocol):
+    """The range of periods over which artificial records have to fit the target [s]."""
+
+    def __call__(self, *, longest: float) -> Range:
+        """Return the range for the longest period of the mechanisms [s]."""
+
+
+class PeriodsOf(Protocol):
+    """The periods at the limit state, used as T_1 in the clauses of a code [s]."""
+
+    def __call__(self, study: Study) -> Range:
+        """Return the shortest and the longest of all mechanisms."""
+
+
+@dataclass(frozen=True)
+class SuiteRules:
+    """The rules of one code: its requirements, the range of periods to be fitted, and the periods of the mechanisms.
+
+    by_limit_state : whether the target is the spectrum of the limit state that decides, not the site's
+    """
+
+    code: str
+    requirements: Requirements
+    fitted: FittedRange
+    periods: PeriodsOf
+    by_limit_state: bool = False
+
+
+def spectrum_of_rules(code: str, study: Study, spectrum: Spectrum) -> Spectrum:
+    """Return the target of a suite: for the Italian code, the spectrum of the limit state that decides, if known.
+
+    Parameters
+    ----------
+    code : str
+        Of a procedure, as in `RULES`.
+    study : Study
+        The hazard and what decides.
+    spectrum : Spectrum
+        The site's.
+    """
+    if not RULES[code].by_limit_state or study.hazard is None:
+        return spectrum
+    return study.hazard.spectra.get(_deciding_state(study), spectrum)
+
+
+def artificial_band(study: Study, spectrum: Spectrum, *, duration: float) -> Range:
+    """Return the range of periods over which artificial records are made to fit [s]: as the rules require, if possible.
+
+    A record holds periods up to a share of its duration; further than the target or 10 s nothing is compared.
+
+    Parameters
+    ----------
+    study : Study
+        The mechanisms, and the codes that decide.
+    spectrum : Spectrum
+        The target.
+    duration : float
+        Of the records [s].
+    """
+    ranges = [RULES[code].fitted(longest=RULES[code].periods(study)[1]) for code in _codes_that_decide(study)]
+    longest = max([MATCHED_PERIODS[1], *(high for _, high in ranges)])
+    return MATCHED_PERIODS[0], min(longest, duration / LONGEST_PERIOD_SHARE, float(FINE[-1]), spectrum.longest_period)
+
+
+def equivalent_periods(mechanisms: Iterable[Mechanism]) -> dict[str, tuple[float, float]]:
+    """Return the shortest and the longest equivalent period [s] of the branches of each mechanism, by name."""
+    found = {}
+    for mechanism in mechanisms:
+        periods = [_equivalent_period(branch) for branch in mechanism.variants.deciding.branches]
+        found[mechanism.name] = (min(periods), max(periods))
+    return found
+
+
+def extreme_periods(periods: dict[str, tuple[float, float]]) -> tuple[float, float]:
+    """Return the least and the largest of all periods [s]; raise ProjectError if there are none."""
+    if not periods:
+        raise ProjectError("mechanisms: none to take periods from; add one, or give records.select periods")
+    return min(low for low, _ in periods.values()), max(high for _, high in periods.values())
+
+
+def _scale_records(study: Study, records: Sequence[Record], spectrum: Spectrum) -> tuple[ScaledRecord, ...]:
+    """Return the records as the study scales them."""
+    factors = study.fitting.given_factors
+    if factors is not None:
+        return apply_given_factors(records, spectrum, factors, band=study.fitting.band)
+    return scale_together(records, spectrum, study.fitting, scale_to=study.scale_to)
+
+
+def _apply_record_factor(
+    motions: tuple[ScaledRecord, ...], spectrum: Spectrum, study: Study
+) -> tuple[ScaledRecord, ...]:
+    """Multiply every motion by the further factor of the study."""
+    if study.record_factor == 1.0:
+        return motions
+    return _multiply_all(motions, study.record_factor, spectrum, study.fitting.band)
+
+
+def _multiply_all(
+    motions: tuple[ScaledRecord, ...], factor: float, spectrum: Spectrum, band: Band
+) -> tuple[ScaledRecord, ...]:
+    return tuple(
+        ScaledRecord(motion.record, _scaling(motion.record, spectrum, band, motion.scaling.factor * factor))
+        for motion in motions
+    )
+
+
+def _described_record(candidate: Candidate, *, folder: Path) -> Record:
+    """Read the record of a candidate, with the data of a flatfile, and its path as the project file writes it."""
+    record = read_candidate(candidate)
+    return replace(
+        record,
+        path=relative_path(Path(candidate.path), folder),
+        event=candidate.event,
+        station=candidate.station,
+        distance=candidate.distance,
+        earthquake=replace(record.earthquake, time=candidate.date, magnitude=candidate.magnitude),
+        site=replace(record.site, vs30=candidate.vs30),
+    )
+
+
+def _first_messages(messages: Sequence[Message], key: str) -> Iterator[Message]:
+    """Yield the first of many messages, and how many others there are."""
+    yield from messages[:MOST_NAMED]
+    if len(messages) > MOST_NAMED:
+        yield warning(key, messages[0].where, number=whole_number(len(messages) - MOST_NAMED))
 
 
 def _faults_by_code(code: str, study: Study, spectrum: Spectrum, motions: Sequence[ScaledRecord]) -> Iterator[Message]:
@@ -519,34 +632,6 @@ def _quantity_of(requirement: Requirement, value: float) -> Quantity:
         if requirement.kind in COUNTED_RULES
         else Quantity(value, DIMENSIONS[requirement.unit], 3)
     )
-
-
-FACTOR_STEPS = 1000.0  # a factor is proposed to three decimals, rounded to the side that meets the rule
-FILES_LINE = 'files = ["records/*.AT2"]'
-NO_FACTOR = Term("no one factor does: choose records whose mean has the shape of the target")
-
-
-@dataclass(frozen=True)
-class Remedy:
-    """A change of the project: its key, in words, and as a line of TOML, empty if there is none."""
-
-    key: str
-    text: Term | Message
-    toml: str = ""
-
-
-@dataclass(frozen=True)
-class SuiteReview:
-    """A suite with its study and the requirements of a code on it."""
-
-    study: Study
-    suite: Suite
-    requirements: tuple[Requirement, ...]
-
-    @property
-    def unmet(self) -> tuple[Requirement, ...]:
-        """The requirements that are not met."""
-        return tuple(requirement for requirement in self.requirements if requirement.verdict == "not met")
 
 
 def _more_records(requirement: Requirement, review: SuiteReview) -> Remedy:
@@ -638,39 +723,6 @@ def _required_duration(requirement: Requirement, review: SuiteReview) -> float:
     )
 
 
-LONGEST_PERIOD_SHARE = (
-    3.0  # artificial records hold periods up to their duration over this, well within what can be fitted
-)
-
-
-class FittedRange(Protocol):
-    """The range of periods over which artificial records have to fit the target [s]."""
-
-    def __call__(self, *, longest: float) -> Range:
-        """Return the range for the longest period of the mechanisms [s]."""
-
-
-class PeriodsOf(Protocol):
-    """The periods at the limit state, used as T_1 in the clauses of a code [s]."""
-
-    def __call__(self, study: Study) -> Range:
-        """Return the shortest and the longest of all mechanisms."""
-
-
-@dataclass(frozen=True)
-class SuiteRules:
-    """The rules of one code: its requirements, the range of periods to be fitted, and the periods of the mechanisms.
-
-    by_limit_state : whether the target is the spectrum of the limit state that decides, not the site's
-    """
-
-    code: str
-    requirements: Requirements
-    fitted: FittedRange
-    periods: PeriodsOf
-    by_limit_state: bool = False
-
-
 def _periods_at_allowable_rotation(study: Study) -> Range:
     """Return the periods of equal work at half the overturning rotation [s], for ASCE 43-05."""
     return extreme_periods(equivalent_periods(study.mechanisms))
@@ -713,42 +765,6 @@ def _codes_that_decide(study: Study) -> tuple[str, ...]:
     return tuple(dict.fromkeys(deciding)) or _codes_of_histories(study)
 
 
-def spectrum_of_rules(code: str, study: Study, spectrum: Spectrum) -> Spectrum:
-    """Return the target of a suite: for the Italian code, the spectrum of the limit state that decides, if known.
-
-    Parameters
-    ----------
-    code : str
-        Of a procedure, as in `RULES`.
-    study : Study
-        The hazard and what decides.
-    spectrum : Spectrum
-        The site's.
-    """
-    if not RULES[code].by_limit_state or study.hazard is None:
-        return spectrum
-    return study.hazard.spectra.get(_deciding_state(study), spectrum)
-
-
-def artificial_band(study: Study, spectrum: Spectrum, *, duration: float) -> Range:
-    """Return the range of periods over which artificial records are made to fit [s]: as the rules require, if possible.
-
-    A record holds periods up to a share of its duration; further than the target or 10 s nothing is compared.
-
-    Parameters
-    ----------
-    study : Study
-        The mechanisms, and the codes that decide.
-    spectrum : Spectrum
-        The target.
-    duration : float
-        Of the records [s].
-    """
-    ranges = [RULES[code].fitted(longest=RULES[code].periods(study)[1]) for code in _codes_that_decide(study)]
-    longest = max([MATCHED_PERIODS[1], *(high for _, high in ranges)])
-    return MATCHED_PERIODS[0], min(longest, duration / LONGEST_PERIOD_SHARE, float(FINE[-1]), spectrum.longest_period)
-
-
 LARGEST_FC = 1.35  # of LC1, which makes the longest periods
 SHARE_OF_SHORTEST, MULTIPLE_OF_LONGEST = 0.2, 1.2  # of equivalent periods: the range that spectra are fitted over
 FITTED_OVER = "0.2 times the least to 1.2 times the largest equivalent period of the mechanisms"
@@ -759,15 +775,6 @@ def _equivalent_period(branch: Branch) -> float:
     return float(1.0 / effective_frequency(branch, np.array([HALF * branch.unstable]))[0])
 
 
-def equivalent_periods(mechanisms: Iterable[Mechanism]) -> dict[str, tuple[float, float]]:
-    """Return the shortest and the longest equivalent period [s] of the branches of each mechanism, by name."""
-    found = {}
-    for mechanism in mechanisms:
-        periods = [_equivalent_period(branch) for branch in mechanism.variants.deciding.branches]
-        found[mechanism.name] = (min(periods), max(periods))
-    return found
-
-
 def _limit_state_periods(mechanisms: Iterable[Mechanism], *, state: str) -> dict[str, tuple[float, float]]:
     """Return the shortest and the longest T_SLV or T_SLC [s] of each mechanism (NTC 2018, C8.7.1.10, 11), by name."""
     found = {}
@@ -776,10 +783,3 @@ def _limit_state_periods(mechanisms: Iterable[Mechanism], *, state: str) -> dict
         periods = [capacity_of(curves, state=state, confidence_factor=LARGEST_FC).T for curves in branches]
         found[mechanism.name] = (min(periods), max(periods))
     return found
-
-
-def extreme_periods(periods: dict[str, tuple[float, float]]) -> tuple[float, float]:
-    """Return the least and the largest of all periods [s]; raise ProjectError if there are none."""
-    if not periods:
-        raise ProjectError("mechanisms: none to take periods from; add one, or give records.select periods")
-    return min(low for low, _ in periods.values()), max(high for _, high in periods.values())

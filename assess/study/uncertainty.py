@@ -103,21 +103,6 @@ def uncertainty(
     )
 
 
-def _questions_of(result: MechanismResult) -> Mapping[CheckKey, Check]:
-    """Return the checks of a mechanism whose spread is of use: by the letter of a clause that covers it."""
-    return checks_by_key(
-        tuple(check for check in result.checks if check.follows_code and check.verdict != Outcome.NOT_APPLICABLE)
-    )
-
-
-def _sobol(sampling: Sampling) -> FloatArray:
-    """Return the samples as probabilities, each in the middle of its cell, in (0, 1) [samples, groups]."""
-    from scipy.stats import qmc  # late: it takes a third of a second
-
-    sequence = qmc.Sobol(len(sampling.groups), scramble=True, rng=np.random.default_rng(sampling.seed))
-    return np.asarray(sequence.random_base2(sampling.samples.bit_length() - 1) + 0.5 / 2.0**sequence.bits)
-
-
 class Sampler:
     """Assesses the mechanisms of a study at values of its uncertain numbers.
 
@@ -166,30 +151,6 @@ class Sampler:
         return tuple(number.input.mean if np.isnan(p) else float(values_at(number, p)) for number, p in pairs)
 
 
-def _find_changed_answers(sampler: Sampler, points: FloatArray) -> dict[tuple[str, str], Flags]:
-    """Return by mechanism and group which answers change when the group alone goes to both `END_PROBABILITIES`.
-
-    The others are at their means, then at their values in the first sample.
-    """
-    groups = sampler.sampling.groups
-    by_histories = {
-        name: np.array([uses_histories(procedure) for procedure, _, _ in questions], dtype=np.bool_)
-        for name, questions in sampler.questions.items()
-    }
-    changed: dict[tuple[str, str], Flags] = {}
-    for base in (np.full(len(groups), np.nan), points[0]):
-        names = [[name for name in sampler.questions if group in sampler.sampling.groups_of(name)] for group in groups]
-        ends = [(place, end) for place in range(len(groups)) for end in END_PROBABILITIES if names[place]]
-        moved = [np.where(np.arange(len(groups)) == place, end, base) for place, end in ends]
-        at_base = sampler.answers_at(base)
-        for (place, _), point in zip(ends, moved, strict=True):
-            for name, answers in sampler.answers_at(point, names[place]).items():
-                key, of_histories = (name, groups[place]), by_histories[name]
-                differs = ~_same_answers(at_base[name], answers, histories=of_histories)
-                changed[key] = changed.get(key, np.zeros_like(of_histories)) | differs
-    return changed
-
-
 def answers_of(
     name: str,
     tally: Tally,
@@ -223,26 +184,6 @@ def answers_of(
             ),
             **_statistics_of(ratio, outcome),
         )
-
-
-def _cut_off_messages(numbers: Sequence[SampledNumber]) -> Iterator[Message]:
-    """Report distributions that reach beyond what is possible."""
-    for number in numbers:
-        share = share_cut_off(number)
-        if share > LEAST_SHARE_REPORTED:
-            mean = Quantity(_mean_kept(number), "ratio", 3)
-            yield note("uncertainty-cut-off", number.input.key, share=Quantity(share, "ratio", 2), mean=mean)
-
-
-def _no_effect_messages(
-    sampling: Sampling, questions: Questions, changed: Mapping[tuple[str, str], Flags]
-) -> Iterator[Message]:
-    """Report the groups that change no answer at all."""
-    for group in sampling.groups:
-        touched = [name for name in questions if group in sampling.groups_of(name)]
-        if not any(changed[name, group].any() for name in touched):
-            keys = ", ".join(number.input.key for number in sampling.numbers if number.input.group == group)
-            yield note("uncertainty-idle", "analysis.uncertainty", keys=keys)
 
 
 PASSED, FAILED, OPEN = 0, 1, -1
@@ -281,6 +222,145 @@ class RockingTables:
         pairs = list(zip(self.numbers, other.numbers, strict=False))
         alike = all(a.shape == b.shape and np.allclose(a, b, rtol=SAME_RATIO, atol=SAME_RATIO) for a, b in pairs)
         return alike and len(self.numbers) == len(other.numbers) and self.amplification == other.amplification
+
+
+class Tally:
+    """The ratios and outcomes of the samples of one mechanism [samples, questions], filled in sample by sample."""
+
+    def __init__(self, samples: int, questions: Sequence[CheckKey]) -> None:
+        self.questions = tuple(questions)
+        self.ratio = np.full((samples, len(questions)), np.nan)
+        self.outcome = np.full((samples, len(questions)), OPEN, dtype=np.int8)
+        self.unbuilt: tuple[int, str] = (0, "")
+        self.open: tuple[dict[str, tuple[int, Message]], ...] = tuple({} for _ in questions)
+
+    def put(self, sample: int, answers: SampleAnswers) -> None:
+        """Keep the answers of one sample."""
+        self.ratio[sample], self.outcome[sample] = answers.ratio, answers.outcome
+        if answers.error:
+            self.unbuilt = (self.unbuilt[0] + 1, self.unbuilt[1] or answers.error)
+        for place, reason in answers.reasons.items():
+            number, first = self.open[place].get(reason.key, (0, reason))
+            self.open[place][reason.key] = (number + 1, first)
+
+    def open_answers(self, place: int) -> Iterator[Message]:
+        """Yield how many samples have no answer to a question, with the first reason of each kind."""
+        samples = whole_number(len(self.outcome))
+        number, why = self.unbuilt
+        if number:
+            yield note("uncertainty-not-built", number=whole_number(number), samples=samples, why=why)
+        for number, reason in self.open[place].values():
+            yield note("uncertainty-open", number=whole_number(number), samples=samples, why=reason)
+
+
+class Statistics(TypedDict):
+    """The fields of an uncertain answer that are counted."""
+
+    answered: int
+    failed: int
+    probability: float | None
+    interval: tuple[float, float] | None
+    quantiles: tuple[float | None, ...]
+    ratios: tuple[float | None, ...]
+
+
+def quantiles(ratio: FloatArray) -> tuple[float | None, ...]:
+    """Return the quantiles of ratios at `QUANTILES`, linear between samples; None where there is no finite one."""
+    if not ratio.size:
+        return (None,) * len(QUANTILES)
+    rising = np.sort(ratio)
+    place = np.array(QUANTILES) / 100.0 * (rising.size - 1)
+    below, above = rising[np.floor(place).astype(int)], rising[np.ceil(place).astype(int)]
+    finite = np.isfinite(above)
+    step = np.subtract(above, below, where=finite, out=np.zeros_like(above))
+    found = below + (place % 1.0) * step
+    return tuple(float(each) if is_finite else None for each, is_finite in zip(found, finite, strict=True))
+
+
+MEAN_POINTS = 4096
+"""Equally likely values that a mean is taken over."""
+
+
+def values_at(number: SampledNumber, probability: ArrayLike) -> FloatArray:
+    """Return the values of a number that it does not exceed with these probabilities.
+
+    Parameters
+    ----------
+    number : with its mean m and coefficient of variation V
+    probability : in (0, 1) [n]
+
+    Returns
+    -------
+    [n] [unit of the number]
+    """
+    distribution = number.input
+    below, above = _beyond_limits(number)
+    p = below + np.asarray(probability, dtype=np.float64) * (1.0 - below - above)
+    return distribution.mean * _values_over_mean(distribution.distribution, distribution.cov, p)
+
+
+def share_cut_off(number: SampledNumber) -> float:
+    """Return the probability that a number would lie beyond its physical limits, if it had none."""
+    return sum(_beyond_limits(number))
+
+
+def _questions_of(result: MechanismResult) -> Mapping[CheckKey, Check]:
+    """Return the checks of a mechanism whose spread is of use: by the letter of a clause that covers it."""
+    return checks_by_key(
+        tuple(check for check in result.checks if check.follows_code and check.verdict != Outcome.NOT_APPLICABLE)
+    )
+
+
+def _sobol(sampling: Sampling) -> FloatArray:
+    """Return the samples as probabilities, each in the middle of its cell, in (0, 1) [samples, groups]."""
+    from scipy.stats import qmc  # late: it takes a third of a second
+
+    sequence = qmc.Sobol(len(sampling.groups), scramble=True, rng=np.random.default_rng(sampling.seed))
+    return np.asarray(sequence.random_base2(sampling.samples.bit_length() - 1) + 0.5 / 2.0**sequence.bits)
+
+
+def _find_changed_answers(sampler: Sampler, points: FloatArray) -> dict[tuple[str, str], Flags]:
+    """Return by mechanism and group which answers change when the group alone goes to both `END_PROBABILITIES`.
+
+    The others are at their means, then at their values in the first sample.
+    """
+    groups = sampler.sampling.groups
+    by_histories = {
+        name: np.array([uses_histories(procedure) for procedure, _, _ in questions], dtype=np.bool_)
+        for name, questions in sampler.questions.items()
+    }
+    changed: dict[tuple[str, str], Flags] = {}
+    for base in (np.full(len(groups), np.nan), points[0]):
+        names = [[name for name in sampler.questions if group in sampler.sampling.groups_of(name)] for group in groups]
+        ends = [(place, end) for place in range(len(groups)) for end in END_PROBABILITIES if names[place]]
+        moved = [np.where(np.arange(len(groups)) == place, end, base) for place, end in ends]
+        at_base = sampler.answers_at(base)
+        for (place, _), point in zip(ends, moved, strict=True):
+            for name, answers in sampler.answers_at(point, names[place]).items():
+                key, of_histories = (name, groups[place]), by_histories[name]
+                differs = ~_same_answers(at_base[name], answers, histories=of_histories)
+                changed[key] = changed.get(key, np.zeros_like(of_histories)) | differs
+    return changed
+
+
+def _cut_off_messages(numbers: Sequence[SampledNumber]) -> Iterator[Message]:
+    """Report distributions that reach beyond what is possible."""
+    for number in numbers:
+        share = share_cut_off(number)
+        if share > LEAST_SHARE_REPORTED:
+            mean = Quantity(_mean_kept(number), "ratio", 3)
+            yield note("uncertainty-cut-off", number.input.key, share=Quantity(share, "ratio", 2), mean=mean)
+
+
+def _no_effect_messages(
+    sampling: Sampling, questions: Questions, changed: Mapping[tuple[str, str], Flags]
+) -> Iterator[Message]:
+    """Report the groups that change no answer at all."""
+    for group in sampling.groups:
+        touched = [name for name in questions if group in sampling.groups_of(name)]
+        if not any(changed[name, group].any() for name in touched):
+            keys = ", ".join(number.input.key for number in sampling.numbers if number.input.group == group)
+            yield note("uncertainty-idle", "analysis.uncertainty", keys=keys)
 
 
 def _rocking_tables(study: Study) -> RockingTables:
@@ -335,46 +415,6 @@ def _same_answers(one: SampleAnswers, other: SampleAnswers, *, histories: Flags)
     return np.asarray(near | (histories & alike), dtype=np.bool_)
 
 
-class Tally:
-    """The ratios and outcomes of the samples of one mechanism [samples, questions], filled in sample by sample."""
-
-    def __init__(self, samples: int, questions: Sequence[CheckKey]) -> None:
-        self.questions = tuple(questions)
-        self.ratio = np.full((samples, len(questions)), np.nan)
-        self.outcome = np.full((samples, len(questions)), OPEN, dtype=np.int8)
-        self.unbuilt: tuple[int, str] = (0, "")
-        self.open: tuple[dict[str, tuple[int, Message]], ...] = tuple({} for _ in questions)
-
-    def put(self, sample: int, answers: SampleAnswers) -> None:
-        """Keep the answers of one sample."""
-        self.ratio[sample], self.outcome[sample] = answers.ratio, answers.outcome
-        if answers.error:
-            self.unbuilt = (self.unbuilt[0] + 1, self.unbuilt[1] or answers.error)
-        for place, reason in answers.reasons.items():
-            number, first = self.open[place].get(reason.key, (0, reason))
-            self.open[place][reason.key] = (number + 1, first)
-
-    def open_answers(self, place: int) -> Iterator[Message]:
-        """Yield how many samples have no answer to a question, with the first reason of each kind."""
-        samples = whole_number(len(self.outcome))
-        number, why = self.unbuilt
-        if number:
-            yield note("uncertainty-not-built", number=whole_number(number), samples=samples, why=why)
-        for number, reason in self.open[place].values():
-            yield note("uncertainty-open", number=whole_number(number), samples=samples, why=reason)
-
-
-class Statistics(TypedDict):
-    """The fields of an uncertain answer that are counted."""
-
-    answered: int
-    failed: int
-    probability: float | None
-    interval: tuple[float, float] | None
-    quantiles: tuple[float | None, ...]
-    ratios: tuple[float | None, ...]
-
-
 def _statistics_of(ratio: FloatArray, outcome: SampleOutcomes) -> Statistics:
     """Return what is counted over the samples of one answer.
 
@@ -393,19 +433,6 @@ def _statistics_of(ratio: FloatArray, outcome: SampleOutcomes) -> Statistics:
         quantiles=quantiles(ratio[outcome != OPEN]),
         ratios=tuple(float(each) if np.isfinite(each) else None for each in ratio),
     )
-
-
-def quantiles(ratio: FloatArray) -> tuple[float | None, ...]:
-    """Return the quantiles of ratios at `QUANTILES`, linear between samples; None where there is no finite one."""
-    if not ratio.size:
-        return (None,) * len(QUANTILES)
-    rising = np.sort(ratio)
-    place = np.array(QUANTILES) / 100.0 * (rising.size - 1)
-    below, above = rising[np.floor(place).astype(int)], rising[np.ceil(place).astype(int)]
-    finite = np.isfinite(above)
-    step = np.subtract(above, below, where=finite, out=np.zeros_like(above))
-    found = below + (place % 1.0) * step
-    return tuple(float(each) if is_finite else None for each, is_finite in zip(found, finite, strict=True))
 
 
 def _influences_of(
@@ -443,33 +470,6 @@ def _spearman(one: FloatArray, other: FloatArray) -> float | None:
         return None
     a, b = rankdata(one), rankdata(other)
     return float(np.corrcoef(a, b)[0, 1])
-
-
-MEAN_POINTS = 4096
-"""Equally likely values that a mean is taken over."""
-
-
-def values_at(number: SampledNumber, probability: ArrayLike) -> FloatArray:
-    """Return the values of a number that it does not exceed with these probabilities.
-
-    Parameters
-    ----------
-    number : with its mean m and coefficient of variation V
-    probability : in (0, 1) [n]
-
-    Returns
-    -------
-    [n] [unit of the number]
-    """
-    distribution = number.input
-    below, above = _beyond_limits(number)
-    p = below + np.asarray(probability, dtype=np.float64) * (1.0 - below - above)
-    return distribution.mean * _values_over_mean(distribution.distribution, distribution.cov, p)
-
-
-def share_cut_off(number: SampledNumber) -> float:
-    """Return the probability that a number would lie beyond its physical limits, if it had none."""
-    return sum(_beyond_limits(number))
 
 
 def _mean_kept(number: SampledNumber) -> float:

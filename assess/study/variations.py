@@ -66,24 +66,6 @@ def run_sweeps(
     return tuple(swept)
 
 
-def _assess_case(
-    case: SweepCase, study: Study, motions: tuple[ScaledRecord, ...], *, jobs: int
-) -> tuple[MechanismInCase, ...]:
-    """Assess the mechanisms of one case, under the motions of the study unless the case changes them."""
-    spectrum = case.study.spectrum
-    assert spectrum is not None  # no number takes the site away
-    motions_there = motions_of_case(case, study, motions, jobs=jobs)
-    faults = study.suite_faults if motions_there is motions else suite_faults(case.study, spectrum, motions_there)
-    assessed = replace(case.study, suite_faults=faults)
-    results = assess_mechanisms(assessed, spectrum, motions_there, jobs=jobs, progress=no_progress)
-    decided = decide(assessed, results)
-    pairs = zip(results, decided.mechanisms, strict=True)
-    return tuple(
-        MechanismInCase(mark_result(decided, assessed.question, result), mechanism_verdict)
-        for result, mechanism_verdict in pairs
-    )
-
-
 def motions_of_case(
     case: SweepCase, study: Study, motions: tuple[ScaledRecord, ...], *, jobs: int
 ) -> tuple[ScaledRecord, ...]:
@@ -170,27 +152,6 @@ def severity(case: MechanismInCase) -> tuple[float, ...]:
     )
 
 
-def _round_severity(value: float) -> float:
-    """Round to nine figures, so that cases that differ by rounding count as equal."""
-    return float(f"{value:.9g}")
-
-
-def _deciding_checks(result: MechanismResult) -> list[Check]:
-    """Return the checks that decide; if none does, all by the letter of a code."""
-    by_code = [check for check in result.checks if check.follows_code]
-    return [check for check in by_code if check.role == "deciding"] or by_code
-
-
-def _worst_ratio(checks: Sequence[Check]) -> float | None:
-    """Return the largest demand over capacity of the checks that pass or fail; None if there are none."""
-    return max((ratio_of(check) for check in checks if check.verdict in (Outcome.PASS, Outcome.FAIL)), default=None)
-
-
-def _least_capacity(checks: Sequence[Check]) -> float | None:
-    """Return the least PGA at capacity [g]; None if no check has one."""
-    return min((check.capacity_pga_g for check in checks if check.capacity_pga_g is not None), default=None)
-
-
 def ratio_of(check: Check) -> float:
     """Return demand over capacity [-], inf where the body overturned."""
     if check.ratio is not None:
@@ -198,45 +159,11 @@ def ratio_of(check: Check) -> float:
     return inf if check.verdict == Outcome.FAIL else 0.0
 
 
-def _weaker_branch(result: MechanismResult) -> OscillatorResult:
-    """Return the branch that uplifts first; of equals, the positive one."""
-    branches = [result.oscillator, result.oscillator_negative]
-    present = [branch for branch in branches if branch is not None]
-    return min(present, key=lambda branch: inf if branch.uplift_multiplier is None else branch.uplift_multiplier)
-
-
 def sweep_results(
     sweeps: Sequence[MechanismSweep], controlling: Mapping[str, MechanismSweep]
 ) -> tuple[SweepResult, ...]:
     """Return the sweeps as results."""
     return tuple(_sweep_result(swept, governs=controlling[swept.mechanism] is swept) for swept in sweeps)
-
-
-def _sweep_result(swept: MechanismSweep, *, governs: bool) -> SweepResult:
-    """Return one mechanism over the values of one sweep, by the branch that uplifts first in each case."""
-    branches = [_weaker_branch(result) for result in swept.results]
-    checks_by_case = [_deciding_checks(result) for result in swept.results]
-    ratios = [_worst_ratio(checks_of_case) for checks_of_case in checks_by_case]
-    return SweepResult(
-        mechanism=swept.mechanism,
-        key=swept.sweep.key,
-        unit=swept.sweep.unit,
-        value=tuple(case.value for case in swept.sweep.cases),
-        p_eq_per_s=tuple(branch.p_eq_per_s for branch in branches),
-        uplift_multiplier=tuple(branch.uplift_multiplier for branch in branches),
-        overturning_rad=tuple(branch.overturning_rad for branch in branches),
-        overturning_flexible_rad=tuple(branch.overturning_flexible_rad for branch in branches),
-        elastic_frequency_hz=tuple(branch.elastic_frequency_hz for branch in branches),
-        restitution=tuple(branch.restitution for branch in branches),
-        demand_capacity=tuple(None if ratio == inf else ratio for ratio in ratios),
-        overturned=tuple(
-            any(check.unbounded == "overturned" for check in checks_of_case) for checks_of_case in checks_by_case
-        ),
-        capacity_pga_g=tuple(_least_capacity(checks_of_case) for checks_of_case in checks_by_case),
-        outcome=tuple(case.verdict.outcome for case in swept.cases),
-        controlling=swept.controlling,
-        governs=governs,
-    )
 
 
 def case_messages(swept: MechanismSweep) -> Iterator[Message]:
@@ -297,24 +224,6 @@ def sensitivities(
     return tuple(rows)
 
 
-def _assess_at_value(
-    variable: Variable,
-    value: float,
-    study: Study,
-    procedures: tuple[str, ...],
-    spectrum: Spectrum,
-    motions: tuple[ScaledRecord, ...],
-    *,
-    jobs: int,
-) -> CaseChecks:
-    """Assess the mechanism with one value of the variable, by the procedures, under the suite of the whole study."""
-    try:
-        varied = replace(variable.study_at(value), procedures=procedures, suite_faults=study.suite_faults)
-        return CaseChecks(checks_by_key(checks_without_scan(varied, spectrum, motions, jobs=jobs)))
-    except (AssessError, SpectrumError) as error:
-        return CaseChecks({}, str(error))
-
-
 CheckKey = tuple[str, str, float]
 """What distinguishes a check from the others of a mechanism: procedure, limit state, level [g]."""
 
@@ -361,6 +270,124 @@ def rows_of(
             with_capacities.add(key[:2])
             yield _with_capacity(row, check, *sides)
         yield _with_ratio(row, check, *sides)
+
+
+NEAR_THRESHOLD = (
+    0.5  # of the threshold: an index farther from it is not "at the limit", whatever the survey's tolerance
+)
+Survey = Callable[[str], tuple[Variable, ...]]
+
+
+def survey_tolerances(
+    survey: Survey,
+    spectrum: Spectrum,
+    question: Question,
+    decided: Verdict,
+    results: Sequence[MechanismResult],
+) -> dict[str, float]:
+    """Find the loss of index by the tolerance of the survey, for each mechanism whose index is near its threshold."""
+    checks = {result.name: result.checks for result in results}
+    losses: dict[str, float] = {}
+    for mechanism_verdict in decided.mechanisms:
+        near = [answer for answer in mechanism_verdict.answers if _is_near_threshold(answer, decided.target)]
+        if near:
+            mechanism_checks = checks[mechanism_verdict.mechanism]
+            losses[mechanism_verdict.mechanism] = max(
+                _loss_of_index(survey, spectrum, question, mechanism_verdict, answer, mechanism_checks)
+                for answer in near
+            )
+    return losses
+
+
+def _assess_case(
+    case: SweepCase, study: Study, motions: tuple[ScaledRecord, ...], *, jobs: int
+) -> tuple[MechanismInCase, ...]:
+    """Assess the mechanisms of one case, under the motions of the study unless the case changes them."""
+    spectrum = case.study.spectrum
+    assert spectrum is not None  # no number takes the site away
+    motions_there = motions_of_case(case, study, motions, jobs=jobs)
+    faults = study.suite_faults if motions_there is motions else suite_faults(case.study, spectrum, motions_there)
+    assessed = replace(case.study, suite_faults=faults)
+    results = assess_mechanisms(assessed, spectrum, motions_there, jobs=jobs, progress=no_progress)
+    decided = decide(assessed, results)
+    pairs = zip(results, decided.mechanisms, strict=True)
+    return tuple(
+        MechanismInCase(mark_result(decided, assessed.question, result), mechanism_verdict)
+        for result, mechanism_verdict in pairs
+    )
+
+
+def _round_severity(value: float) -> float:
+    """Round to nine figures, so that cases that differ by rounding count as equal."""
+    return float(f"{value:.9g}")
+
+
+def _deciding_checks(result: MechanismResult) -> list[Check]:
+    """Return the checks that decide; if none does, all by the letter of a code."""
+    by_code = [check for check in result.checks if check.follows_code]
+    return [check for check in by_code if check.role == "deciding"] or by_code
+
+
+def _worst_ratio(checks: Sequence[Check]) -> float | None:
+    """Return the largest demand over capacity of the checks that pass or fail; None if there are none."""
+    return max((ratio_of(check) for check in checks if check.verdict in (Outcome.PASS, Outcome.FAIL)), default=None)
+
+
+def _least_capacity(checks: Sequence[Check]) -> float | None:
+    """Return the least PGA at capacity [g]; None if no check has one."""
+    return min((check.capacity_pga_g for check in checks if check.capacity_pga_g is not None), default=None)
+
+
+def _weaker_branch(result: MechanismResult) -> OscillatorResult:
+    """Return the branch that uplifts first; of equals, the positive one."""
+    branches = [result.oscillator, result.oscillator_negative]
+    present = [branch for branch in branches if branch is not None]
+    return min(present, key=lambda branch: inf if branch.uplift_multiplier is None else branch.uplift_multiplier)
+
+
+def _sweep_result(swept: MechanismSweep, *, governs: bool) -> SweepResult:
+    """Return one mechanism over the values of one sweep, by the branch that uplifts first in each case."""
+    branches = [_weaker_branch(result) for result in swept.results]
+    checks_by_case = [_deciding_checks(result) for result in swept.results]
+    ratios = [_worst_ratio(checks_of_case) for checks_of_case in checks_by_case]
+    return SweepResult(
+        mechanism=swept.mechanism,
+        key=swept.sweep.key,
+        unit=swept.sweep.unit,
+        value=tuple(case.value for case in swept.sweep.cases),
+        p_eq_per_s=tuple(branch.p_eq_per_s for branch in branches),
+        uplift_multiplier=tuple(branch.uplift_multiplier for branch in branches),
+        overturning_rad=tuple(branch.overturning_rad for branch in branches),
+        overturning_flexible_rad=tuple(branch.overturning_flexible_rad for branch in branches),
+        elastic_frequency_hz=tuple(branch.elastic_frequency_hz for branch in branches),
+        restitution=tuple(branch.restitution for branch in branches),
+        demand_capacity=tuple(None if ratio == inf else ratio for ratio in ratios),
+        overturned=tuple(
+            any(check.unbounded == "overturned" for check in checks_of_case) for checks_of_case in checks_by_case
+        ),
+        capacity_pga_g=tuple(_least_capacity(checks_of_case) for checks_of_case in checks_by_case),
+        outcome=tuple(case.verdict.outcome for case in swept.cases),
+        controlling=swept.controlling,
+        governs=governs,
+    )
+
+
+def _assess_at_value(
+    variable: Variable,
+    value: float,
+    study: Study,
+    procedures: tuple[str, ...],
+    spectrum: Spectrum,
+    motions: tuple[ScaledRecord, ...],
+    *,
+    jobs: int,
+) -> CaseChecks:
+    """Assess the mechanism with one value of the variable, by the procedures, under the suite of the whole study."""
+    try:
+        varied = replace(variable.study_at(value), procedures=procedures, suite_faults=study.suite_faults)
+        return CaseChecks(checks_by_key(checks_without_scan(varied, spectrum, motions, jobs=jobs)))
+    except (AssessError, SpectrumError) as error:
+        return CaseChecks({}, str(error))
 
 
 def _with_index(
@@ -422,33 +449,6 @@ def _unvaried_row(unvaried: UnvariedNumber) -> SensitivityResult:
     return SensitivityResult(
         mechanism=unvaried.mechanism, parameter=unvaried.parameter, remark=remark.text, remarks=(remark,)
     )
-
-
-NEAR_THRESHOLD = (
-    0.5  # of the threshold: an index farther from it is not "at the limit", whatever the survey's tolerance
-)
-Survey = Callable[[str], tuple[Variable, ...]]
-
-
-def survey_tolerances(
-    survey: Survey,
-    spectrum: Spectrum,
-    question: Question,
-    decided: Verdict,
-    results: Sequence[MechanismResult],
-) -> dict[str, float]:
-    """Find the loss of index by the tolerance of the survey, for each mechanism whose index is near its threshold."""
-    checks = {result.name: result.checks for result in results}
-    losses: dict[str, float] = {}
-    for mechanism_verdict in decided.mechanisms:
-        near = [answer for answer in mechanism_verdict.answers if _is_near_threshold(answer, decided.target)]
-        if near:
-            mechanism_checks = checks[mechanism_verdict.mechanism]
-            losses[mechanism_verdict.mechanism] = max(
-                _loss_of_index(survey, spectrum, question, mechanism_verdict, answer, mechanism_checks)
-                for answer in near
-            )
-    return losses
 
 
 def _is_near_threshold(answer: Answer, target: float | None) -> bool:

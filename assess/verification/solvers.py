@@ -26,6 +26,36 @@ Solver = Callable[[Path, Mapping[str, Any]], Mapping[str, Any]]
 QUANTILES = (0.1, 0.25, 0.5, 0.75, 0.9)
 
 
+@contextmanager
+def project_file(folder: Path, given: Mapping[str, Any]) -> Iterator[Path]:
+    """Yield the project file of a case; an example is copied for as long as it is needed."""
+    if "example" not in given:
+        yield folder / given["file"]
+        return
+    with TemporaryDirectory() as temporary:
+        yield copy_example(given["example"], Path(temporary) / given["example"])
+
+
+def solve_joints(folder: Path, given: Mapping[str, Any]) -> Mapping[str, Any]:
+    """Return what a joint does, by its name in `given`.
+
+    Parameters
+    ----------
+    folder : of the case, not read
+    given : by joint `shape`, a function of `assess.interfaces.section`, its `sizes` [m], across them `inner` ones if it
+        is hollow; `stiffness` [Pa/m] and `strength` [Pa], either absent if infinite; `force` [N]; `rotations`, one at
+        least [rad]
+
+    Returns
+    -------
+    Mapping
+        `opening` and `crushing`, rotations at which it opens and starts to crush [rad]; `fixed`, place of the fixed
+        hinge of the semi-flexible model from the compressed edge [m]; by rotation `resultant`, `depth` and `crushed`,
+        places of the force and depths of contact and of crushing from that edge [m].
+    """
+    return {name: _solve_joint(each) for name, each in given.items()}
+
+
 def _solve_project(folder: Path, given: Mapping[str, Any]) -> Mapping[str, Any]:
     """Run a project, and return what stands in its results.json.
 
@@ -42,16 +72,6 @@ def _solve_project(folder: Path, given: Mapping[str, Any]) -> Mapping[str, Any]:
     with project_file(folder, given) as file:
         tree: dict[str, Any] = json.loads(dumps(run_study(build(load(file)), jobs=1)))
     return tree
-
-
-@contextmanager
-def project_file(folder: Path, given: Mapping[str, Any]) -> Iterator[Path]:
-    """Yield the project file of a case; an example is copied for as long as it is needed."""
-    if "example" not in given:
-        yield folder / given["file"]
-        return
-    with TemporaryDirectory() as temporary:
-        yield copy_example(given["example"], Path(temporary) / given["example"])
 
 
 def _solve_parameters(folder: Path, given: Mapping[str, Any]) -> Mapping[str, Any]:
@@ -307,26 +327,6 @@ def _overturning_amplitudes(given: Mapping[str, Any], equation: Any) -> Mapping[
     amplitudes = np.array([0.0, given["highest"]]) * unit
     found = envelope(body, PULSE_SHAPES["sine"], omegas * p / (2 * pi), amplitudes, equation=equation, threads=1)
     return {f"{omega:g}": float(a) / unit for omega, a in zip(omegas, found.lower_bound, strict=True)}
-
-
-def solve_joints(folder: Path, given: Mapping[str, Any]) -> Mapping[str, Any]:
-    """Return what a joint does, by its name in `given`.
-
-    Parameters
-    ----------
-    folder : of the case, not read
-    given : by joint `shape`, a function of `assess.interfaces.section`, its `sizes` [m], across them `inner` ones if it
-        is hollow; `stiffness` [Pa/m] and `strength` [Pa], either absent if infinite; `force` [N]; `rotations`, one at
-        least [rad]
-
-    Returns
-    -------
-    Mapping
-        `opening` and `crushing`, rotations at which it opens and starts to crush [rad]; `fixed`, place of the fixed
-        hinge of the semi-flexible model from the compressed edge [m]; by rotation `resultant`, `depth` and `crushed`,
-        places of the force and depths of contact and of crushing from that edge [m].
-    """
-    return {name: _solve_joint(each) for name, each in given.items()}
 
 
 def _solve_joint(given: Mapping[str, Any]) -> Mapping[str, Any]:

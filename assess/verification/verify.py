@@ -29,6 +29,7 @@ from assess.workers import process_pool
 if TYPE_CHECKING:
     from assess.study.study import Progress
 
+
 NAMES = ("name", "id", "procedure", "symbol", "record")
 """The keys by which an item of a list is found."""
 
@@ -78,6 +79,38 @@ def note_scope(results: VerificationResults, uses: Sequence[str]) -> Verificatio
     return replace(results, left_out=left_out, foreign=foreign)
 
 
+def run_case(file: CaseFile) -> CaseResult:
+    """Solve one case and compare it; an error of the program fails the case, and is its fault."""
+    try:
+        tree, fault = solve_case(file), ""
+    except Exception as error:
+        tree, fault = {}, "".join(traceback.format_exception_only(error)).strip()
+    return compare_case(file, tree, fault=fault)
+
+
+def solve_case(file: CaseFile) -> Mapping[str, Any]:
+    """Return the tree of numbers that the program finds for a case."""
+    return SOLVERS[file.case.solver](file.path.parent, file.case.given)
+
+
+def compare_case(file: CaseFile, tree: Mapping[str, Any], *, fault: str = "") -> CaseResult:
+    """Compare a case with what was found for it.
+
+    Parameters
+    ----------
+    file : the case
+    tree : of numbers, as its solver returns it
+    fault : why it could not be solved, "" if it was
+    """
+    case = file.case
+    quantities = tuple(_compare(each, tree) for each in case.quantities)
+    inputs = (Input(f"{file.key}.toml", _sha256(file.path)), *_inputs(file, tree))
+    return CaseResult(
+        file.key, case.title, case.theory, case.field, case.source, case.uses, inputs, quantities, fault,
+        case.departures,
+    )  # fmt: skip
+
+
 def _is_foreign(result: CaseResult, own: CaseFile | None) -> bool:
     """Whether a case is not the program's of that key, or has read a file that is not.
 
@@ -109,38 +142,6 @@ def _results(cases: Sequence[CaseFile], jobs: int | None, progress: Progress) ->
         for done, future in enumerate(as_completed([pool.submit(run_case, each) for each in ordered]), 1):
             yield future.result()
             progress("cases", done, len(ordered))
-
-
-def run_case(file: CaseFile) -> CaseResult:
-    """Solve one case and compare it; an error of the program fails the case, and is its fault."""
-    try:
-        tree, fault = solve_case(file), ""
-    except Exception as error:
-        tree, fault = {}, "".join(traceback.format_exception_only(error)).strip()
-    return compare_case(file, tree, fault=fault)
-
-
-def solve_case(file: CaseFile) -> Mapping[str, Any]:
-    """Return the tree of numbers that the program finds for a case."""
-    return SOLVERS[file.case.solver](file.path.parent, file.case.given)
-
-
-def compare_case(file: CaseFile, tree: Mapping[str, Any], *, fault: str = "") -> CaseResult:
-    """Compare a case with what was found for it.
-
-    Parameters
-    ----------
-    file : the case
-    tree : of numbers, as its solver returns it
-    fault : why it could not be solved, "" if it was
-    """
-    case = file.case
-    quantities = tuple(_compare(each, tree) for each in case.quantities)
-    inputs = (Input(f"{file.key}.toml", _sha256(file.path)), *_inputs(file, tree))
-    return CaseResult(
-        file.key, case.title, case.theory, case.field, case.source, case.uses, inputs, quantities, fault,
-        case.departures,
-    )  # fmt: skip
 
 
 def _inputs(file: CaseFile, tree: Mapping[str, Any]) -> Iterable[Input]:

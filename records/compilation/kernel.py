@@ -47,15 +47,6 @@ def code_folder() -> Path | None:
     return None if found is None else found[1]
 
 
-@cache
-def _place() -> tuple[str, Path] | None:
-    """The hash of the sources, taken before most of them are imported, and the folder of that name."""
-    of = sources_key(VERSIONS)
-    user = AppDirs(appname=CACHE_NAME, appauthor=False).user_cache_dir
-    folder = find_folder(of, given=os.environ.get("NUMBA_CACHE_DIR", ""), user=user) if of else None
-    return (of, folder) if of and folder else None
-
-
 class KernelCache(FunctionCache):
     """numba's cache of one function, in a folder of ours."""
 
@@ -92,6 +83,15 @@ class KernelCache(FunctionCache):
 
     def _stem(self) -> str:
         return f"{self._py_func.__module__}.{self._py_func.__qualname__}".replace("<locals>", "in")
+
+
+@cache
+def _place() -> tuple[str, Path] | None:
+    """The hash of the sources, taken before most of them are imported, and the folder of that name."""
+    of = sources_key(VERSIONS)
+    user = AppDirs(appname=CACHE_NAME, appauthor=False).user_cache_dir
+    folder = find_folder(of, given=os.environ.get("NUMBA_CACHE_DIR", ""), user=user) if of else None
+    return (of, folder) if of and folder else None
 
 
 def _read(path: Path) -> bytes | None:

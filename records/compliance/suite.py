@@ -233,6 +233,16 @@ def with_least_factor(one: Requirement, factor: float) -> Requirement:
     return replace(one, factors=(factor, inf), remark=_remark_with(one, factor), factor=_needed(one, factor))
 
 
+def mean_ratio(suite: Suite, periods: tuple[float, float]) -> FloatArray | None:
+    """Return mean spectrum over target at the periods of the range, ends included; None where it is not all covered."""
+    low, high = suite.period_range
+    if not low * (1 - 1e-9) <= periods[0] <= periods[1] <= high * (1 + 1e-9):
+        return None
+    inside = (suite.period > periods[0]) & (suite.period < periods[1])
+    at = np.concatenate([[periods[0]], suite.period[inside], [periods[1]]])
+    return np.asarray(np.interp(np.log(at), np.log(suite.period), suite.mean / suite.target), dtype=np.float64)
+
+
 def _with_largest_factor(one: Requirement, factor: float) -> Requirement:
     """Add the further factor on every record up to which a requirement is met."""
     return replace(one, factors=(0.0, factor), remark=_remark_with(one, factor), factor=_needed(one, factor))
@@ -245,13 +255,3 @@ def _needed(one: Requirement, factor: float) -> float | None:
 def _remark_with(one: Requirement, factor: float) -> str:
     would = f"a further factor of {factor:.4g} on every record would do" if one.verdict == "not met" else ""
     return "; ".join(filter(None, (would, one.remark)))
-
-
-def mean_ratio(suite: Suite, periods: tuple[float, float]) -> FloatArray | None:
-    """Return mean spectrum over target at the periods of the range, ends included; None where it is not all covered."""
-    low, high = suite.period_range
-    if not low * (1 - 1e-9) <= periods[0] <= periods[1] <= high * (1 + 1e-9):
-        return None
-    inside = (suite.period > periods[0]) & (suite.period < periods[1])
-    at = np.concatenate([[periods[0]], suite.period[inside], [periods[1]]])
-    return np.asarray(np.interp(np.log(at), np.log(suite.period), suite.mean / suite.target), dtype=np.float64)

@@ -39,16 +39,6 @@ def report_sections(results: Results) -> list[Section]:
     return _envelope_sections(results, critical_blocks(results))
 
 
-def _envelope_sections(results: Results, first: list[Block]) -> list[Section]:
-    mapped = _mechanisms_with_envelope(results)
-    if not mapped:
-        return []
-    blocks: list[Block] = [*first, Prose((METHOD,))]
-    blocks += nonempty(_bands_table(results)) + nonempty(primary_pulses_table(results.records))
-    head = Section(say("Overturning envelopes"), 0, tuple(blocks), starts_page=True, mark=MARK)
-    return [head, *(_envelope_section(results, mechanism, one) for mechanism, one in mapped)]
-
-
 def critical_blocks(results: Results) -> list[Block]:
     """Return sentence and figure on the critical mechanisms; none where they were not compared."""
     critical = results.critical
@@ -62,6 +52,105 @@ def critical_blocks(results: Results) -> list[Block]:
         Prose((_critical_sentence(results, critical),)),
         Figure("critical", caption, partial(figure.draw_envelope_bounds, results)),
     ]
+
+
+def primary_pulses_table(records: Sequence[RecordResult]) -> Table:
+    """Tabulate the pulses within the records."""
+    columns = (
+        Column(say("Record"), share=0.3),
+        Column(say("Rank")),
+        Column(say("Frequency"), "frequency"),
+        Column(say("Amplitude"), "ground acceleration"),
+        Column(say("Polarity")),
+        Column(say("Start"), "time"),
+        Column(say("Share of energy"), "ratio"),
+    )
+    rows = tuple(
+        (Verbatim(record.id), place, p.frequency_hz, p.amplitude_g, p.polarity, p.start_s, p.energy_share)
+        for record in records
+        for place, p in enumerate(record.primary_pulses, start=1)
+    )
+    caption = say(
+        "Primary pulses of the records as scaled to the site: best match of the pulse to the acceleration (matching "
+        "index after Vassiliou and Makris 2011) and the next local optima; a longer, weaker pulse can be worse."
+    )
+    return Table("primary-pulses", caption, columns, rows, small=True)
+
+
+def describe_envelope(one: EnvelopeResult) -> Text:
+    """Describe an envelope in a sentence or two."""
+    most = quantity(one.amplitude_g[-1], "ground acceleration", 3)
+    known = [(bound, f) for bound, f in zip(one.lower_bound_g, one.frequency_hz, strict=True) if bound is not None]
+    if not known:
+        return say("No pulse up to {most} overturns it at any of the frequencies.", most=most)
+    least, at = min(known)
+    sentences: list[Text] = [
+        say(
+            "The weakest pulse that overturns it has {least}, at {frequency}.",
+            least=quantity(least, "ground acceleration", 3),
+            frequency=quantity(at, "frequency", 3),
+        )
+    ]
+    none = len(one.lower_bound_g) - len(known)
+    if none:
+        sentences.append(
+            say_count(
+                "At {number} of {all} frequencies no pulse up to {most} does.",
+                "At {number} of {all} frequencies no pulse up to {most} does.",
+                none,
+                all=quantity(len(one.lower_bound_g), figures=9),
+                most=most,
+            )
+        )
+    if any(one.islands):
+        sentences.append(say("There are safe islands: some stronger pulses do not overturn it."))
+    if one.case:
+        sentences.append(
+            say(
+                "The envelope is that of the controlling case, {case}; another case can need less.",
+                case=Verbatim(one.case),
+            )
+        )
+    return Paragraph((*sentences, *_amplification(one)))
+
+
+def data_tables(results: Results) -> list[Table]:
+    """Tabulate every bound at every frequency, for the spreadsheet and the CSV files."""
+    mapped = _mechanisms_with_envelope(results)
+    columns = (
+        MECHANISM,
+        Column(say("Frequency"), "frequency"),
+        Column(say("Least pulse"), "ground acceleration"),
+        Column(say("Polarity")),
+        Column(say("Uplift"), "ground acceleration"),
+        Column(say("Amplification"), "ratio"),
+        Column(Verbatim("ω/p"), "ratio"),
+        Column(Verbatim("a/(gλ)"), "ratio"),
+        Column(say("Critical")),
+    )
+    critical = results.critical.mechanism if results.critical is not None else ()
+    rows: tuple[tuple[Cell, ...], ...] = tuple(
+        (numbered_title(results, mechanism.name), f, bound, sign, up, factor, omega, ratio, name == mechanism.name)
+        for mechanism, one in mapped
+        for f, bound, sign, up, factor, omega, ratio, name in zip(
+            one.frequency_hz, one.lower_bound_g, one.polarity, one.uplift_g, one.factor, one.omega,
+            one.lower_bound_ratio, critical, strict=True,
+        )
+    )  # fmt: skip
+    caption = say(
+        "Least pulse that overturns each mechanism at each frequency; a/(gλ) over ω/p is the dimensionless plot."
+    )
+    return [Table("envelopes", caption, columns, rows)] if rows else []
+
+
+def _envelope_sections(results: Results, first: list[Block]) -> list[Section]:
+    mapped = _mechanisms_with_envelope(results)
+    if not mapped:
+        return []
+    blocks: list[Block] = [*first, Prose((METHOD,))]
+    blocks += nonempty(_bands_table(results)) + nonempty(primary_pulses_table(results.records))
+    head = Section(say("Overturning envelopes"), 0, tuple(blocks), starts_page=True, mark=MARK)
+    return [head, *(_envelope_section(results, mechanism, one) for mechanism, one in mapped)]
 
 
 def _critical_sentence(results: Results, critical: CriticalResult) -> Text:
@@ -106,29 +195,6 @@ def _critical_mechanism(results: Results, mechanism: str | None) -> Text:
     return say("none overturns") if mechanism is None else numbered_title(results, mechanism)
 
 
-def primary_pulses_table(records: Sequence[RecordResult]) -> Table:
-    """Tabulate the pulses within the records."""
-    columns = (
-        Column(say("Record"), share=0.3),
-        Column(say("Rank")),
-        Column(say("Frequency"), "frequency"),
-        Column(say("Amplitude"), "ground acceleration"),
-        Column(say("Polarity")),
-        Column(say("Start"), "time"),
-        Column(say("Share of energy"), "ratio"),
-    )
-    rows = tuple(
-        (Verbatim(record.id), place, p.frequency_hz, p.amplitude_g, p.polarity, p.start_s, p.energy_share)
-        for record in records
-        for place, p in enumerate(record.primary_pulses, start=1)
-    )
-    caption = say(
-        "Primary pulses of the records as scaled to the site: best match of the pulse to the acceleration (matching "
-        "index after Vassiliou and Makris 2011) and the next local optima; a longer, weaker pulse can be worse."
-    )
-    return Table("primary-pulses", caption, columns, rows, small=True)
-
-
 def _envelope_section(results: Results, mechanism: MechanismResult, one: EnvelopeResult) -> Section:
     """Return the part on the envelope of one mechanism."""
     place = next(place for place, each in enumerate(results.mechanisms, start=1) if each is mechanism)
@@ -145,43 +211,6 @@ def _envelope_section(results: Results, mechanism: MechanismResult, one: Envelop
         Figure(f"{file_stem(mechanism.name, place)}-envelope", caption, draw),
     )
     return Section(Verbatim(mechanism_title(mechanism)), 1, blocks, mark=mechanism_number(results, mechanism.name))
-
-
-def describe_envelope(one: EnvelopeResult) -> Text:
-    """Describe an envelope in a sentence or two."""
-    most = quantity(one.amplitude_g[-1], "ground acceleration", 3)
-    known = [(bound, f) for bound, f in zip(one.lower_bound_g, one.frequency_hz, strict=True) if bound is not None]
-    if not known:
-        return say("No pulse up to {most} overturns it at any of the frequencies.", most=most)
-    least, at = min(known)
-    sentences: list[Text] = [
-        say(
-            "The weakest pulse that overturns it has {least}, at {frequency}.",
-            least=quantity(least, "ground acceleration", 3),
-            frequency=quantity(at, "frequency", 3),
-        )
-    ]
-    none = len(one.lower_bound_g) - len(known)
-    if none:
-        sentences.append(
-            say_count(
-                "At {number} of {all} frequencies no pulse up to {most} does.",
-                "At {number} of {all} frequencies no pulse up to {most} does.",
-                none,
-                all=quantity(len(one.lower_bound_g), figures=9),
-                most=most,
-            )
-        )
-    if any(one.islands):
-        sentences.append(say("There are safe islands: some stronger pulses do not overturn it."))
-    if one.case:
-        sentences.append(
-            say(
-                "The envelope is that of the controlling case, {case}; another case can need less.",
-                case=Verbatim(one.case),
-            )
-        )
-    return Paragraph((*sentences, *_amplification(one)))
 
 
 def _amplification(one: EnvelopeResult) -> tuple[Text, ...]:
@@ -203,32 +232,3 @@ def _amplification(one: EnvelopeResult) -> tuple[Text, ...]:
 def _mechanisms_with_envelope(results: Results) -> list[tuple[MechanismResult, EnvelopeResult]]:
     """Return the mechanisms that have an envelope, each with it."""
     return [(mechanism, mechanism.envelope) for mechanism in results.mechanisms if mechanism.envelope is not None]
-
-
-def data_tables(results: Results) -> list[Table]:
-    """Tabulate every bound at every frequency, for the spreadsheet and the CSV files."""
-    mapped = _mechanisms_with_envelope(results)
-    columns = (
-        MECHANISM,
-        Column(say("Frequency"), "frequency"),
-        Column(say("Least pulse"), "ground acceleration"),
-        Column(say("Polarity")),
-        Column(say("Uplift"), "ground acceleration"),
-        Column(say("Amplification"), "ratio"),
-        Column(Verbatim("ω/p"), "ratio"),
-        Column(Verbatim("a/(gλ)"), "ratio"),
-        Column(say("Critical")),
-    )
-    critical = results.critical.mechanism if results.critical is not None else ()
-    rows: tuple[tuple[Cell, ...], ...] = tuple(
-        (numbered_title(results, mechanism.name), f, bound, sign, up, factor, omega, ratio, name == mechanism.name)
-        for mechanism, one in mapped
-        for f, bound, sign, up, factor, omega, ratio, name in zip(
-            one.frequency_hz, one.lower_bound_g, one.polarity, one.uplift_g, one.factor, one.omega,
-            one.lower_bound_ratio, critical, strict=True,
-        )
-    )  # fmt: skip
-    caption = say(
-        "Least pulse that overturns each mechanism at each frequency; a/(gλ) over ω/p is the dimensionless plot."
-    )
-    return [Table("envelopes", caption, columns, rows)] if rows else []

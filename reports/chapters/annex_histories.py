@@ -34,6 +34,70 @@ def sections(results: Results) -> list[Section]:
     return [Section(say("Time histories"), 0, blocks, starts_page=True, mark=MARK), *shown]
 
 
+SUITE_FIELDS: tuple[Field[SuiteResult], ...] = (
+    (LEVEL, lambda suite: suite.level_pga_g),
+    (Column(say("Records")), lambda suite: suite.n),
+    (Column(say("Overturned")), lambda suite: suite.overturned),
+    (Column(say("Mean φ/φₒᵥ"), "ratio"), lambda suite: _statistic_cell(suite, suite.mean_ratio)),
+    (Column(say("Median"), "ratio"), lambda suite: _statistic_cell(suite, suite.median_ratio)),
+    (Column(say("84 % of records"), "ratio"), lambda suite: _statistic_cell(suite, suite.p84_ratio)),
+    (
+        Column(say("Largest without overturning"), "ratio"),
+        lambda suite: standing_cell(suite.max_ratio, suite.figures, 4),
+    ),
+)
+
+
+def suites_table(mechanism: MechanismResult, *, name: str) -> Table:
+    """Tabulate the statistics of the suite of records at each level."""
+    caption = say(
+        "The suite of records at each level. Half of the records do not exceed the median, and 84 % do not exceed the "
+        "next column; a record that overturns counts as the largest."
+    )
+    return tabulate(name, caption, SUITE_FIELDS, mechanism.suites, small=True)
+
+
+def _figures_of(history: HistoryResult) -> int:
+    """Return to how many figures, one at least, the largest rotation of a history stands in its nine runs."""
+    if history.max_rotation_ratio is None or not history.twin_ratios:
+        return FIGURES
+    return max(1, standing_figures(history.max_rotation_ratio, history.twin_ratios))
+
+
+def _impacts(history: HistoryResult) -> int | None:
+    """Return the number of impacts; None where the nine runs do not agree on it."""
+    return history.impacts if len(set(history.twin_impacts)) < 2 else None
+
+
+HISTORY_FIELDS: tuple[Field[HistoryResult], ...] = (
+    (Column(say("Record"), share=0.2), lambda history: Verbatim(history.record)),
+    (LEVEL, lambda history: history.level_pga_g),
+    (Column(say("Polarity")), lambda history: history.polarity),
+    (Column(say("Scale factor"), "ratio"), lambda history: history.scale_factor),
+    (Column(say("Amplification"), "ratio"), lambda history: history.amplification),
+    (
+        Column(say("Largest φ"), "rotation"),
+        lambda history: _maximum_cell(history, history.max_rotation_rad, "rotation"),
+    ),
+    (
+        Column(say("Largest φ/φₒᵥ"), "ratio"),
+        lambda history: _maximum_cell(history, history.max_rotation_ratio, "ratio"),
+    ),
+    (Column(say("At"), "time"), lambda history: _time_cell(history, history.time_of_max_s)),
+    (Column(say("Impacts")), lambda history: _impacts(history)),
+    (Column(say("Overturns in")), lambda history: _overturning_cell(history)),
+)
+
+
+def histories_table(mechanism: MechanismResult, *, name: str) -> Table:
+    """Tabulate the largest response to each record at each level."""
+    caption = say(
+        "The largest response to each record, in the worse polarity, to the digits that stand in its runs. The last "
+        "column says in how many of them the mechanism overturns, or when it does if in all."
+    )
+    return tabulate(name, caption, HISTORY_FIELDS, mechanism.histories, small=True)
+
+
 def _numerical_spread(results: Results) -> list[Text]:
     """Return what the runs of each record are for, and what they are not; nothing where records were run alone."""
     if not any(history.twin_ratios for mechanism in results.mechanisms for history in mechanism.histories):
@@ -102,29 +166,6 @@ def _factors(mechanism: MechanismResult) -> list[Text]:
     ]
 
 
-SUITE_FIELDS: tuple[Field[SuiteResult], ...] = (
-    (LEVEL, lambda suite: suite.level_pga_g),
-    (Column(say("Records")), lambda suite: suite.n),
-    (Column(say("Overturned")), lambda suite: suite.overturned),
-    (Column(say("Mean φ/φₒᵥ"), "ratio"), lambda suite: _statistic_cell(suite, suite.mean_ratio)),
-    (Column(say("Median"), "ratio"), lambda suite: _statistic_cell(suite, suite.median_ratio)),
-    (Column(say("84 % of records"), "ratio"), lambda suite: _statistic_cell(suite, suite.p84_ratio)),
-    (
-        Column(say("Largest without overturning"), "ratio"),
-        lambda suite: standing_cell(suite.max_ratio, suite.figures, 4),
-    ),
-)
-
-
-def suites_table(mechanism: MechanismResult, *, name: str) -> Table:
-    """Tabulate the statistics of the suite of records at each level."""
-    caption = say(
-        "The suite of records at each level. Half of the records do not exceed the median, and 84 % do not exceed the "
-        "next column; a record that overturns counts as the largest."
-    )
-    return tabulate(name, caption, SUITE_FIELDS, mechanism.suites, small=True)
-
-
 def _statistic_cell(suite: SuiteResult, ratio: float | None) -> Cell:
     if ratio is None and suite.overturned:
         return OVERTURNED
@@ -170,18 +211,6 @@ def _end(one: HistoryResult) -> Text:
     return say("largest φ/φₒᵥ {ratio}", ratio=quantity(abs(one.max_rotation_ratio or 0.0), figures=_figures_of(one)))
 
 
-def _figures_of(history: HistoryResult) -> int:
-    """Return to how many figures, one at least, the largest rotation of a history stands in its nine runs."""
-    if history.max_rotation_ratio is None or not history.twin_ratios:
-        return FIGURES
-    return max(1, standing_figures(history.max_rotation_ratio, history.twin_ratios))
-
-
-def _impacts(history: HistoryResult) -> int | None:
-    """Return the number of impacts; None where the nine runs do not agree on it."""
-    return history.impacts if len(set(history.twin_impacts)) < 2 else None
-
-
 def _moves(history: HistoryResult) -> bool:
     return history.overturned or history.max_rotation_rad != 0.0
 
@@ -207,35 +236,6 @@ def _responses(mechanism: MechanismResult, stem: str) -> list[Block]:
             )
         )
     return blocks
-
-
-HISTORY_FIELDS: tuple[Field[HistoryResult], ...] = (
-    (Column(say("Record"), share=0.2), lambda history: Verbatim(history.record)),
-    (LEVEL, lambda history: history.level_pga_g),
-    (Column(say("Polarity")), lambda history: history.polarity),
-    (Column(say("Scale factor"), "ratio"), lambda history: history.scale_factor),
-    (Column(say("Amplification"), "ratio"), lambda history: history.amplification),
-    (
-        Column(say("Largest φ"), "rotation"),
-        lambda history: _maximum_cell(history, history.max_rotation_rad, "rotation"),
-    ),
-    (
-        Column(say("Largest φ/φₒᵥ"), "ratio"),
-        lambda history: _maximum_cell(history, history.max_rotation_ratio, "ratio"),
-    ),
-    (Column(say("At"), "time"), lambda history: _time_cell(history, history.time_of_max_s)),
-    (Column(say("Impacts")), lambda history: _impacts(history)),
-    (Column(say("Overturns in")), lambda history: _overturning_cell(history)),
-)
-
-
-def histories_table(mechanism: MechanismResult, *, name: str) -> Table:
-    """Tabulate the largest response to each record at each level."""
-    caption = say(
-        "The largest response to each record, in the worse polarity, to the digits that stand in its runs. The last "
-        "column says in how many of them the mechanism overturns, or when it does if in all."
-    )
-    return tabulate(name, caption, HISTORY_FIELDS, mechanism.histories, small=True)
 
 
 def _maximum_cell(history: HistoryResult, value: float | None, dimension: str) -> Cell:

@@ -10,7 +10,6 @@ from reports.project_values import project_values
 MARK = "E"
 LEFT_OUT = ("report.", "notes", "title")
 
-
 GIVEN, DEFAULT = say("given"), say("default")
 
 
@@ -31,15 +30,23 @@ def files_table(results: Results) -> Table:
     return Table("inputs", say("Files read, with their SHA-256."), columns, rows, small=True)
 
 
+def values_table(results: Results) -> Table:
+    """Tabulate every value of the project as it was used."""
+    return _table_of_values(results.project, "values")
+
+
+def messages_table(results: Results) -> Table:
+    """Tabulate the warnings and notes of the run."""
+    severities = {"error": say("error"), "warning": say("warning"), "note": say("note")}
+    rows = tuple((severities[each.severity.value], Verbatim(each.where), each) for each in results.warnings)
+    columns = (Column(say("Severity"), share=0.1), Column(say("Where"), share=0.22), Column(say("Message")))
+    return Table("warnings", say("Warnings and notes of this run."), columns, rows, small=True)
+
+
 def _values_in_use_table(results: Results) -> Table:
     """Tabulate the values that were given, and the defaults that are in use."""
     project = {key: each for key, each in results.project.items() if _in_use(key, each)}
     return _table_of_values(project, "values-set")
-
-
-def values_table(results: Results) -> Table:
-    """Tabulate every value of the project as it was used."""
-    return _table_of_values(results.project, "values")
 
 
 def _in_use(key: str, each: ResolvedValue) -> bool:
@@ -56,11 +63,3 @@ def _table_of_values(project: dict[str, ResolvedValue], name: str) -> Table:
     muted = frozenset(place for place, row in enumerate(rows) if row[-1] is DEFAULT)
     caption = say("Every value of the project file as it was used. Defaults of the program are grey.")
     return Table(name, caption, columns, rows, muted, small=True)
-
-
-def messages_table(results: Results) -> Table:
-    """Tabulate the warnings and notes of the run."""
-    severities = {"error": say("error"), "warning": say("warning"), "note": say("note")}
-    rows = tuple((severities[each.severity.value], Verbatim(each.where), each) for each in results.warnings)
-    columns = (Column(say("Severity"), share=0.1), Column(say("Where"), share=0.22), Column(say("Message")))
-    return Table("warnings", say("Warnings and notes of this run."), columns, rows, small=True)

@@ -46,70 +46,6 @@ def sections(results: Results) -> list[Section]:
     return [head, *parts]
 
 
-def _sheets_section(results: Results, mechanism: MechanismResult, place: int) -> Section:
-    stem = file_stem(mechanism.name, place)
-    blocks: list[Block] = [
-        *_view(mechanism, stem),
-        parameters_table(mechanism, name=f"{stem}-parameters"),
-        *nonempty(loads_table(mechanism, name=f"{stem}-loads")),
-        *joint_blocks(mechanism, stem),
-        *nonempty(hinge_forces_table(mechanism, name=f"{stem}-hinge-forces")),
-        *_check_sheets(results, mechanism, stem),
-    ]
-    return Section(
-        Verbatim(mechanism_title(mechanism)), 1, tuple(blocks), mark=mechanism_number(results, mechanism.name)
-    )
-
-
-def _view(mechanism: MechanismResult, stem: str) -> list[Figure]:
-    """Return the bodies of a mechanism in space, which a reader can turn; none without geometry."""
-    bodies = mechanism.view
-    if bodies is None:
-        return []
-    positive = len(mechanism.drawing.displaced.hinges)
-    caption = say(
-        "The bodies in space, cracks dashed; axes of rotation of the positive side red, of the negative side blue and "
-        "dashed; the arrow is the direction of motion."
-    )
-    return [
-        Figure(
-            f"{stem}-view",
-            caption,
-            partial(sketch.draw_view, bodies, positive),
-            model_of_view(bodies, positive=positive),
-        )
-    ]
-
-
-def _check_sheets(results: Results, mechanism: MechanismResult, stem: str) -> list[Sheet]:
-    checks = governing.worst_per_procedure(governing.checks_at_site(results, mechanism))
-    shown = [check for check in checks if check.steps and _may_decide(results, check)]
-    return [_check_sheet(check, mechanism, f"{stem}-sheet-{place:02d}") for place, check in enumerate(shown, start=1)]
-
-
-def _may_decide(results: Results, check: Check) -> bool:
-    """Return whether a check decides or its method is accepted; without a basis, whether it follows a code's letter."""
-    accepted = () if results.verdict is None else results.verdict.methods
-    return check.role == "deciding" or check.procedure in accepted or (not accepted and check.reading == "letter")
-
-
-def _check_sheet(check: Check, mechanism: MechanismResult, name: str) -> Sheet:
-    caption = say(
-        "{method} ({edition}), {branch} branch, at PGA {pga}: {outcome}.",
-        method=check_title(check, mechanism.checks),
-        edition=Term(check.edition),
-        branch=BRANCHES[check.branch],
-        pga=quantity(check.level_pga_g, "ground acceleration"),
-        outcome=_outcome(check),
-    )
-    return Sheet(name, caption, check.steps)
-
-
-def _outcome(check: Check) -> Text:
-    outcome = OUTCOMES[check.verdict.value]
-    return say("{outcome}, deciding", outcome=outcome) if check.role == "deciding" else outcome
-
-
 LIFTS, NOT_GIVEN, ROCKS_FIRST = say("lifts"), say("not given"), say("rocks first")
 
 PARAMETERS: tuple[tuple[str, Phrase, str, str], ...] = (
@@ -155,16 +91,6 @@ def parameters_table(mechanism: MechanismResult, *, name: str) -> Table:
     return Table(name, caption, columns, rows, small=True)
 
 
-def _parameter_cell(branch: OscillatorResult | None, key: str, dimension: str) -> Cell:
-    """Return a parameter of a branch with its unit; "none" where joints have no threshold of uplift."""
-    if branch is None:
-        return None
-    value: float | None = attrgetter(key)(branch)
-    if value is None:
-        return NONE if key == "uplift_multiplier" else None
-    return Quantity(value, dimension)
-
-
 LOAD_FIELDS: tuple[Field[LoadResult], ...] = (
     (Column(say("Load"), share=0.22), lambda load: Verbatim(load.name)),
     (Column(say("x"), "length"), lambda load: round(load.at[0], 9) + 0.0),
@@ -184,6 +110,16 @@ def loads_table(mechanism: MechanismResult, *, name: str) -> Table:
         "non-bearing mass is carried elsewhere: only its horizontal inertia acts on the block."
     )
     return tabulate(name, caption, LOAD_FIELDS, mechanism.loads, small=True)
+
+
+def _parameter_cell(branch: OscillatorResult | None, key: str, dimension: str) -> Cell:
+    """Return a parameter of a branch with its unit; "none" where joints have no threshold of uplift."""
+    if branch is None:
+        return None
+    value: float | None = attrgetter(key)(branch)
+    if value is None:
+        return NONE if key == "uplift_multiplier" else None
+    return Quantity(value, dimension)
 
 
 HINGE_FIELDS: tuple[Field[HingeForceResult], ...] = (
@@ -214,19 +150,6 @@ def hinge_forces_table(mechanism: MechanismResult, *, name: str) -> Table:
         "before it rocks where |T| / N exceeds the friction of the joint."
     )
     return tabulate(name, caption, HINGE_FIELDS, mechanism.hinge_forces, small=True)
-
-
-def _sliding_cell(forces: HingeForceResult) -> Cell:
-    """Return the acceleration that slides the hinge; None where its friction is not known."""
-    if forces.friction is None:
-        return None
-    return ROCKS_FIRST if forces.sliding_g is None else forces.sliding_g
-
-
-def _hinge_remark(forces: HingeForceResult) -> Cell:
-    if forces.held:
-        return say("held at the top, by friction or an anchorage")
-    return None if forces.face_found else say("faces taken as level")
 
 
 RIGID, UNLIMITED, NEVER = say("rigid"), say("unlimited"), say("never")
@@ -305,17 +228,6 @@ def joints_table(mechanism: MechanismResult, *, name: str) -> Table:
     return tabulate(name, caption, JOINT_FIELDS, mechanism.interfaces, small=True)
 
 
-def _if_deformable(joint: JointValues, key: str, otherwise: Cell) -> Cell:
-    """Return a value of a joint that opens or crushes; `otherwise` where it is rigid or has none."""
-    value: float | None = None if joint["curve"] is None else joint[key]
-    return otherwise if value is None else value
-
-
-def _opening_cell(joint: JointValues) -> Cell:
-    value: float | None = joint["opening_rad"]
-    return NEVER if value is None and joint["curve"] is not None else value
-
-
 def joints_at_peak(mechanism: MechanismResult) -> Text:
     """Describe what the joints carry at the largest rotation of the governing record."""
     found = governing.governing_history(mechanism)
@@ -343,6 +255,94 @@ def joints_at_peak(mechanism: MechanismResult) -> Text:
         branch=BRANCHES[one.branch],
         joints=Listing(pressed),
     )
+
+
+def _sheets_section(results: Results, mechanism: MechanismResult, place: int) -> Section:
+    stem = file_stem(mechanism.name, place)
+    blocks: list[Block] = [
+        *_view(mechanism, stem),
+        parameters_table(mechanism, name=f"{stem}-parameters"),
+        *nonempty(loads_table(mechanism, name=f"{stem}-loads")),
+        *joint_blocks(mechanism, stem),
+        *nonempty(hinge_forces_table(mechanism, name=f"{stem}-hinge-forces")),
+        *_check_sheets(results, mechanism, stem),
+    ]
+    return Section(
+        Verbatim(mechanism_title(mechanism)), 1, tuple(blocks), mark=mechanism_number(results, mechanism.name)
+    )
+
+
+def _view(mechanism: MechanismResult, stem: str) -> list[Figure]:
+    """Return the bodies of a mechanism in space, which a reader can turn; none without geometry."""
+    bodies = mechanism.view
+    if bodies is None:
+        return []
+    positive = len(mechanism.drawing.displaced.hinges)
+    caption = say(
+        "The bodies in space, cracks dashed; axes of rotation of the positive side red, of the negative side blue and "
+        "dashed; the arrow is the direction of motion."
+    )
+    return [
+        Figure(
+            f"{stem}-view",
+            caption,
+            partial(sketch.draw_view, bodies, positive),
+            model_of_view(bodies, positive=positive),
+        )
+    ]
+
+
+def _check_sheets(results: Results, mechanism: MechanismResult, stem: str) -> list[Sheet]:
+    checks = governing.worst_per_procedure(governing.checks_at_site(results, mechanism))
+    shown = [check for check in checks if check.steps and _may_decide(results, check)]
+    return [_check_sheet(check, mechanism, f"{stem}-sheet-{place:02d}") for place, check in enumerate(shown, start=1)]
+
+
+def _may_decide(results: Results, check: Check) -> bool:
+    """Return whether a check decides or its method is accepted; without a basis, whether it follows a code's letter."""
+    accepted = () if results.verdict is None else results.verdict.methods
+    return check.role == "deciding" or check.procedure in accepted or (not accepted and check.reading == "letter")
+
+
+def _check_sheet(check: Check, mechanism: MechanismResult, name: str) -> Sheet:
+    caption = say(
+        "{method} ({edition}), {branch} branch, at PGA {pga}: {outcome}.",
+        method=check_title(check, mechanism.checks),
+        edition=Term(check.edition),
+        branch=BRANCHES[check.branch],
+        pga=quantity(check.level_pga_g, "ground acceleration"),
+        outcome=_outcome(check),
+    )
+    return Sheet(name, caption, check.steps)
+
+
+def _outcome(check: Check) -> Text:
+    outcome = OUTCOMES[check.verdict.value]
+    return say("{outcome}, deciding", outcome=outcome) if check.role == "deciding" else outcome
+
+
+def _sliding_cell(forces: HingeForceResult) -> Cell:
+    """Return the acceleration that slides the hinge; None where its friction is not known."""
+    if forces.friction is None:
+        return None
+    return ROCKS_FIRST if forces.sliding_g is None else forces.sliding_g
+
+
+def _hinge_remark(forces: HingeForceResult) -> Cell:
+    if forces.held:
+        return say("held at the top, by friction or an anchorage")
+    return None if forces.face_found else say("faces taken as level")
+
+
+def _if_deformable(joint: JointValues, key: str, otherwise: Cell) -> Cell:
+    """Return a value of a joint that opens or crushes; `otherwise` where it is rigid or has none."""
+    value: float | None = None if joint["curve"] is None else joint[key]
+    return otherwise if value is None else value
+
+
+def _opening_cell(joint: JointValues) -> Cell:
+    value: float | None = joint["opening_rad"]
+    return NEVER if value is None and joint["curve"] is not None else value
 
 
 def _joint_at_peak(interface: JointValues, rotation: float) -> Phrase:

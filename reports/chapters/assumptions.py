@@ -74,19 +74,6 @@ def sections(results: Results) -> list[Section]:
     return [Section(say("Assumptions"), 0, rest)]
 
 
-def _restitution(results: Results) -> list[Block]:
-    """Return where coefficients of restitution come from that the project does not give."""
-    computed = [each.name for each in results.mechanisms if each.restitution_source not in ("", "given")]
-    if not computed:
-        return []
-    words = say(
-        "The coefficients of restitution of {mechanisms} are not given by the project; the page of each mechanism "
-        "states the one used and its source.",
-        mechanisms=mechanism_list(results, computed),
-    )
-    return [Prose((words,))]
-
-
 def assumptions_table(results: Results) -> Table:
     """Tabulate the values that the user assumed, then the defaults of the program on which results depend."""
     columns = (
@@ -99,6 +86,70 @@ def assumptions_table(results: Results) -> Table:
     caption = say("What is assumed: by the engineer, and, in grey, by default of the program.")
     muted = frozenset(range(len(own), len(own) + len(defaults)))
     return Table("assumed", caption, columns, (*own, *defaults), muted, small=True)
+
+
+def value_source(results: Results, key: str, value: ResolvedValue) -> ValueSource:
+    """Return the source of a value: of the longest key of the sources that its own key begins with."""
+    stated = [start for start in _source_lines(results) if key == start or key.startswith(f"{start}.")]
+    if stated and value.given:
+        return _parse_source(str(_source_lines(results)[max(stated, key=len)]))
+    return ValueSource("" if value.given else DEFAULT)
+
+
+def stated_source(line: str) -> Text:
+    """Return a line of [report.sources] as a text: its kind in the language, and the words of the user."""
+    source = _parse_source(line)
+    kind = KINDS.get(source.kind, Verbatim(source.kind))
+    return say("{kind}: {words}", kind=kind, words=Verbatim(source.words)) if source.words else kind
+
+
+def materials_table(results: Results) -> Table:
+    """Tabulate the materials with the properties that some of them has."""
+    found: dict[str, dict[str, Cell]] = {}
+    for key, value in results.project.items():
+        table, _, rest = key.partition(".")
+        name, _, last = rest.rpartition(".")
+        if table == "materials" and last in dict(PROPERTIES):
+            cells = [entry.cell for entry in project_values(key, value)]
+            found.setdefault(name, {})[last] = cells[0] if len(cells) == 1 else None
+    kept = [(key, title) for key, title in PROPERTIES if any(cells.get(key) is not None for cells in found.values())]
+    rows = tuple(
+        (Verbatim(name), *(_cell_in_words(cells.get(key)) for key, _ in kept)) for name, cells in found.items()
+    )
+    columns = (Column(say("Material")), *(Column(title) for _, title in kept))
+    return Table("materials", say("Materials."), columns, rows if kept else ())
+
+
+def sources_table(results: Results) -> Table:
+    """Tabulate the sources that the project states, but for assumed values."""
+    found: dict[str, tuple[Text, Text, str, list[str]]] = {}
+    for title, kind, words, owner in _stated_sources(results):
+        row = found.setdefault(repr((title, kind, words)), (title, kind, words, []))
+        row[-1].extend([owner] if owner else [])
+    rows = tuple(
+        (title, kind, Verbatim(words) if words else None, mechanism_list(results, owners) if owners else None)
+        for title, kind, words, owners in found.values()
+    )
+    columns = (
+        Column(say("Value"), share=0.32),
+        Column(say("Kind of source"), share=0.14),
+        Column(say("Source")),
+        Column(say("For"), share=0.16),
+    )
+    return Table("sources", say("Sources of the values that are not assumed."), columns, rows, small=True)
+
+
+def _restitution(results: Results) -> list[Block]:
+    """Return where coefficients of restitution come from that the project does not give."""
+    computed = [each.name for each in results.mechanisms if each.restitution_source not in ("", "given")]
+    if not computed:
+        return []
+    words = say(
+        "The coefficients of restitution of {mechanisms} are not given by the project; the page of each mechanism "
+        "states the one used and its source.",
+        mechanisms=mechanism_list(results, computed),
+    )
+    return [Prose((words,))]
 
 
 def _assumed_rows(results: Results, kind: str) -> Iterator[tuple[Cell, ...]]:
@@ -164,24 +215,9 @@ def _source_text(kind: str, words: str) -> Text:
     return say("assumed: {words}", words=Verbatim(words)) if words else say("assumed")
 
 
-def value_source(results: Results, key: str, value: ResolvedValue) -> ValueSource:
-    """Return the source of a value: of the longest key of the sources that its own key begins with."""
-    stated = [start for start in _source_lines(results) if key == start or key.startswith(f"{start}.")]
-    if stated and value.given:
-        return _parse_source(str(_source_lines(results)[max(stated, key=len)]))
-    return ValueSource("" if value.given else DEFAULT)
-
-
 def _parse_source(line: str) -> ValueSource:
     kind, _, words = line.partition(":")
     return ValueSource(kind.strip(), words.strip())
-
-
-def stated_source(line: str) -> Text:
-    """Return a line of [report.sources] as a text: its kind in the language, and the words of the user."""
-    source = _parse_source(line)
-    kind = KINDS.get(source.kind, Verbatim(source.kind))
-    return say("{kind}: {words}", kind=kind, words=Verbatim(source.words)) if source.words else kind
 
 
 def _source_lines(results: Results) -> dict[str, str]:
@@ -191,46 +227,10 @@ def _source_lines(results: Results) -> dict[str, str]:
     }
 
 
-def materials_table(results: Results) -> Table:
-    """Tabulate the materials with the properties that some of them has."""
-    found: dict[str, dict[str, Cell]] = {}
-    for key, value in results.project.items():
-        table, _, rest = key.partition(".")
-        name, _, last = rest.rpartition(".")
-        if table == "materials" and last in dict(PROPERTIES):
-            cells = [entry.cell for entry in project_values(key, value)]
-            found.setdefault(name, {})[last] = cells[0] if len(cells) == 1 else None
-    kept = [(key, title) for key, title in PROPERTIES if any(cells.get(key) is not None for cells in found.values())]
-    rows = tuple(
-        (Verbatim(name), *(_cell_in_words(cells.get(key)) for key, _ in kept)) for name, cells in found.items()
-    )
-    columns = (Column(say("Material")), *(Column(title) for _, title in kept))
-    return Table("materials", say("Materials."), columns, rows if kept else ())
-
-
 def _masonry(results: Results) -> list[Block]:
     """Return what the engineer writes of the quality of the masonry, which decides whether it moves as rigid bodies."""
     words = project_text(results, "masonry_quality").strip()
     return [Prose((say("Quality of the masonry: {words}", words=Verbatim(words)),))] if words else []
-
-
-def sources_table(results: Results) -> Table:
-    """Tabulate the sources that the project states, but for assumed values."""
-    found: dict[str, tuple[Text, Text, str, list[str]]] = {}
-    for title, kind, words, owner in _stated_sources(results):
-        row = found.setdefault(repr((title, kind, words)), (title, kind, words, []))
-        row[-1].extend([owner] if owner else [])
-    rows = tuple(
-        (title, kind, Verbatim(words) if words else None, mechanism_list(results, owners) if owners else None)
-        for title, kind, words, owners in found.values()
-    )
-    columns = (
-        Column(say("Value"), share=0.32),
-        Column(say("Kind of source"), share=0.14),
-        Column(say("Source")),
-        Column(say("For"), share=0.16),
-    )
-    return Table("sources", say("Sources of the values that are not assumed."), columns, rows, small=True)
 
 
 def _stated_sources(results: Results) -> Iterator[tuple[Text, Text, str, str]]:

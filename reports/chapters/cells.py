@@ -43,9 +43,7 @@ MECHANISM, LEVEL = Column(say("Mechanism")), Column(say("PGA"), "ground accelera
 METHOD, LIMIT_STATE, OUTCOME = Column(say("Method")), Column(say("Limit state")), Column(say("Outcome"))
 FIGURES = 3
 
-
 PROCEDURE = Column(say("Procedure"))
-
 
 RATIO = Column(say("D/C"), "ratio", FIGURES)
 CAPACITY_PGA = Column(say("PGA at capacity"), "ground acceleration", FIGURES)
@@ -56,19 +54,6 @@ def outcome_cell(check: Check, answers: Sequence[Answer] = ()) -> OutcomeCell:
     outcome = _decided_outcome(check, answers)
     colour = _COLOURS.get(outcome, "incomplete") if check.role == "deciding" else "comparison"
     return OutcomeCell(colour, OUTCOMES[outcome])
-
-
-def _decided_outcome(check: Check, answers: Sequence[Answer]) -> str:
-    """Return the outcome of the answer that a check decides, as the target may be less than full safety; else its own.
-
-    Parameters
-    ----------
-    check : of a mechanism
-    answers : of the verdict of this mechanism
-    """
-    own = [each for each in answers if each.procedure == check.procedure]
-    outcomes = {each.outcome for each in own if each.limit_state == check.limit_state} or {each.outcome for each in own}
-    return outcomes.pop().value if check.role == "deciding" and len(outcomes) == 1 else check.verdict.value
 
 
 def unbounded_text(check: Check) -> Phrase | None:
@@ -114,13 +99,6 @@ def capacity_pga_cell(check: Check) -> Cell:
     if check.capacity_pga_g is None or low is None or low <= check.capacity_pga_g:
         return check.capacity_pga_g
     return _pga_interval(check.capacity_pga_g, low, limit=check.level_pga_g)
-
-
-def _pga_interval(low: float, high: float, *, limit: float) -> Text:
-    """Return two PGA [g] as "0.12 g to 0.14 g", to as many figures as tell them apart, and from the site's own."""
-    figures = interval_figures(low, high, limit=limit)
-    ends = (Quantity(each, "ground acceleration", figures) for each in (low, high))
-    return say("{low} to {high}", **dict(zip(("low", "high"), ends, strict=True)))
 
 
 def swept_value(value: float, unit: str) -> Text:
@@ -316,15 +294,6 @@ def factor_text(level: str, factor: float) -> Text:
     )
 
 
-def _knowledge_level(results: Results, check: Check, mechanism: str) -> str:
-    options = PROCEDURES[check.procedure].options if check.procedure in PROCEDURES else ""
-    table = f"procedures.{options}"
-    own = results.project.get(f"{table}.knowledge_levels")
-    levels = own.value if own is not None and isinstance(own.value, dict) else {}
-    given = levels.get(mechanism) or project_text(results, f"{table}.knowledge_levels.{mechanism}")
-    return str(given or project_text(results, f"{table}.knowledge_level"))
-
-
 def stated_premises(results: Results) -> Iterator[Text]:
     """Yield what the user vouches for and the deciding answers count on."""
     sound = [
@@ -349,11 +318,6 @@ def stated_premises(results: Results) -> Iterator[Text]:
         )
 
 
-def _with_lasting_load(results: Results, lasting: str) -> list[str]:
-    """Return the mechanisms with a load that is stated to last so long."""
-    return [each.name for each in results.mechanisms if any(load.lasting == lasting for load in each.loads)]
-
-
 MAX_LINES = 12  # lines to paste that page 1 holds
 
 
@@ -364,20 +328,6 @@ def missing_texts(results: Results, verdict: Verdict) -> list[Text]:
         _, key = split_key(results, each.key)
         groups.setdefault((key, each.text), []).append(each)
     return [_missing_text(results, key, group) for (key, _), group in groups.items()]
-
-
-def _missing_text(results: Results, key: str, group: Sequence[Missing]) -> Text:
-    first = group[0]
-    why = listing(first.why or first.reasons, "") if first.why or first.reasons else Term(first.text)
-    owners = [owner for owner in (split_key(results, each.key)[0] for each in group) if owner]
-    if len(group) == 1 or not owners:
-        return say("{key}: {why}", key=Verbatim(first.key), why=why)
-    return say("{key} of {mechanisms}: {why}", key=Verbatim(key), mechanisms=mechanism_list(results, owners), why=why)
-
-
-def _lines_to_paste(results: Results, verdict: Verdict) -> tuple[str, ...]:
-    """Return the missing keys as lines of a project file."""
-    return toml_lines(verdict.missing, [key for key, each in results.project.items() if each.given])
 
 
 def blocks_to_paste(results: Results, verdict: Verdict) -> list[Block]:
@@ -401,3 +351,51 @@ def provisional_outcome(verdict: Verdict) -> list[Block]:
     if verdict.provisional == Decision.FAIL:
         return [Prose((say("With the safe value of all that is missing, the verdict would be: fail."),))]
     return []
+
+
+def _decided_outcome(check: Check, answers: Sequence[Answer]) -> str:
+    """Return the outcome of the answer that a check decides, as the target may be less than full safety; else its own.
+
+    Parameters
+    ----------
+    check : of a mechanism
+    answers : of the verdict of this mechanism
+    """
+    own = [each for each in answers if each.procedure == check.procedure]
+    outcomes = {each.outcome for each in own if each.limit_state == check.limit_state} or {each.outcome for each in own}
+    return outcomes.pop().value if check.role == "deciding" and len(outcomes) == 1 else check.verdict.value
+
+
+def _pga_interval(low: float, high: float, *, limit: float) -> Text:
+    """Return two PGA [g] as "0.12 g to 0.14 g", to as many figures as tell them apart, and from the site's own."""
+    figures = interval_figures(low, high, limit=limit)
+    ends = (Quantity(each, "ground acceleration", figures) for each in (low, high))
+    return say("{low} to {high}", **dict(zip(("low", "high"), ends, strict=True)))
+
+
+def _knowledge_level(results: Results, check: Check, mechanism: str) -> str:
+    options = PROCEDURES[check.procedure].options if check.procedure in PROCEDURES else ""
+    table = f"procedures.{options}"
+    own = results.project.get(f"{table}.knowledge_levels")
+    levels = own.value if own is not None and isinstance(own.value, dict) else {}
+    given = levels.get(mechanism) or project_text(results, f"{table}.knowledge_levels.{mechanism}")
+    return str(given or project_text(results, f"{table}.knowledge_level"))
+
+
+def _with_lasting_load(results: Results, lasting: str) -> list[str]:
+    """Return the mechanisms with a load that is stated to last so long."""
+    return [each.name for each in results.mechanisms if any(load.lasting == lasting for load in each.loads)]
+
+
+def _missing_text(results: Results, key: str, group: Sequence[Missing]) -> Text:
+    first = group[0]
+    why = listing(first.why or first.reasons, "") if first.why or first.reasons else Term(first.text)
+    owners = [owner for owner in (split_key(results, each.key)[0] for each in group) if owner]
+    if len(group) == 1 or not owners:
+        return say("{key}: {why}", key=Verbatim(first.key), why=why)
+    return say("{key} of {mechanisms}: {why}", key=Verbatim(key), mechanisms=mechanism_list(results, owners), why=why)
+
+
+def _lines_to_paste(results: Results, verdict: Verdict) -> tuple[str, ...]:
+    """Return the missing keys as lines of a project file."""
+    return toml_lines(verdict.missing, [key for key, each in results.project.items() if each.given])

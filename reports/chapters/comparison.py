@@ -52,6 +52,72 @@ def sections(results: Results) -> list[Section]:
     return [Section(say("Comparison of the mechanisms"), 0, tuple(blocks), starts_page=True)]
 
 
+def ratios_table(results: Results) -> Table:
+    """Tabulate demand over capacity of the methods that may decide: at the site's own action and at other levels."""
+    own, others = governing.site_pga(results), _evenly_chosen(governing.other_levels(results))
+    levels = others if own is None else (own, *others)
+    ratios = (_level_column(level) for level in levels)
+    columns = (
+        MECHANISM,
+        METHOD,
+        *ratios,
+        CAPACITY_PGA,
+        Column(say("PGA at capacity over the site’s"), "ratio", FIGURES),
+    )
+    rows = tuple(_ratios_row(results, mechanism, levels) for mechanism in results.mechanisms)
+    return Table("levels", _ratios_caption(results, others), columns, rows, small=True)
+
+
+BEYOND_CAPACITY = 1.000001  # times the PGA at capacity: a level that lies beyond it
+
+FAMILY_MEASURES: Mapping[Family, Phrase] = {
+    Family.DISPLACEMENT: say(
+        "It compares the displacement capacity with the spectral displacement at a secant period."
+    ),
+    Family.LINEAR: say("It compares the acceleration that starts the motion with the demand reduced by q."),
+    Family.ENERGY: say("It replaces the rocking body by an oscillator of equal work with the damping of its impacts."),
+    Family.PART: say(
+        "It compares the rotation capacity of the wall with the spectral rotation of a part at its floor."
+    ),
+    Family.TABLE: say("It compares height over thickness with a tabulated limit, whatever the load."),
+    Family.ELEMENT: say(
+        "It compares the force on a part at its floor, reduced by q_a, with that which starts the motion."
+    ),
+    Family.HISTORY: say("It follows each record with its impacts, and fails where one overturns the body."),
+    Family.SLIDING: say("It estimates how far the body slides without rocking."),
+    Family.FRICTION: say("It checks whether friction holds until rocking starts."),
+}
+"""What each kind of method measures."""
+
+
+def introduction(results: Results) -> Iterator[Text]:
+    """Yield which mechanisms are represented by one of several cases, and where inputs differ."""
+    swept = dict.fromkeys(sweep.mechanism for sweep in results.sweeps if sweep.governs)
+    if swept:
+        which = _mechanism_numbers(results, swept)
+        yield say("Each swept mechanism is represented by its most critical case: {mechanisms}.", mechanisms=which)
+    carried = [m for m in results.mechanisms if m.amplification.height_m is not None and m.histories]
+    if carried and len(carried) < len(results.mechanisms):
+        yield say(
+            "The time histories of {mechanisms} have the motion at the base of the mechanism, amplified up the "
+            "building; those of the others have the ground motion.",
+            mechanisms=_mechanism_numbers(results, (m.name for m in carried)),
+        )
+
+
+def findings(results: Results) -> Iterator[Text]:
+    """Yield what the comparison shows."""
+    if governing.other_levels(results):
+        yield say(
+            "The levels other than the site’s own action decide nothing: they show how the answers change with the "
+            "action. A pass at a higher level is not a margin."
+        )
+    yield from _passes_beyond_capacity(results)
+    yield from _disagreements(results)
+    yield from _spread_of_methods(results)
+    yield from _overturning(results)
+
+
 def _prose(sentences: Iterator[Text]) -> list[Block]:
     paragraphs = tuple(sentences)
     return [Prose(paragraphs)] if paragraphs else []
@@ -85,22 +151,6 @@ def _demands(results: Results) -> Figure:
         "readings; cross: overturning; arrow: beyond the axis or the end of the spectrum."
     )
     return Figure("comparison", caption, partial(figure.draw_demands, results))
-
-
-def ratios_table(results: Results) -> Table:
-    """Tabulate demand over capacity of the methods that may decide: at the site's own action and at other levels."""
-    own, others = governing.site_pga(results), _evenly_chosen(governing.other_levels(results))
-    levels = others if own is None else (own, *others)
-    ratios = (_level_column(level) for level in levels)
-    columns = (
-        MECHANISM,
-        METHOD,
-        *ratios,
-        CAPACITY_PGA,
-        Column(say("PGA at capacity over the site’s"), "ratio", FIGURES),
-    )
-    rows = tuple(_ratios_row(results, mechanism, levels) for mechanism in results.mechanisms)
-    return Table("levels", _ratios_caption(results, others), columns, rows, small=True)
 
 
 def _level_column(level: float) -> Column:
@@ -175,56 +225,6 @@ def _ratio_or_reason(check: Check | None) -> Phrase | Quantity | float | None:
         return unbounded_text(check) or (NO_ROCKING if at_rest else OUTCOMES[check.verdict.value])
     figures = ratio_figures(check, most=FIGURES)
     return check.ratio if figures == FIGURES else quantity(check.ratio, "ratio", figures)
-
-
-BEYOND_CAPACITY = 1.000001  # times the PGA at capacity: a level that lies beyond it
-
-FAMILY_MEASURES: Mapping[Family, Phrase] = {
-    Family.DISPLACEMENT: say(
-        "It compares the displacement capacity with the spectral displacement at a secant period."
-    ),
-    Family.LINEAR: say("It compares the acceleration that starts the motion with the demand reduced by q."),
-    Family.ENERGY: say("It replaces the rocking body by an oscillator of equal work with the damping of its impacts."),
-    Family.PART: say(
-        "It compares the rotation capacity of the wall with the spectral rotation of a part at its floor."
-    ),
-    Family.TABLE: say("It compares height over thickness with a tabulated limit, whatever the load."),
-    Family.ELEMENT: say(
-        "It compares the force on a part at its floor, reduced by q_a, with that which starts the motion."
-    ),
-    Family.HISTORY: say("It follows each record with its impacts, and fails where one overturns the body."),
-    Family.SLIDING: say("It estimates how far the body slides without rocking."),
-    Family.FRICTION: say("It checks whether friction holds until rocking starts."),
-}
-"""What each kind of method measures."""
-
-
-def introduction(results: Results) -> Iterator[Text]:
-    """Yield which mechanisms are represented by one of several cases, and where inputs differ."""
-    swept = dict.fromkeys(sweep.mechanism for sweep in results.sweeps if sweep.governs)
-    if swept:
-        which = _mechanism_numbers(results, swept)
-        yield say("Each swept mechanism is represented by its most critical case: {mechanisms}.", mechanisms=which)
-    carried = [m for m in results.mechanisms if m.amplification.height_m is not None and m.histories]
-    if carried and len(carried) < len(results.mechanisms):
-        yield say(
-            "The time histories of {mechanisms} have the motion at the base of the mechanism, amplified up the "
-            "building; those of the others have the ground motion.",
-            mechanisms=_mechanism_numbers(results, (m.name for m in carried)),
-        )
-
-
-def findings(results: Results) -> Iterator[Text]:
-    """Yield what the comparison shows."""
-    if governing.other_levels(results):
-        yield say(
-            "The levels other than the site’s own action decide nothing: they show how the answers change with the "
-            "action. A pass at a higher level is not a margin."
-        )
-    yield from _passes_beyond_capacity(results)
-    yield from _disagreements(results)
-    yield from _spread_of_methods(results)
-    yield from _overturning(results)
 
 
 def _mechanism_numbers(results: Results, mechanisms: Iterable[str]) -> Listing:

@@ -51,23 +51,6 @@ def tables(results: Results) -> Iterator[Table]:
     yield from (table for table in made if table.rows)
 
 
-def _of_mechanisms(results: Results) -> Iterator[Table]:
-    for place, mechanism in enumerate(results.mechanisms, start=1):
-        stem = file_stem(mechanism.name, place)
-        yield annex_sheets.parameters_table(mechanism, name=f"{stem}-parameters")
-        yield annex_sheets.loads_table(mechanism, name=f"{stem}-loads")
-        yield annex_sheets.hinge_forces_table(mechanism, name=f"{stem}-hinge-forces")
-        yield annex_histories.suites_table(mechanism, name=f"{stem}-suites")
-        yield annex_histories.histories_table(mechanism, name=f"{stem}-histories")
-
-
-def _of_suite(results: Results) -> Iterator[Table]:
-    motion = results.ground_motion
-    if motion is not None:
-        yield suite.requirements_table(motion)
-    yield suite.processing_table(results)
-
-
 CHECK_FIELDS: tuple[Field[Check], ...] = (
     (cells.LEVEL, lambda check: check.level_pga_g),
     (cells.PROCEDURE, lambda check: Verbatim(check.procedure)),
@@ -103,6 +86,59 @@ def checks_table(results: Results) -> Table:
     muted = frozenset(place for place, (_, check) in enumerate(pairs) if check.reading == "thesis")
     caption = say("Demand, allowable, ratio and outcome of every check. Readings of the thesis (grey) never decide.")
     return Table("verdicts", caption, columns, rows, muted)
+
+
+ComparedCheck = tuple[ComparisonRow, Check | None]
+
+
+def comparison_table(results: Results) -> Table:
+    """Tabulate all mechanisms by all procedures."""
+    fields: tuple[Field[ComparedCheck], ...] = (
+        (cells.MECHANISM, lambda pair: numbered_title(results, pair[0].mechanism)),
+        (cells.LEVEL, lambda pair: pair[0].level_pga_g),
+        (cells.PROCEDURE, lambda pair: Verbatim(pair[0].procedure)),
+        (cells.METHOD, lambda pair: procedure_title(pair[0].procedure)),
+        (ROTATION, _compared_rotation),
+        (Column(say("Allowable φ/φₒᵥ"), "ratio"), lambda pair: pair[0].allowable_ratio),
+        (RATIO, _compared_ratio),
+        (INPUT_AT, lambda pair: None if pair[1] is None else cells.INPUTS[pair[1].input_at]),
+    )
+    caption = say(
+        "Demand and capacity of all mechanisms. Compare only lines with the same input; thesis readings are grey."
+    )
+    pairs = [(row, governing.check_of(results, row)) for row in results.comparison]
+    return tabulate("comparison", caption, fields, pairs, muted=_is_thesis_reading)
+
+
+def spectra_table(results: Results) -> Table:
+    """Tabulate the spectra of the target and the records, point by point."""
+    columns = (Column(say("Series")), Column(say("Period"), "time"), Column(say("Acceleration"), "ground acceleration"))
+    curves: list[tuple[Cell, SpectrumResult | RecordSpectrum]] = []
+    curves += [(say("target"), results.spectrum)] if results.spectrum is not None else []
+    curves += [(Verbatim(record.id), record.spectrum) for record in results.records]
+    rows = tuple(
+        (name, period, value)
+        for name, curve in curves
+        for period, value in zip(curve.period_s, curve.acceleration_g, strict=True)
+    )
+    return Table("spectra", say("Elastic response spectra, target and records."), columns, rows)
+
+
+def _of_mechanisms(results: Results) -> Iterator[Table]:
+    for place, mechanism in enumerate(results.mechanisms, start=1):
+        stem = file_stem(mechanism.name, place)
+        yield annex_sheets.parameters_table(mechanism, name=f"{stem}-parameters")
+        yield annex_sheets.loads_table(mechanism, name=f"{stem}-loads")
+        yield annex_sheets.hinge_forces_table(mechanism, name=f"{stem}-hinge-forces")
+        yield annex_histories.suites_table(mechanism, name=f"{stem}-suites")
+        yield annex_histories.histories_table(mechanism, name=f"{stem}-histories")
+
+
+def _of_suite(results: Results) -> Iterator[Table]:
+    motion = results.ground_motion
+    if motion is not None:
+        yield suite.requirements_table(motion)
+    yield suite.processing_table(results)
 
 
 def _conditions_and_remarks(check: Check) -> Listing:
@@ -160,28 +196,6 @@ def _rotation_cells(checks: tuple[Check, ...], levels: tuple[float, ...]) -> tup
     return (*(None if check is None else cells.rotation_cell(check) for check in worst), min(allowed, default=None))
 
 
-ComparedCheck = tuple[ComparisonRow, Check | None]
-
-
-def comparison_table(results: Results) -> Table:
-    """Tabulate all mechanisms by all procedures."""
-    fields: tuple[Field[ComparedCheck], ...] = (
-        (cells.MECHANISM, lambda pair: numbered_title(results, pair[0].mechanism)),
-        (cells.LEVEL, lambda pair: pair[0].level_pga_g),
-        (cells.PROCEDURE, lambda pair: Verbatim(pair[0].procedure)),
-        (cells.METHOD, lambda pair: procedure_title(pair[0].procedure)),
-        (ROTATION, _compared_rotation),
-        (Column(say("Allowable φ/φₒᵥ"), "ratio"), lambda pair: pair[0].allowable_ratio),
-        (RATIO, _compared_ratio),
-        (INPUT_AT, lambda pair: None if pair[1] is None else cells.INPUTS[pair[1].input_at]),
-    )
-    caption = say(
-        "Demand and capacity of all mechanisms. Compare only lines with the same input; thesis readings are grey."
-    )
-    pairs = [(row, governing.check_of(results, row)) for row in results.comparison]
-    return tabulate("comparison", caption, fields, pairs, muted=_is_thesis_reading)
-
-
 def _compared_rotation(pair: ComparedCheck) -> Cell:
     row, check = pair
     return cells.rocking_cell(row.rotation_ratio) if check is None else cells.rotation_cell(check)
@@ -195,20 +209,6 @@ def _compared_ratio(pair: ComparedCheck) -> Cell:
 def _is_thesis_reading(pair: ComparedCheck) -> bool:
     _, check = pair
     return check is not None and check.reading == "thesis"
-
-
-def spectra_table(results: Results) -> Table:
-    """Tabulate the spectra of the target and the records, point by point."""
-    columns = (Column(say("Series")), Column(say("Period"), "time"), Column(say("Acceleration"), "ground acceleration"))
-    curves: list[tuple[Cell, SpectrumResult | RecordSpectrum]] = []
-    curves += [(say("target"), results.spectrum)] if results.spectrum is not None else []
-    curves += [(Verbatim(record.id), record.spectrum) for record in results.records]
-    rows = tuple(
-        (name, period, value)
-        for name, curve in curves
-        for period, value in zip(curve.period_s, curve.acceleration_g, strict=True)
-    )
-    return Table("spectra", say("Elastic response spectra, target and records."), columns, rows)
 
 
 def _capacity_curves_table(results: Results) -> Table:

@@ -65,6 +65,116 @@ def chapter_title(results: Results) -> Text:
     return say("Calculation by computer")
 
 
+def inputs_text(results: Results) -> Text:
+    """Return one hash over those of all files read, with their number."""
+    joined = "".join(each.sha256 for each in results.inputs).encode("ascii", "replace")
+    return say_count(
+        "{hash} ({number} file)",
+        "{hash} (of the hashes of {number} files)",
+        len(results.inputs),
+        hash=Verbatim(sha256(joined).hexdigest() if len(results.inputs) > 1 else results.inputs[0].sha256),
+    )
+
+
+def documentation() -> Text:
+    """Return what comes with the program."""
+    return say(
+        "Theory, field of use and examples that reproduce published cases, with their project files, come with the "
+        "program. The same program and inputs give the same results, to the last digit, on one machine."
+    )
+
+
+def controls_summary(controls: tuple[Control, ...]) -> Text:
+    """Return how many controls are met."""
+    failed = sum(each.met is False for each in controls)
+    made = sum(each.met is not None for each in controls)
+    if failed:
+        return say_count(
+            "{number} automatic control of {made} is not met: the results of its mechanism are not to be used before "
+            "the cause is known.",
+            "{number} automatic controls of {made} are not met: the results of their mechanisms are not to be used "
+            "before the cause is known.",
+            failed,
+            made=quantity(made, figures=12),
+        )
+    if not made:
+        return say("No automatic control could be made.")
+    return say_count(
+        "The one automatic control that could be made is met.", "All {number} automatic controls made are met.", made
+    )
+
+
+def controls_table(results: Results) -> doc.Table:
+    """Tabulate mechanism by control: relative differences, and both multipliers."""
+
+    def made(mechanism: MechanismResult, kind: ControlKind) -> list[Control]:
+        return [each for each in results.controls if each.mechanism == mechanism.name and each.kind == kind]
+
+    def difference(kind: ControlKind) -> doc.Field[MechanismResult]:
+        return doc.Column(_control_heading(results, kind)), lambda mechanism: _worst_difference(made(mechanism, kind))
+
+    def by_hand(mechanism: MechanismResult) -> Control | None:
+        return next(iter(made(mechanism, "hand-multiplier")), None)
+
+    fields: tuple[doc.Field[MechanismResult], ...] = (
+        (doc.Column(say("Mechanism"), share=0.26), lambda mechanism: numbered_title(results, mechanism.name)),
+        difference("equilibrium"),
+        difference("energy"),
+        (
+            doc.Column(say("Multiplier of the program"), "ratio", 5),
+            lambda mechanism: None if (control := by_hand(mechanism)) is None else control.value,
+        ),
+        (
+            doc.Column(say("Multiplier by hand"), "ratio", 5),
+            lambda mechanism: None if (control := by_hand(mechanism)) is None else control.reference,
+        ),
+        difference("hand-multiplier"),
+        difference("convergence"),
+    )
+    caption = say("Relative differences of the automatic controls. A dash stands for a control that was not made.")
+    return doc.tabulate("controls", caption, fields, results.mechanisms if results.controls else (), small=True)
+
+
+def controls_in_full(results: Results) -> doc.Table:
+    """Tabulate every control with its numbers, for the spreadsheet and the CSV files."""
+    fields: tuple[doc.Field[Control], ...] = (
+        (doc.Column(say("Mechanism")), lambda each: numbered_title(results, each.mechanism)),
+        (doc.Column(say("Control")), lambda each: CONTROL_TITLES[each.kind]),
+        (doc.Column(say("Quantity")), lambda each: Term(each.quantity)),
+        (doc.Column(say("Value")), lambda each: _value_text(each.value, each.dimension)),
+        (doc.Column(say("Reference")), lambda each: _value_text(each.reference, each.dimension)),
+        (doc.Column(say("Relative difference"), "ratio", 3), lambda each: each.difference),
+        (doc.Column(say("Tolerance"), "ratio", 3), lambda each: each.tolerance),
+        (doc.Column(say("Met")), lambda each: each.met),
+        (doc.Column(say("Note")), lambda each: each.note),
+    )
+    caption = say("Every automatic control with its numbers.")
+    return doc.tabulate("controls-in-full", caption, fields, results.controls)
+
+
+SIGNED_STATEMENT = say(
+    "The undersigned have examined the data, the choice of the mechanisms and the results of this report, and "
+    "judge them fit for the purpose stated. The results hold for the inputs listed here and for no others."
+)
+
+
+def signature_sections(results: Results) -> list[doc.Section]:
+    """Return the statement with the places to sign."""
+    leader = engineer(results) or author(results)
+    places: list[tuple[Text, Text]] = [(say("Engineer"), Verbatim(leader))]
+    if author(results) not in ("", leader):
+        places.insert(0, (say("Author"), Verbatim(author(results))))
+    places.append((say("Checked by"), Verbatim(checker(results))))
+    if client(results):
+        places.append((say("Received for the client"), Verbatim(client(results))))
+    blocks: tuple[doc.Block, ...] = (
+        doc.Prose((SIGNED_STATEMENT,)),
+        *_identity_facts(results),
+        doc.Signatures(tuple(places)),
+    )
+    return [doc.Section(say("Signatures"), 0, blocks)]
+
+
 def _analysis_sentences(results: Results) -> Iterator[Text]:
     """Yield the kind of analysis of the methods that decide, and why it was chosen."""
     deciding = [check for each in results.mechanisms for check in each.checks if check.role == "deciding"]
@@ -128,25 +238,6 @@ def _program_facts(results: Results) -> Iterator[tuple[Text, Text]]:
         yield say("SHA-256 of the inputs"), inputs_text(results)
     if results.stamp:
         yield say("Stamp of the results"), Verbatim(results.stamp)
-
-
-def inputs_text(results: Results) -> Text:
-    """Return one hash over those of all files read, with their number."""
-    joined = "".join(each.sha256 for each in results.inputs).encode("ascii", "replace")
-    return say_count(
-        "{hash} ({number} file)",
-        "{hash} (of the hashes of {number} files)",
-        len(results.inputs),
-        hash=Verbatim(sha256(joined).hexdigest() if len(results.inputs) > 1 else results.inputs[0].sha256),
-    )
-
-
-def documentation() -> Text:
-    """Return what comes with the program."""
-    return say(
-        "Theory, field of use and examples that reproduce published cases, with their project files, come with the "
-        "program. The same program and inputs give the same results, to the last digit, on one machine."
-    )
 
 
 def _verification_annex(results: Results) -> Iterator[Text]:
@@ -227,26 +318,6 @@ def _control_blocks(results: Results) -> list[doc.Block]:
     ]
 
 
-def controls_summary(controls: tuple[Control, ...]) -> Text:
-    """Return how many controls are met."""
-    failed = sum(each.met is False for each in controls)
-    made = sum(each.met is not None for each in controls)
-    if failed:
-        return say_count(
-            "{number} automatic control of {made} is not met: the results of its mechanism are not to be used before "
-            "the cause is known.",
-            "{number} automatic controls of {made} are not met: the results of their mechanisms are not to be used "
-            "before the cause is known.",
-            failed,
-            made=quantity(made, figures=12),
-        )
-    if not made:
-        return say("No automatic control could be made.")
-    return say_count(
-        "The one automatic control that could be made is met.", "All {number} automatic controls made are met.", made
-    )
-
-
 def _controls_explanation() -> Text:
     """Return what the controls compare."""
     return say(
@@ -255,37 +326,6 @@ def _controls_explanation() -> Text:
         "motion is worked out again by moments about the hinges; convergence repeats an analysis with a coarser table "
         "and coarser steps."
     )
-
-
-def controls_table(results: Results) -> doc.Table:
-    """Tabulate mechanism by control: relative differences, and both multipliers."""
-
-    def made(mechanism: MechanismResult, kind: ControlKind) -> list[Control]:
-        return [each for each in results.controls if each.mechanism == mechanism.name and each.kind == kind]
-
-    def difference(kind: ControlKind) -> doc.Field[MechanismResult]:
-        return doc.Column(_control_heading(results, kind)), lambda mechanism: _worst_difference(made(mechanism, kind))
-
-    def by_hand(mechanism: MechanismResult) -> Control | None:
-        return next(iter(made(mechanism, "hand-multiplier")), None)
-
-    fields: tuple[doc.Field[MechanismResult], ...] = (
-        (doc.Column(say("Mechanism"), share=0.26), lambda mechanism: numbered_title(results, mechanism.name)),
-        difference("equilibrium"),
-        difference("energy"),
-        (
-            doc.Column(say("Multiplier of the program"), "ratio", 5),
-            lambda mechanism: None if (control := by_hand(mechanism)) is None else control.value,
-        ),
-        (
-            doc.Column(say("Multiplier by hand"), "ratio", 5),
-            lambda mechanism: None if (control := by_hand(mechanism)) is None else control.reference,
-        ),
-        difference("hand-multiplier"),
-        difference("convergence"),
-    )
-    caption = say("Relative differences of the automatic controls. A dash stands for a control that was not made.")
-    return doc.tabulate("controls", caption, fields, results.mechanisms if results.controls else (), small=True)
 
 
 def _control_heading(results: Results, kind: ControlKind) -> Text:
@@ -338,48 +378,8 @@ def _control_notes(results: Results) -> Iterator[doc.Block]:
         )
 
 
-def controls_in_full(results: Results) -> doc.Table:
-    """Tabulate every control with its numbers, for the spreadsheet and the CSV files."""
-    fields: tuple[doc.Field[Control], ...] = (
-        (doc.Column(say("Mechanism")), lambda each: numbered_title(results, each.mechanism)),
-        (doc.Column(say("Control")), lambda each: CONTROL_TITLES[each.kind]),
-        (doc.Column(say("Quantity")), lambda each: Term(each.quantity)),
-        (doc.Column(say("Value")), lambda each: _value_text(each.value, each.dimension)),
-        (doc.Column(say("Reference")), lambda each: _value_text(each.reference, each.dimension)),
-        (doc.Column(say("Relative difference"), "ratio", 3), lambda each: each.difference),
-        (doc.Column(say("Tolerance"), "ratio", 3), lambda each: each.tolerance),
-        (doc.Column(say("Met")), lambda each: each.met),
-        (doc.Column(say("Note")), lambda each: each.note),
-    )
-    caption = say("Every automatic control with its numbers.")
-    return doc.tabulate("controls-in-full", caption, fields, results.controls)
-
-
 def _value_text(value: float | None, dimension: str) -> Text | None:
     return None if value is None else quantity(value, dimension, 6)
-
-
-SIGNED_STATEMENT = say(
-    "The undersigned have examined the data, the choice of the mechanisms and the results of this report, and "
-    "judge them fit for the purpose stated. The results hold for the inputs listed here and for no others."
-)
-
-
-def signature_sections(results: Results) -> list[doc.Section]:
-    """Return the statement with the places to sign."""
-    leader = engineer(results) or author(results)
-    places: list[tuple[Text, Text]] = [(say("Engineer"), Verbatim(leader))]
-    if author(results) not in ("", leader):
-        places.insert(0, (say("Author"), Verbatim(author(results))))
-    places.append((say("Checked by"), Verbatim(checker(results))))
-    if client(results):
-        places.append((say("Received for the client"), Verbatim(client(results))))
-    blocks: tuple[doc.Block, ...] = (
-        doc.Prose((SIGNED_STATEMENT,)),
-        *_identity_facts(results),
-        doc.Signatures(tuple(places)),
-    )
-    return [doc.Section(say("Signatures"), 0, blocks)]
 
 
 def _identity_facts(results: Results) -> tuple[doc.Facts, ...]:

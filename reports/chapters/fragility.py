@@ -106,6 +106,69 @@ def sections(results: FragilityResults) -> list[Section]:
     ]
 
 
+METHODS: Mapping[FragilityMethod, Phrase] = {
+    "ida": say(
+        "Each record is scaled step by step up to the largest scale and run at every step, in both polarities; the "
+        "worse counts."
+    ),
+    "stripes": say(
+        "At each intensity the records are scaled to it and run in both polarities; the worse counts."
+    ),
+    "cloud": say(
+        "Each record is run as it is, in both polarities; the worse counts. A point is the share of some ten records "
+        "of similar intensity; the lognormal is the one equivalent to the regression of the rotations on the intensity."
+    ),
+}  # fmt: skip
+
+GAPS: Mapping[RateGap, Phrase] = {
+    "motion": say(
+        "the mechanism is above the ground and is not shaken by the motion there; give its amplification by the "
+        "modal filter"
+    ),
+    "runs": say(
+        "the hazard has stronger motions than those that were run; run to a larger intensity, or give stronger records"
+    ),
+    "hazard": say(
+        "stronger or more frequent motions than the hazard lists may add to it; give a hazard of more return periods"
+    ),
+    "epistemic": say(
+        "what is not known of the mechanism itself is not in the rate; give its dispersion in [analysis.fragility] "
+        "epistemic"
+    ),
+}
+
+
+def mechanism_summary(mechanism: MechanismFragility, hazards: Sequence[HazardResult] = ()) -> Iterator[Text]:
+    """Yield what an owner should know of a mechanism: the intensities that overturn it, then its annual rate.
+
+    Parameters
+    ----------
+    mechanism : with its curves and rates
+    hazards : of the site, to say why there is no rate though one is given
+    """
+    curve, risk = main_curve(mechanism), main_risk(mechanism)
+    if curve is not None:
+        yield _intensity_sentence(curve)
+        yield from _extrapolated(curve)
+    if risk is not None:
+        yield rate_sentence(risk)
+        if risk.target_rate is not None:
+            yield _target_sentence(risk)
+    elif hazards:
+        yield _no_rate_sentence(mechanism, hazards)
+
+
+def rate_sentence(risk: RiskResult) -> Text:
+    """Say the annual rate of a state at the site, and its probability in 50 years."""
+    return say(
+        "With the hazard of the site, the annual rate of {state} is {rate}, a probability of {probability} in 50 "
+        "years.",
+        state=state_text(risk.state),
+        rate=quantity(risk.annual_rate, "annual rate", RATE_FIGURES),
+        probability=quantity(PERCENT * risk.probability_50_years, "percent", RATE_FIGURES),
+    )
+
+
 def _first_page(results: FragilityResults) -> Section:
     points = tuple(
         say(
@@ -266,59 +329,6 @@ def _remarks(mechanism: MechanismFragility) -> Iterator[Block]:
         yield BulletList((*distinct(mechanism.notes), *remarks))
 
 
-METHODS: Mapping[FragilityMethod, Phrase] = {
-    "ida": say(
-        "Each record is scaled step by step up to the largest scale and run at every step, in both polarities; the "
-        "worse counts."
-    ),
-    "stripes": say(
-        "At each intensity the records are scaled to it and run in both polarities; the worse counts."
-    ),
-    "cloud": say(
-        "Each record is run as it is, in both polarities; the worse counts. A point is the share of some ten records "
-        "of similar intensity; the lognormal is the one equivalent to the regression of the rotations on the intensity."
-    ),
-}  # fmt: skip
-
-
-GAPS: Mapping[RateGap, Phrase] = {
-    "motion": say(
-        "the mechanism is above the ground and is not shaken by the motion there; give its amplification by the "
-        "modal filter"
-    ),
-    "runs": say(
-        "the hazard has stronger motions than those that were run; run to a larger intensity, or give stronger records"
-    ),
-    "hazard": say(
-        "stronger or more frequent motions than the hazard lists may add to it; give a hazard of more return periods"
-    ),
-    "epistemic": say(
-        "what is not known of the mechanism itself is not in the rate; give its dispersion in [analysis.fragility] "
-        "epistemic"
-    ),
-}
-
-
-def mechanism_summary(mechanism: MechanismFragility, hazards: Sequence[HazardResult] = ()) -> Iterator[Text]:
-    """Yield what an owner should know of a mechanism: the intensities that overturn it, then its annual rate.
-
-    Parameters
-    ----------
-    mechanism : with its curves and rates
-    hazards : of the site, to say why there is no rate though one is given
-    """
-    curve, risk = main_curve(mechanism), main_risk(mechanism)
-    if curve is not None:
-        yield _intensity_sentence(curve)
-        yield from _extrapolated(curve)
-    if risk is not None:
-        yield rate_sentence(risk)
-        if risk.target_rate is not None:
-            yield _target_sentence(risk)
-    elif hazards:
-        yield _no_rate_sentence(mechanism, hazards)
-
-
 def _no_rate_sentence(mechanism: MechanismFragility, hazards: Sequence[HazardResult]) -> Text:
     """Say why a mechanism has no annual rate although the hazard of the site is given."""
     state, measures = last_state(mechanism), [hazard.measure for hazard in hazards]
@@ -397,17 +407,6 @@ def _counted_sentence(curve: FragilityCurve) -> Text:
         last.reached,
         all=count(last.records),
         **values,
-    )
-
-
-def rate_sentence(risk: RiskResult) -> Text:
-    """Say the annual rate of a state at the site, and its probability in 50 years."""
-    return say(
-        "With the hazard of the site, the annual rate of {state} is {rate}, a probability of {probability} in 50 "
-        "years.",
-        state=state_text(risk.state),
-        rate=quantity(risk.annual_rate, "annual rate", RATE_FIGURES),
-        probability=quantity(PERCENT * risk.probability_50_years, "percent", RATE_FIGURES),
     )
 
 

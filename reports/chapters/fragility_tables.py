@@ -46,7 +46,6 @@ RATE = Column(say("Annual rate"), "annual rate", RATE_FIGURES)
 PROBABILITY = Column(say("In 50 years"), "percent", RATE_FIGURES)
 TARGET = Column(say("Target rate"), "annual rate", FIGURES)
 
-
 WITH_EPISTEMIC = Column(say("With epistemic dispersion"), "annual rate", RATE_FIGURES)
 RATE_FIELDS: tuple[Field[RiskResult], ...] = (
     (STATE, lambda risk: state_text(risk.state)),
@@ -88,51 +87,6 @@ def overview_table(results: FragilityResults) -> Table:
     return Table("fragility", caption, tuple(columns), rows, small=True)
 
 
-OUTCOMES = {
-    "pass": OutcomeCell("pass", say("within the target")),
-    "fail": OutcomeCell("fail", say("more than the target")),
-}
-ONLY_WITH = OutcomeCell("fail", say("more than the target with the epistemic dispersion"))
-
-GAPS = {
-    "motion": OutcomeCell("incomplete", say("not known: ground motion at a height")),
-    "runs": OutcomeCell("incomplete", say("not known: the runs end too soon")),
-    "hazard": OutcomeCell("incomplete", say("not known: the hazard ends too soon")),
-    "epistemic": OutcomeCell("incomplete", say("not known: no epistemic dispersion")),
-}
-
-
-def _overview_row(results: FragilityResults, mechanism: MechanismFragility) -> Iterator[Cell]:
-    measure, curve, risk = first_measure(mechanism), main_curve(mechanism), main_risk(mechanism)
-    yield numbered_name(results, mechanism)
-    yield None if measure is None else measure_text(measure)
-    yield from (None, None, None) if curve is None else _fitted(curve)
-    yield None if risk is None else risk.annual_rate
-    yield None if risk is None else PERCENT * risk.probability_50_years
-    yield None if risk is None else risk.with_epistemic
-    yield None if risk is None else risk.target_rate
-    yield None if risk is None or risk.outcome is None else _outcome_cell(risk)
-
-
-def _outcome_cell(risk: RiskResult) -> OutcomeCell:
-    """Return the outcome of a rate beside its target, with what is missing."""
-    if risk.outcome == "incomplete" and risk.gap is not None:
-        return GAPS[risk.gap]
-    if risk.outcome == "fail" and risk.gap == "epistemic":
-        return ONLY_WITH
-    return OUTCOMES[risk.outcome or "pass"]
-
-
-def _fitted(curve: FragilityCurve) -> tuple[Cell, Cell, Cell]:
-    """Return the cells of a lognormal: 5 %, median and dispersion with their intervals."""
-    fitted = curve.lognormal
-    if fitted is None:
-        return say("not bounded"), say("not bounded"), None
-    five = value_with_interval(fitted.five_percent, fitted.five_percent_interval, curve.measure)
-    half = value_with_interval(fitted.median, fitted.median_interval, curve.measure)
-    return five, half, dispersion_text(fitted)
-
-
 def curves_table(mechanism: MechanismFragility, name: str) -> Table:
     """Tabulate the curves of a mechanism by its first measure, a row for each state."""
     measure = first_measure(mechanism)
@@ -166,17 +120,6 @@ def curves_table(mechanism: MechanismFragility, name: str) -> Table:
     return Table(name, caption, columns, rows, small=True)
 
 
-def _lognormal_numbers(fitted: LognormalResult) -> Iterator[Cell]:
-    """Yield 5 %, median and dispersion of a lognormal, each followed by the ends of its interval."""
-    for value, ends in (
-        (fitted.five_percent, fitted.five_percent_interval),
-        (fitted.median, fitted.median_interval),
-        (fitted.dispersion, fitted.dispersion_interval),
-    ):
-        yield value
-        yield from ends or (None, None)
-
-
 def measures_table(mechanism: MechanismFragility, name: str) -> Table:
     """Compare the measures in the last state by dispersion, and by the trends of what is left."""
     state = last_state(mechanism)
@@ -192,22 +135,6 @@ def measures_table(mechanism: MechanismFragility, name: str) -> Table:
         state=say("no state") if state is None else state_text(state),
     )
     return Table(name, caption, columns, rows, small=True)
-
-
-def _measure_row(each: MeasureComparison) -> tuple[Cell, ...]:
-    found = {trend.on: trend for trend in each.trends}
-    trends = (_trend_text(found.get(on)) for on in ("magnitude", "distance", "scale"))
-    return measure_text(each.measure), each.dispersion, *trends
-
-
-def _trend_text(trend: Trend | None) -> Text | None:
-    """Return a trend with its p-value and whether it is significant, in words; None where it is not known."""
-    if trend is None:
-        return None
-    values = {"slope": quantity(trend.slope, figures=2), "p": quantity(trend.p_value, figures=2)}
-    if trend.p_value < SIGNIFICANT:
-        return say("{slope}, p = {p}: significant", **values)
-    return say("{slope}, p = {p}: not significant", **values)
 
 
 def islands_table(mechanism: MechanismFragility, name: str, *, most: int | None = None) -> Table:
@@ -275,19 +202,6 @@ def fragility_records_table(results: FragilityResults) -> Table:
     )
 
 
-def _record_row(runs: list[RecordRunsResult]) -> tuple[Cell, ...]:
-    scales = [scale for run in runs for scale in run.scale]
-    far = runs[0].distance_km
-    return (
-        Verbatim(runs[0].record),
-        Verbatim(runs[0].event),
-        runs[0].magnitude,
-        None if far is None else 1000.0 * far,
-        min(scales, default=None),
-        max(scales, default=None),
-    )
-
-
 LEAD = (MECHANISM, STATE, MEASURE)
 LARGE = say("Scaled by more than 4")
 Rows = list[tuple[Cell, ...]]
@@ -307,6 +221,91 @@ def data_tables(results: FragilityResults) -> Iterator[Table]:
         _remarks_table(results),
     )
     yield from (table for table in made if table.rows)
+
+
+OUTCOMES = {
+    "pass": OutcomeCell("pass", say("within the target")),
+    "fail": OutcomeCell("fail", say("more than the target")),
+}
+ONLY_WITH = OutcomeCell("fail", say("more than the target with the epistemic dispersion"))
+
+GAPS = {
+    "motion": OutcomeCell("incomplete", say("not known: ground motion at a height")),
+    "runs": OutcomeCell("incomplete", say("not known: the runs end too soon")),
+    "hazard": OutcomeCell("incomplete", say("not known: the hazard ends too soon")),
+    "epistemic": OutcomeCell("incomplete", say("not known: no epistemic dispersion")),
+}
+
+
+def _overview_row(results: FragilityResults, mechanism: MechanismFragility) -> Iterator[Cell]:
+    measure, curve, risk = first_measure(mechanism), main_curve(mechanism), main_risk(mechanism)
+    yield numbered_name(results, mechanism)
+    yield None if measure is None else measure_text(measure)
+    yield from (None, None, None) if curve is None else _fitted(curve)
+    yield None if risk is None else risk.annual_rate
+    yield None if risk is None else PERCENT * risk.probability_50_years
+    yield None if risk is None else risk.with_epistemic
+    yield None if risk is None else risk.target_rate
+    yield None if risk is None or risk.outcome is None else _outcome_cell(risk)
+
+
+def _outcome_cell(risk: RiskResult) -> OutcomeCell:
+    """Return the outcome of a rate beside its target, with what is missing."""
+    if risk.outcome == "incomplete" and risk.gap is not None:
+        return GAPS[risk.gap]
+    if risk.outcome == "fail" and risk.gap == "epistemic":
+        return ONLY_WITH
+    return OUTCOMES[risk.outcome or "pass"]
+
+
+def _fitted(curve: FragilityCurve) -> tuple[Cell, Cell, Cell]:
+    """Return the cells of a lognormal: 5 %, median and dispersion with their intervals."""
+    fitted = curve.lognormal
+    if fitted is None:
+        return say("not bounded"), say("not bounded"), None
+    five = value_with_interval(fitted.five_percent, fitted.five_percent_interval, curve.measure)
+    half = value_with_interval(fitted.median, fitted.median_interval, curve.measure)
+    return five, half, dispersion_text(fitted)
+
+
+def _lognormal_numbers(fitted: LognormalResult) -> Iterator[Cell]:
+    """Yield 5 %, median and dispersion of a lognormal, each followed by the ends of its interval."""
+    for value, ends in (
+        (fitted.five_percent, fitted.five_percent_interval),
+        (fitted.median, fitted.median_interval),
+        (fitted.dispersion, fitted.dispersion_interval),
+    ):
+        yield value
+        yield from ends or (None, None)
+
+
+def _measure_row(each: MeasureComparison) -> tuple[Cell, ...]:
+    found = {trend.on: trend for trend in each.trends}
+    trends = (_trend_text(found.get(on)) for on in ("magnitude", "distance", "scale"))
+    return measure_text(each.measure), each.dispersion, *trends
+
+
+def _trend_text(trend: Trend | None) -> Text | None:
+    """Return a trend with its p-value and whether it is significant, in words; None where it is not known."""
+    if trend is None:
+        return None
+    values = {"slope": quantity(trend.slope, figures=2), "p": quantity(trend.p_value, figures=2)}
+    if trend.p_value < SIGNIFICANT:
+        return say("{slope}, p = {p}: significant", **values)
+    return say("{slope}, p = {p}: not significant", **values)
+
+
+def _record_row(runs: list[RecordRunsResult]) -> tuple[Cell, ...]:
+    scales = [scale for run in runs for scale in run.scale]
+    far = runs[0].distance_km
+    return (
+        Verbatim(runs[0].record),
+        Verbatim(runs[0].event),
+        runs[0].magnitude,
+        None if far is None else 1000.0 * far,
+        min(scales, default=None),
+        max(scales, default=None),
+    )
 
 
 Maker = Callable[[FragilityResults, str], tuple[tuple[Column, ...], Rows]]

@@ -70,6 +70,32 @@ def facts(results: Results) -> tuple[Fact, ...]:
     return tuple((label, text) for label, text in pairs if text != NOTHING)
 
 
+def use_class_of(results: Results) -> str:
+    """Return the class of use, given with the site or with the building; empty where it is not."""
+    return project_text(results, "site.spectrum.use_class") or project_text(results, "building.use_class")
+
+
+def running_head(results: Results) -> tuple[Text, ...]:
+    """Return what each page says besides the title: reference, revision and status."""
+    matter = results.report
+    shown: list[Text] = [Verbatim(text) for text in (reference(results),) if text]
+    if matter.revisions:
+        shown.append(say("revision {number}", number=Verbatim(matter.revisions[-1].number)))
+    return (*shown, *(Verbatim(text) for text in (matter.status,) if text))
+
+
+def logo(results: Results) -> Photograph | None:
+    """Return the logo of the office, None where there is none."""
+    given = results.report.logo
+    return None if given is None else photograph(given, "logo")
+
+
+def photograph(picture: Picture, name: str) -> Photograph:
+    """Return a picture of the results as a block of the document. name: unique, safe as a file name."""
+    size = (picture.width_px, picture.height_px)
+    return Photograph(name, Verbatim(picture.caption), picture.media_type, *size, picture.data)
+
+
 def _coordinates(results: Results) -> Iterator[tuple[Text, Text | str]]:
     given = results.report.coordinates
     if isinstance(given, str):
@@ -118,33 +144,7 @@ def _life(results: Results) -> Iterator[tuple[Text, Text | str]]:
             yield label, quantity(years, "return period")
 
 
-def use_class_of(results: Results) -> str:
-    """Return the class of use, given with the site or with the building; empty where it is not."""
-    return project_text(results, "site.spectrum.use_class") or project_text(results, "building.use_class")
-
-
 def _parameter(results: Results, key: str) -> float | None:
     """Return a number among the parameters of the site's spectrum."""
     found = None if results.spectrum is None else results.spectrum.parameters.get(key)
     return found if isinstance(found, float) else None
-
-
-def running_head(results: Results) -> tuple[Text, ...]:
-    """Return what each page says besides the title: reference, revision and status."""
-    matter = results.report
-    shown: list[Text] = [Verbatim(text) for text in (reference(results),) if text]
-    if matter.revisions:
-        shown.append(say("revision {number}", number=Verbatim(matter.revisions[-1].number)))
-    return (*shown, *(Verbatim(text) for text in (matter.status,) if text))
-
-
-def logo(results: Results) -> Photograph | None:
-    """Return the logo of the office, None where there is none."""
-    given = results.report.logo
-    return None if given is None else photograph(given, "logo")
-
-
-def photograph(picture: Picture, name: str) -> Photograph:
-    """Return a picture of the results as a block of the document. name: unique, safe as a file name."""
-    size = (picture.width_px, picture.height_px)
-    return Photograph(name, Verbatim(picture.caption), picture.media_type, *size, picture.data)

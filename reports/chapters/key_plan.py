@@ -44,38 +44,6 @@ def plan(results: Results, building: BuildingScene | None) -> list[Block]:
     ]
 
 
-def _revisions(results: Results) -> list[Section]:
-    given = results.report.revisions
-    if not given:
-        return []
-    columns = (
-        Column(say("Revision"), share=0.12),
-        Column(say("Date"), share=0.16),
-        Column(say("Description")),
-        Column(say("By"), share=0.22),
-    )
-    rows = tuple(
-        (Verbatim(each.number), Verbatim(each.date), Verbatim(each.description), Verbatim(each.author))
-        for each in given
-    )
-    return [Section(say("Revisions"), 1, (Table("revisions", say("Issues of this report."), columns, rows),))]
-
-
-def _photographs(results: Results) -> list[Section]:
-    pictures = results.report.figures
-    blocks = tuple(photograph(each, f"photograph-{place:02d}") for place, each in enumerate(pictures, start=1))
-    return [Section(say("Photographs"), 0, blocks)] if blocks else []
-
-
-MAX_NAMED = 6  # items that page 1 names
-IN_PLANE = frozenset(each.key for items in CHECKLISTS.values() for each in items if each.in_plane)
-
-
-def _checklist_blocks(results: Results) -> list[Block]:
-    """Return the list, and what it means for the index of the building."""
-    return [*([checklist_table(results)] if results.report.checklist else []), Prose((checklist_meaning(results),))]
-
-
 def checklist_table(results: Results) -> Table:
     """Tabulate the items of the list, those that are absent in grey."""
     items = results.report.checklist
@@ -88,16 +56,6 @@ def checklist_table(results: Results) -> Table:
     )
     absent = frozenset(place for place, item in enumerate(items) if item.outcome == "absent")
     return Table("checklist", _checklist_caption(results), tuple(columns), rows, absent, small=True)
-
-
-def _checklist_caption(results: Results) -> Text:
-    if results.report.building_type == "church":
-        return say("Mechanisms that a church can have, by the numbers of the Italian survey form.")
-    return say("Local mechanisms that a house can have.")
-
-
-def _item_number(item: ChecklistItem) -> Cell:
-    return None if item.number is None else count(item.number)
 
 
 def item_text(results: Results, item: ChecklistItem) -> Text:
@@ -113,17 +71,6 @@ def item_outcome(results: Results, item: ChecklistItem) -> Text:
     if item.outcome == "examined":
         return say("examined ({mechanisms})", mechanisms=numbers) if item.mechanisms else say("examined")
     return _not_examined(item, numbers)
-
-
-def _not_examined(item: ChecklistItem, numbers: Text) -> Text:
-    if item.reason and item.mechanisms:
-        reason = Verbatim(item.reason)
-        return say("possible, examined in part ({mechanisms}): {reason}", mechanisms=numbers, reason=reason)
-    if item.reason:
-        return say("possible, not examined: {reason}", reason=Verbatim(item.reason))
-    if item.key in IN_PLANE:
-        return say("possible, not examined: this program does not assess walls in their plane")
-    return say("not stated; counts as possible, not examined")
 
 
 def not_examined_text(results: Results) -> Text | None:
@@ -170,6 +117,59 @@ def checklist_meaning(results: Results) -> Text:
         "were not examined, and one of them may have a lower one.",
         number,
     )
+
+
+def _revisions(results: Results) -> list[Section]:
+    given = results.report.revisions
+    if not given:
+        return []
+    columns = (
+        Column(say("Revision"), share=0.12),
+        Column(say("Date"), share=0.16),
+        Column(say("Description")),
+        Column(say("By"), share=0.22),
+    )
+    rows = tuple(
+        (Verbatim(each.number), Verbatim(each.date), Verbatim(each.description), Verbatim(each.author))
+        for each in given
+    )
+    return [Section(say("Revisions"), 1, (Table("revisions", say("Issues of this report."), columns, rows),))]
+
+
+def _photographs(results: Results) -> list[Section]:
+    pictures = results.report.figures
+    blocks = tuple(photograph(each, f"photograph-{place:02d}") for place, each in enumerate(pictures, start=1))
+    return [Section(say("Photographs"), 0, blocks)] if blocks else []
+
+
+MAX_NAMED = 6  # items that page 1 names
+IN_PLANE = frozenset(each.key for items in CHECKLISTS.values() for each in items if each.in_plane)
+
+
+def _checklist_blocks(results: Results) -> list[Block]:
+    """Return the list, and what it means for the index of the building."""
+    return [*([checklist_table(results)] if results.report.checklist else []), Prose((checklist_meaning(results),))]
+
+
+def _checklist_caption(results: Results) -> Text:
+    if results.report.building_type == "church":
+        return say("Mechanisms that a church can have, by the numbers of the Italian survey form.")
+    return say("Local mechanisms that a house can have.")
+
+
+def _item_number(item: ChecklistItem) -> Cell:
+    return None if item.number is None else count(item.number)
+
+
+def _not_examined(item: ChecklistItem, numbers: Text) -> Text:
+    if item.reason and item.mechanisms:
+        reason = Verbatim(item.reason)
+        return say("possible, examined in part ({mechanisms}): {reason}", mechanisms=numbers, reason=reason)
+    if item.reason:
+        return say("possible, not examined: {reason}", reason=Verbatim(item.reason))
+    if item.key in IN_PLANE:
+        return say("possible, not examined: this program does not assess walls in their plane")
+    return say("not stated; counts as possible, not examined")
 
 
 def _meaning_without_index(number: int) -> Text:

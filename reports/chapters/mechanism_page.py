@@ -71,6 +71,106 @@ def sections(
     ]
 
 
+def sketch_caption(mechanism: MechanismResult) -> Text:
+    """Return the caption of the drawing of a mechanism, whose x may be another than the axis of the model."""
+    shape = _shape_caption(mechanism)
+    if mechanism.direction is None or mechanism.direction[0] > ALONG_X:
+        return shape
+    return Paragraph((shape, say("This x is not the axis of the model.")))
+
+
+KINDS: Mapping[str, Phrase] = {
+    "single-block": say("A single block"),
+    "two-block": say("A wall held at its top and bottom, cracked between them into two blocks,"),
+    "four-hinge": say("A chain of three blocks with four hinges"),
+    "equivalent-block": say("An equivalent block, given by its rocking parameters instead of a geometry,"),
+}
+
+AMPLIFICATIONS: Mapping[str, Text] = {
+    "modal-filter": say("filtered by the first mode"),
+    "srss": say("thesis eq. 3.48"),
+    "srss-relative": say("thesis eq. 3.48, for pulses 3.47"),
+    "ec8": say("EN 1998-1, 4.3.5.2, for a rigid part"),
+    "ec8-resonance": say("EN 1998-1, 4.3.5.2, at resonance"),
+    "ec8-printed": say("thesis eq. 3.49"),
+    "nzs1170.5": say("NZS 1170.5, 8.3"),
+}
+"""How the motion of the ground is carried up a building, by the methods of the project file."""
+AXES: Mapping[int, str] = {0: "+x", 90: "+y", 180: "−x", -180: "−x", -90: "−y"}
+ON_GROUND = 0.005  # height of a base that is on the ground [m]
+HINGE_NOTES = ("hinges-found-positive", "hinges-found-negative")  # notes that belong on the page
+
+MAX_NAMED_LOADS = 5
+"""Loads that are named in a sentence; of more only the number is given."""
+
+
+def description(mechanism: MechanismResult) -> Paragraph:
+    """Describe what the mechanism is and how it moves, where it stands, its joints and its loads."""
+    return Paragraph((_motion(mechanism), *_base(mechanism), _joints(mechanism), *_loads(mechanism)))
+
+
+def represented_case(results: Results, mechanism: MechanismResult) -> Iterator[Text]:
+    """State the case that represents a mechanism that was swept."""
+    for sweep in results.sweeps:
+        if sweep.mechanism == mechanism.name and sweep.governs:
+            yield say_count(
+                "One value of {key} was studied; this page shows it: {value}.",
+                "{number} values of {key} were studied; this page shows the most critical one: {value}.",
+                len(sweep.value),
+                key=Verbatim(sweep.key),
+                value=cells.swept_value(sweep.value[sweep.controlling], sweep.unit),
+            )
+
+
+def mechanism_warnings(results: Results, mechanism: MechanismResult) -> tuple[Message, ...]:
+    """Return the warnings that concern the mechanism by its name, each once, and how its hinges were found."""
+    found = (each for each in results.warnings if each.severity != Severity.NOTE or each.key in HINGE_NOTES)
+    own = {each.text: each for each in found if split_key(results, each.where)[0] == mechanism.name}
+    return tuple(own.values())
+
+
+def branch_parameters_table(results: Results, mechanism: MechanismResult, *, name: str) -> doc.Table:
+    """Tabulate the parameters, a row for each branch; one row where both are alike."""
+    shown = _page_parameters(results, mechanism)
+    rows: list[tuple[doc.Cell, ...]] = []
+    for title, branch in (("positive", mechanism.oscillator), ("negative", mechanism.oscillator_negative)):
+        if branch is not None:
+            rows.append((cells.BRANCHES[title], *(value(branch) for _, value in shown)))
+    if len(rows) == 2 and rows[0][1:] == rows[1][1:]:
+        rows = [(say("both"), *rows[0][1:])]
+    caption = say("Rocking parameters of each branch, that is, direction of rotation.")
+    return doc.Table(
+        name, caption, (doc.Column(say("Branch")), *(column for column, _ in shown)), tuple(rows), small=True
+    )
+
+
+def shown_checks(results: Results, mechanism: MechanismResult) -> tuple[Check, ...]:
+    """Return the worst check of each method and limit state at the site's own action, those that decide first."""
+    worst = governing.worst_per_procedure(governing.checks_at_site(results, mechanism))
+    applicable = (check for check in worst if check.verdict != Outcome.NOT_APPLICABLE)
+    return tuple(sorted(applicable, key=lambda check: (check.reading == "thesis", check.role != "deciding")))
+
+
+def answers_table(results: Results, mechanism: MechanismResult, *, name: str) -> doc.Table:
+    """Tabulate the answers at the site's own action, a row for each method and limit state."""
+    shown, mechanism_verdict = shown_checks(results, mechanism), governing.verdict_of(results, mechanism)
+    fields: tuple[doc.Field[Check], ...] = (
+        (cells.METHOD, lambda check: check_title(check, shown)),
+        (doc.Column(say("Role")), lambda check: cells.ROLES[check.role]),
+        (doc.Column(say("Demand")), _demand_cell),
+        (doc.Column(say("Allowable")), lambda check: cells.value_cell(check.capacity, check.unit)),
+        (cells.RATIO, cells.ratio_cell),
+        (cells.CAPACITY_PGA, cells.capacity_pga_cell),
+        (
+            cells.OUTCOME,
+            lambda check: cells.outcome_cell(check, () if mechanism_verdict is None else mechanism_verdict.answers),
+        ),
+    )
+    return doc.tabulate(
+        name, _answers_caption(results), fields, shown, muted=lambda check: check.reading == "thesis", small=True
+    )
+
+
 def _in_pairs(figures: list[doc.Figure]) -> list[doc.Block]:
     """Return figures two by two; a last one has the width of the page."""
     pairs = (figures[start : start + 2] for start in range(0, len(figures), 2))
@@ -82,14 +182,6 @@ def _shape_figures(mechanism: MechanismResult, stem: str, building: BuildingScen
     if building is not None and mechanism.name in building.mechanisms:
         caption = say("Its place in the building; the arrow is the direction of motion.")
         yield doc.Figure(f"{stem}-place", caption, partial(key_plan.draw_place, building, mechanism.name))
-
-
-def sketch_caption(mechanism: MechanismResult) -> Text:
-    """Return the caption of the drawing of a mechanism, whose x may be another than the axis of the model."""
-    shape = _shape_caption(mechanism)
-    if mechanism.direction is None or mechanism.direction[0] > ALONG_X:
-        return shape
-    return Paragraph((shape, say("This x is not the axis of the model.")))
 
 
 def _shape_caption(mechanism: MechanismResult) -> Text:
@@ -122,36 +214,6 @@ def _findings(results: Results, mechanism: MechanismResult) -> Iterator[Text]:
     if not_applicable:
         methods = listing(procedure_title(name) for name in dict.fromkeys(not_applicable))
         yield say("Methods that do not apply to this mechanism: {methods}.", methods=methods)
-
-
-KINDS: Mapping[str, Phrase] = {
-    "single-block": say("A single block"),
-    "two-block": say("A wall held at its top and bottom, cracked between them into two blocks,"),
-    "four-hinge": say("A chain of three blocks with four hinges"),
-    "equivalent-block": say("An equivalent block, given by its rocking parameters instead of a geometry,"),
-}
-
-AMPLIFICATIONS: Mapping[str, Text] = {
-    "modal-filter": say("filtered by the first mode"),
-    "srss": say("thesis eq. 3.48"),
-    "srss-relative": say("thesis eq. 3.48, for pulses 3.47"),
-    "ec8": say("EN 1998-1, 4.3.5.2, for a rigid part"),
-    "ec8-resonance": say("EN 1998-1, 4.3.5.2, at resonance"),
-    "ec8-printed": say("thesis eq. 3.49"),
-    "nzs1170.5": say("NZS 1170.5, 8.3"),
-}
-"""How the motion of the ground is carried up a building, by the methods of the project file."""
-AXES: Mapping[int, str] = {0: "+x", 90: "+y", 180: "−x", -180: "−x", -90: "−y"}
-ON_GROUND = 0.005  # height of a base that is on the ground [m]
-HINGE_NOTES = ("hinges-found-positive", "hinges-found-negative")  # notes that belong on the page
-
-MAX_NAMED_LOADS = 5
-"""Loads that are named in a sentence; of more only the number is given."""
-
-
-def description(mechanism: MechanismResult) -> Paragraph:
-    """Describe what the mechanism is and how it moves, where it stands, its joints and its loads."""
-    return Paragraph((_motion(mechanism), *_base(mechanism), _joints(mechanism), *_loads(mechanism)))
 
 
 def _motion(mechanism: MechanismResult) -> Text:
@@ -220,26 +282,6 @@ def _loads(mechanism: MechanismResult) -> Iterator[Text]:
         yield say("Loads: {names}.", names=names(load.name for load in loads))
 
 
-def represented_case(results: Results, mechanism: MechanismResult) -> Iterator[Text]:
-    """State the case that represents a mechanism that was swept."""
-    for sweep in results.sweeps:
-        if sweep.mechanism == mechanism.name and sweep.governs:
-            yield say_count(
-                "One value of {key} was studied; this page shows it: {value}.",
-                "{number} values of {key} were studied; this page shows the most critical one: {value}.",
-                len(sweep.value),
-                key=Verbatim(sweep.key),
-                value=cells.swept_value(sweep.value[sweep.controlling], sweep.unit),
-            )
-
-
-def mechanism_warnings(results: Results, mechanism: MechanismResult) -> tuple[Message, ...]:
-    """Return the warnings that concern the mechanism by its name, each once, and how its hinges were found."""
-    found = (each for each in results.warnings if each.severity != Severity.NOTE or each.key in HINGE_NOTES)
-    own = {each.text: each for each in found if split_key(results, each.where)[0] == mechanism.name}
-    return tuple(own.values())
-
-
 def _page_parameters(results: Results, mechanism: MechanismResult) -> list[doc.Field[OscillatorResult]]:
     """Return the eight parameters that an engineer checks by hand."""
     uplift: doc.Field[OscillatorResult] = (
@@ -277,48 +319,6 @@ def _mass_share_or_period(results: Results, mechanism: MechanismResult) -> list[
     periods = () if results.ground_motion is None else results.ground_motion.equivalent_periods
     longest = next((one.longest_s for one in periods if one.mechanism == mechanism.name), None)
     return [] if longest is None else [(doc.Column(say("Equivalent period"), "time"), lambda _: longest)]
-
-
-def branch_parameters_table(results: Results, mechanism: MechanismResult, *, name: str) -> doc.Table:
-    """Tabulate the parameters, a row for each branch; one row where both are alike."""
-    shown = _page_parameters(results, mechanism)
-    rows: list[tuple[doc.Cell, ...]] = []
-    for title, branch in (("positive", mechanism.oscillator), ("negative", mechanism.oscillator_negative)):
-        if branch is not None:
-            rows.append((cells.BRANCHES[title], *(value(branch) for _, value in shown)))
-    if len(rows) == 2 and rows[0][1:] == rows[1][1:]:
-        rows = [(say("both"), *rows[0][1:])]
-    caption = say("Rocking parameters of each branch, that is, direction of rotation.")
-    return doc.Table(
-        name, caption, (doc.Column(say("Branch")), *(column for column, _ in shown)), tuple(rows), small=True
-    )
-
-
-def shown_checks(results: Results, mechanism: MechanismResult) -> tuple[Check, ...]:
-    """Return the worst check of each method and limit state at the site's own action, those that decide first."""
-    worst = governing.worst_per_procedure(governing.checks_at_site(results, mechanism))
-    applicable = (check for check in worst if check.verdict != Outcome.NOT_APPLICABLE)
-    return tuple(sorted(applicable, key=lambda check: (check.reading == "thesis", check.role != "deciding")))
-
-
-def answers_table(results: Results, mechanism: MechanismResult, *, name: str) -> doc.Table:
-    """Tabulate the answers at the site's own action, a row for each method and limit state."""
-    shown, mechanism_verdict = shown_checks(results, mechanism), governing.verdict_of(results, mechanism)
-    fields: tuple[doc.Field[Check], ...] = (
-        (cells.METHOD, lambda check: check_title(check, shown)),
-        (doc.Column(say("Role")), lambda check: cells.ROLES[check.role]),
-        (doc.Column(say("Demand")), _demand_cell),
-        (doc.Column(say("Allowable")), lambda check: cells.value_cell(check.capacity, check.unit)),
-        (cells.RATIO, cells.ratio_cell),
-        (cells.CAPACITY_PGA, cells.capacity_pga_cell),
-        (
-            cells.OUTCOME,
-            lambda check: cells.outcome_cell(check, () if mechanism_verdict is None else mechanism_verdict.answers),
-        ),
-    )
-    return doc.tabulate(
-        name, _answers_caption(results), fields, shown, muted=lambda check: check.reading == "thesis", small=True
-    )
 
 
 def _demand_cell(check: Check) -> doc.Cell:

@@ -64,6 +64,25 @@ def verdict_sentences(results: Results, mechanism: MechanismResult) -> Iterator[
         yield say("The answer depends on the conditions listed with the verdict.")
 
 
+def comparison_clause(check: Check) -> str:
+    """Return the clause by which a check compares demand and capacity; empty without steps."""
+    shown = [value for value in (check.ratio, check.demand, check.capacity) if value is not None]
+    steps = check.steps[::-1]
+    found = (step for value in shown for step in steps if step.value is not None and isclose(step.value, value))
+    return next((step.clause for step in found), steps[0].clause if steps else "")
+
+
+def unanswered_methods(results: Results, mechanism: MechanismResult) -> Iterator[Text]:
+    """Yield why methods of codes, besides the one that governs, gave no answer; those with one reason together."""
+    mechanism_verdict = governing.verdict_of(results, mechanism)
+    governs = () if mechanism_verdict is None else tuple(answer.procedure for answer in mechanism_verdict.answers)
+    checks = governing.worst_per_procedure(governing.code_checks_at_site(results, mechanism))
+    unanswered = [each for each in checks if each.verdict == Outcome.NOT_ANSWERED and each.procedure not in governs]
+    for reason in {check.reason.text: check.reason for check in unanswered}.values():
+        same = dict.fromkeys(check.procedure for check in unanswered if check.reason.text == reason.text)
+        yield say("No answer by {methods}: {reason}.", methods=listing(map(procedure_title, same)), reason=reason)
+
+
 def _governing_check(checks: tuple[Check, ...], answer: Answer) -> Check | None:
     """Return the check behind an answer, of those at the site's own action; None where no method was asked."""
     own = tuple(check for check in governing.code_checks(checks) if check.procedure == answer.procedure)
@@ -121,14 +140,6 @@ def _unanswered(answer: Answer) -> Text:
         state=cells.state_text(answer.limit_state),
         reason=answer.reason,
     )
-
-
-def comparison_clause(check: Check) -> str:
-    """Return the clause by which a check compares demand and capacity; empty without steps."""
-    shown = [value for value in (check.ratio, check.demand, check.capacity) if value is not None]
-    steps = check.steps[::-1]
-    found = (step for value in shown for step in steps if step.value is not None and isclose(step.value, value))
-    return next((step.clause for step in found), steps[0].clause if steps else "")
 
 
 def _floor_motion(check: Check | None) -> Iterator[Text]:
@@ -220,14 +231,3 @@ def _lacking(mechanism_verdict: MechanismVerdict, verdict: Verdict, pga: Text | 
             pga=pga,
             factor=shown,
         )
-
-
-def unanswered_methods(results: Results, mechanism: MechanismResult) -> Iterator[Text]:
-    """Yield why methods of codes, besides the one that governs, gave no answer; those with one reason together."""
-    mechanism_verdict = governing.verdict_of(results, mechanism)
-    governs = () if mechanism_verdict is None else tuple(answer.procedure for answer in mechanism_verdict.answers)
-    checks = governing.worst_per_procedure(governing.code_checks_at_site(results, mechanism))
-    unanswered = [each for each in checks if each.verdict == Outcome.NOT_ANSWERED and each.procedure not in governs]
-    for reason in {check.reason.text: check.reason for check in unanswered}.values():
-        same = dict.fromkeys(check.procedure for check in unanswered if check.reason.text == reason.text)
-        yield say("No answer by {methods}: {reason}.", methods=listing(map(procedure_title, same)), reason=reason)

@@ -40,6 +40,20 @@ def sections(results: Results) -> list[Section]:
     return [Section(say("Recommendations"), 0, tuple(blocks))]
 
 
+def survey(results: Results, verdict: Verdict) -> Iterator[Text]:
+    """Yield the number that moves the deciding answer of each mechanism most, and what lies at the limit."""
+    near = [one.mechanism for one in verdict.mechanisms if one.at_the_limit]
+    if near:
+        yield say(
+            "thickness and position of the hinges of {mechanisms}: the answer is at the limit, within 5 % or within "
+            "what the tolerance of the survey changes",
+            mechanisms=mechanism_list(results, near),
+        )
+    yield from _strongest_inputs(results)
+    if not results.sensitivity:
+        yield say("what moves the answers most, which a sensitivity study would show: none was made")
+
+
 def _titled(title: Text, points: Sequence[Text]) -> list[Block]:
     return [Prose((title,)), BulletList(tuple(points))] if points else []
 
@@ -87,20 +101,6 @@ def _failing_row(results: Results, mechanism_verdict: MechanismVerdict, verdict:
         return title, None, None, shown
     reached = None if factor is None else margin * verdict.action.pga_g * factor
     return title, cells.capacity_pga_text(mechanism_verdict, margin, verdict.action), reached, shown
-
-
-def survey(results: Results, verdict: Verdict) -> Iterator[Text]:
-    """Yield the number that moves the deciding answer of each mechanism most, and what lies at the limit."""
-    near = [one.mechanism for one in verdict.mechanisms if one.at_the_limit]
-    if near:
-        yield say(
-            "thickness and position of the hinges of {mechanisms}: the answer is at the limit, within 5 % or within "
-            "what the tolerance of the survey changes",
-            mechanisms=mechanism_list(results, near),
-        )
-    yield from _strongest_inputs(results)
-    if not results.sensitivity:
-        yield say("what moves the answers most, which a sensitivity study would show: none was made")
 
 
 def _strongest_inputs(results: Results) -> Iterator[Text]:

@@ -40,6 +40,146 @@ def sections(results: Results) -> list[Section]:
     ]
 
 
+def applicable_limits(results: Results) -> Iterator[Text]:
+    """Yield the limits that apply to these results."""
+    yield say(
+        "The bodies are rigid between their joints and move in one vertical plane: bending and torsion of the masonry "
+        "and out-of-plane coupling are not modelled."
+    )
+    yield from _limits_of_histories(results)
+    yield from _limits_of_joints(results)
+    yield sliding(results)
+    yield from _limits_of_input(results)
+    yield from _limits_of_equation(results)
+    if len({check.procedure for check in _answered(results)}) > 1:
+        yield say(
+            "The methods allow different rotations and take different equivalent periods: their ratios D/C measure "
+            "different margins and are not to be compared number by number."
+        )
+
+
+def sliding(results: Results) -> Text:
+    """Return where friction was checked, and where it is only assumed to be sufficient."""
+    unchecked = [each.name for each in results.mechanisms if not _is_checked(each)]
+    assumed = _assumed_friction(results, unchecked)
+    while_rocking = say(
+        "While a mechanism rocks, no sliding, no bouncing and no separation other than rocking are modelled."
+    )
+    if len(unchecked) == len(results.mechanisms):
+        return Paragraph((assumed, while_rocking))
+    checked = say("Sliding was checked by equilibrium up to the moment at which the mechanism starts to rock.")
+    return Paragraph((checked, *((assumed,) if unchecked else ()), while_rocking))
+
+
+def caveats_of(check: Check) -> tuple[Term | Message, ...]:
+    """Return what could not be compared of a check; in results of older versions one text."""
+    return check.caveats or ((Term(check.caveat),) if check.caveat else ())
+
+
+COMPARED: Mapping[Family, Phrase] = {
+    Family.DISPLACEMENT: say("displacement capacity with the spectral displacement at the secant period"),
+    Family.LINEAR: say("acceleration that starts the motion with the spectrum reduced by q, not the rotation after it"),
+    Family.ENERGY: say("rotation of an equivalent oscillator of equal work, damped by impacts, with the allowable one"),
+    Family.PART: say("rotation capacity of the wall with the spectral rotation of a part at its floor"),
+    Family.TABLE: say("ratio of height to thickness with the one allowed at the spectral ordinate at 1 s"),
+    Family.ELEMENT: say("force that starts the motion with the force on a part at its floor, reduced by q_a"),
+    Family.HISTORY: say("largest rotations under each record, impacts included, with the allowable ones"),
+    Family.SLIDING: say("sliding displacement, without rocking, with the allowable one"),
+    Family.FRICTION: say("friction needed until rocking starts with the friction there is"),
+}
+"""What the methods of each family compare."""
+
+
+def methods_table(results: Results) -> Table:
+    """Tabulate the methods, those that decide first."""
+    found: dict[str, list[Check]] = {}
+    for check in (check for mechanism in results.mechanisms for check in mechanism.checks):
+        found.setdefault(check.procedure, []).append(check)
+    fields: tuple[Field[list[Check]], ...] = (
+        (Column(say("Method"), share=0.24), lambda checks: procedure_title(checks[0].procedure)),
+        (Column(say("Edition"), share=0.22), lambda checks: Term(checks[0].edition)),
+        (Column(say("Part in the verdict"), share=0.16), _part_in_verdict),
+        (Column(say("Compares")), _compared),
+    )
+
+    def is_for_information(checks: list[Check]) -> bool:
+        return not _decides(checks)
+
+    caption = say("Methods of this report, with the editions used.")
+    ordered = sorted(found.values(), key=is_for_information)
+    return tabulate("methods", caption, fields, ordered, muted=is_for_information, small=True)
+
+
+HOUSNER = Verbatim(
+    "Housner, G. W. (1963). The behavior of inverted pendulum structures during earthquakes. Bulletin of the "
+    "Seismological Society of America 53(2), 403–417."
+)
+
+THESIS = say(
+    "{work}: cited as “thesis”.",
+    work=Verbatim(
+        "Mehrotra, A. A. A computational tool for seismic collapse assessment of masonry structures. PhD thesis, "
+        "University of Cambridge"
+    ),
+)
+
+ZHANG_MAKRIS = Verbatim(
+    "Zhang, J. and Makris, N. (2001). Rocking response of free-standing blocks under cycloidal pulses. Journal of "
+    "Engineering Mechanics 127(5), 473–483."
+)
+
+SORRENTINO = Verbatim(
+    "Sorrentino, L., AlShawa, O. and Decanini, L. D. (2011). The relevance of energy damping in unreinforced masonry "
+    "rocking mechanisms. Experimental and analytic investigations. Bulletin of Earthquake Engineering 9(5), 1617–1642."
+)
+
+PROCEDURE_WORKS: Mapping[str, Verbatim] = {
+    "asce43-05": Verbatim(
+        "ASCE/SEI 43-05. Seismic design criteria for structures, systems, and components in nuclear facilities. "
+        "American Society of Civil Engineers, 2005."
+    ),
+    "asce41-13": Verbatim(
+        "ASCE/SEI 41-13. Seismic evaluation and retrofit of existing buildings. American Society of Civil Engineers, "
+        "2014."
+    ),
+    "dmi2008": Verbatim(
+        "D.M. 14 gennaio 2008, Norme tecniche per le costruzioni; Circolare 2 febbraio 2009 n. 617, C8A.4."
+    ),
+    "ntc2018": Verbatim(
+        "D.M. 17 gennaio 2018, Norme tecniche per le costruzioni; Circolare 21 gennaio 2019 n. 7, C7.2.3, C8.7.1.2."
+    ),
+    "nzsee2017": Verbatim(
+        "NZSEE, SESOC, NZGS, MBIE and EQC (2017). The seismic assessment of existing buildings, part C8: Unreinforced "
+        "masonry buildings."
+    ),
+    "ec8": Verbatim("EN 1998-1:2004. Eurocode 8: Design of structures for earthquake resistance, part 1. CEN."),
+}
+"""Of procedures, by the key that each has of its work."""
+
+SPECTRUM_WORKS: Mapping[str, Verbatim] = {
+    "asce7-05": Verbatim("ASCE/SEI 7-05. Minimum design loads for buildings and other structures. 2005."),
+    "ibc2009": Verbatim("ASCE/SEI 7-05. Minimum design loads for buildings and other structures. 2005."),
+    "asce7-10": Verbatim("ASCE/SEI 7-10. Minimum design loads for buildings and other structures. 2010."),
+    "asce7-16": Verbatim(
+        "ASCE/SEI 7-16. Minimum design loads and associated criteria for buildings and other structures. 2016."
+    ),
+    "ec8": PROCEDURE_WORKS["ec8"],
+    "nzs1170.5": Verbatim("NZS 1170.5:2004. Structural design actions, part 5: Earthquake actions – New Zealand."),
+    "ntc2008": PROCEDURE_WORKS["dmi2008"],
+    "ntc2018": PROCEDURE_WORKS["ntc2018"],
+}
+"""Of spectra, by the code of the site."""
+
+
+def cited_works(results: Results) -> tuple[Text, ...]:
+    """Return the references of these results, each once."""
+    found: list[Text] = []
+    for each in _works(results):
+        if each not in found:
+            found.append(each)
+    return tuple(found)
+
+
 def _notes(results: Results) -> list[Block]:
     """Return what the engineer notes on the project, which may restrict the results."""
     notes = project_text(results, "notes").strip()
@@ -64,24 +204,6 @@ def _scope_text(results: Results) -> Text:
             say("Finding the mechanisms that matter is the task of the engineer; the key plan lists them."),
         )
     )
-
-
-def applicable_limits(results: Results) -> Iterator[Text]:
-    """Yield the limits that apply to these results."""
-    yield say(
-        "The bodies are rigid between their joints and move in one vertical plane: bending and torsion of the masonry "
-        "and out-of-plane coupling are not modelled."
-    )
-    yield from _limits_of_histories(results)
-    yield from _limits_of_joints(results)
-    yield sliding(results)
-    yield from _limits_of_input(results)
-    yield from _limits_of_equation(results)
-    if len({check.procedure for check in _answered(results)}) > 1:
-        yield say(
-            "The methods allow different rotations and take different equivalent periods: their ratios D/C measure "
-            "different margins and are not to be compared number by number."
-        )
 
 
 def _limits_of_histories(results: Results) -> Iterator[Text]:
@@ -113,19 +235,6 @@ def _limits_of_joints(results: Results) -> Iterator[Text]:
             "static equilibrium, without the vertical inertia of the motion.",
             mechanisms=mechanism_list(results, soft),
         )
-
-
-def sliding(results: Results) -> Text:
-    """Return where friction was checked, and where it is only assumed to be sufficient."""
-    unchecked = [each.name for each in results.mechanisms if not _is_checked(each)]
-    assumed = _assumed_friction(results, unchecked)
-    while_rocking = say(
-        "While a mechanism rocks, no sliding, no bouncing and no separation other than rocking are modelled."
-    )
-    if len(unchecked) == len(results.mechanisms):
-        return Paragraph((assumed, while_rocking))
-    checked = say("Sliding was checked by equilibrium up to the moment at which the mechanism starts to rock.")
-    return Paragraph((checked, *((assumed,) if unchecked else ()), while_rocking))
 
 
 def _assumed_friction(results: Results, unchecked: Sequence[str]) -> Text:
@@ -220,45 +329,6 @@ def _answered(results: Results) -> list[Check]:
     return [check for check in every if check.verdict in (Outcome.PASS, Outcome.FAIL)]
 
 
-def caveats_of(check: Check) -> tuple[Term | Message, ...]:
-    """Return what could not be compared of a check; in results of older versions one text."""
-    return check.caveats or ((Term(check.caveat),) if check.caveat else ())
-
-
-COMPARED: Mapping[Family, Phrase] = {
-    Family.DISPLACEMENT: say("displacement capacity with the spectral displacement at the secant period"),
-    Family.LINEAR: say("acceleration that starts the motion with the spectrum reduced by q, not the rotation after it"),
-    Family.ENERGY: say("rotation of an equivalent oscillator of equal work, damped by impacts, with the allowable one"),
-    Family.PART: say("rotation capacity of the wall with the spectral rotation of a part at its floor"),
-    Family.TABLE: say("ratio of height to thickness with the one allowed at the spectral ordinate at 1 s"),
-    Family.ELEMENT: say("force that starts the motion with the force on a part at its floor, reduced by q_a"),
-    Family.HISTORY: say("largest rotations under each record, impacts included, with the allowable ones"),
-    Family.SLIDING: say("sliding displacement, without rocking, with the allowable one"),
-    Family.FRICTION: say("friction needed until rocking starts with the friction there is"),
-}
-"""What the methods of each family compare."""
-
-
-def methods_table(results: Results) -> Table:
-    """Tabulate the methods, those that decide first."""
-    found: dict[str, list[Check]] = {}
-    for check in (check for mechanism in results.mechanisms for check in mechanism.checks):
-        found.setdefault(check.procedure, []).append(check)
-    fields: tuple[Field[list[Check]], ...] = (
-        (Column(say("Method"), share=0.24), lambda checks: procedure_title(checks[0].procedure)),
-        (Column(say("Edition"), share=0.22), lambda checks: Term(checks[0].edition)),
-        (Column(say("Part in the verdict"), share=0.16), _part_in_verdict),
-        (Column(say("Compares")), _compared),
-    )
-
-    def is_for_information(checks: list[Check]) -> bool:
-        return not _decides(checks)
-
-    caption = say("Methods of this report, with the editions used.")
-    ordered = sorted(found.values(), key=is_for_information)
-    return tabulate("methods", caption, fields, ordered, muted=is_for_information, small=True)
-
-
 def _decides(checks: list[Check]) -> bool:
     return any(check.role == "deciding" for check in checks)
 
@@ -285,76 +355,6 @@ def _rules_table(results: Results) -> Table:
     columns = (Column(say("Rule of the verdict")), Column(say("Clause"), share=0.3))
     rows = tuple((Term(rule), Term(clause)) for rule, clause in found)
     return Table("rules", say("The rules that decide, and where the code states them."), columns, rows, small=True)
-
-
-HOUSNER = Verbatim(
-    "Housner, G. W. (1963). The behavior of inverted pendulum structures during earthquakes. Bulletin of the "
-    "Seismological Society of America 53(2), 403–417."
-)
-
-THESIS = say(
-    "{work}: cited as “thesis”.",
-    work=Verbatim(
-        "Mehrotra, A. A. A computational tool for seismic collapse assessment of masonry structures. PhD thesis, "
-        "University of Cambridge"
-    ),
-)
-
-ZHANG_MAKRIS = Verbatim(
-    "Zhang, J. and Makris, N. (2001). Rocking response of free-standing blocks under cycloidal pulses. Journal of "
-    "Engineering Mechanics 127(5), 473–483."
-)
-
-SORRENTINO = Verbatim(
-    "Sorrentino, L., AlShawa, O. and Decanini, L. D. (2011). The relevance of energy damping in unreinforced masonry "
-    "rocking mechanisms. Experimental and analytic investigations. Bulletin of Earthquake Engineering 9(5), 1617–1642."
-)
-
-PROCEDURE_WORKS: Mapping[str, Verbatim] = {
-    "asce43-05": Verbatim(
-        "ASCE/SEI 43-05. Seismic design criteria for structures, systems, and components in nuclear facilities. "
-        "American Society of Civil Engineers, 2005."
-    ),
-    "asce41-13": Verbatim(
-        "ASCE/SEI 41-13. Seismic evaluation and retrofit of existing buildings. American Society of Civil Engineers, "
-        "2014."
-    ),
-    "dmi2008": Verbatim(
-        "D.M. 14 gennaio 2008, Norme tecniche per le costruzioni; Circolare 2 febbraio 2009 n. 617, C8A.4."
-    ),
-    "ntc2018": Verbatim(
-        "D.M. 17 gennaio 2018, Norme tecniche per le costruzioni; Circolare 21 gennaio 2019 n. 7, C7.2.3, C8.7.1.2."
-    ),
-    "nzsee2017": Verbatim(
-        "NZSEE, SESOC, NZGS, MBIE and EQC (2017). The seismic assessment of existing buildings, part C8: Unreinforced "
-        "masonry buildings."
-    ),
-    "ec8": Verbatim("EN 1998-1:2004. Eurocode 8: Design of structures for earthquake resistance, part 1. CEN."),
-}
-"""Of procedures, by the key that each has of its work."""
-
-SPECTRUM_WORKS: Mapping[str, Verbatim] = {
-    "asce7-05": Verbatim("ASCE/SEI 7-05. Minimum design loads for buildings and other structures. 2005."),
-    "ibc2009": Verbatim("ASCE/SEI 7-05. Minimum design loads for buildings and other structures. 2005."),
-    "asce7-10": Verbatim("ASCE/SEI 7-10. Minimum design loads for buildings and other structures. 2010."),
-    "asce7-16": Verbatim(
-        "ASCE/SEI 7-16. Minimum design loads and associated criteria for buildings and other structures. 2016."
-    ),
-    "ec8": PROCEDURE_WORKS["ec8"],
-    "nzs1170.5": Verbatim("NZS 1170.5:2004. Structural design actions, part 5: Earthquake actions – New Zealand."),
-    "ntc2008": PROCEDURE_WORKS["dmi2008"],
-    "ntc2018": PROCEDURE_WORKS["ntc2018"],
-}
-"""Of spectra, by the code of the site."""
-
-
-def cited_works(results: Results) -> tuple[Text, ...]:
-    """Return the references of these results, each once."""
-    found: list[Text] = []
-    for each in _works(results):
-        if each not in found:
-            found.append(each)
-    return tuple(found)
 
 
 def _works(results: Results) -> Iterator[Text]:

@@ -25,9 +25,7 @@ MAX_ROWS = 8
 MAX_BARS = 10
 """Bars of the figures of the chapter, which is one page."""
 
-
 FIGURES = 3
-
 
 CHANGED_OUTCOMES: dict[str, Text] = {"pass": say("passes"), "fail": say("fails")}
 
@@ -104,6 +102,149 @@ def annex_sections(results: Results) -> list[Section]:
     shown = {block.name for each in sections(results) for block in each.blocks if isinstance(block, Figure)}
     rest = tuple(figure for figure, _ in _figures(results) if figure.name not in shown)
     return [Section(say("Sensitivity of the other mechanisms"), 1, rest)] if rest else []
+
+
+def panels(ranked: tuple[VariedInput, ...], target: float | None = None) -> tuple[sensitivity.TornadoPanel, ...]:
+    """Return the panels of a tornado, one for each answer that is shown. target : of the index of the basis."""
+    return tuple(_panel(ranked, place, target) for place in range(len(ranked[0].shown)))
+
+
+QUANTITIES = {
+    "index": say("index"),
+    "capacity_pga_g": say("PGA at capacity [g]"),
+    "demand_capacity": say("demand / capacity"),
+}
+
+
+def sensitivity_table(results: Results) -> Table:
+    """Tabulate every answer of every mechanism with each value at its low and its high end."""
+    fields: tuple[Field[SensitivityResult], ...] = (
+        (cells.MECHANISM, lambda row: numbered_title(results, row.mechanism)),
+        (Column(say("Parameter")), input_name),
+        (Column(say("Key")), lambda row: Verbatim(row.key)),
+        (Column(say("Unit")), lambda row: Verbatim(row.unit)),
+        (Column(say("Base")), lambda row: row.base),
+        (Column(say("Low")), lambda row: row.low),
+        (Column(say("High")), lambda row: row.high),
+        (cells.PROCEDURE, lambda row: Verbatim(row.procedure)),
+        (cells.LIMIT_STATE, lambda row: Verbatim(row.limit_state)),
+        (Column(say("Role")), lambda row: cells.ROLES[row.role]),
+        (cells.LEVEL, lambda row: row.level_pga_g),
+        (Column(say("Quantity")), lambda row: QUANTITIES.get(row.quantity)),
+        (Column(say("At base")), lambda row: row.at_base),
+        (Column(say("At low")), lambda row: row.at_low),
+        (Column(say("At high")), lambda row: row.at_high),
+        (Column(say("Outcome")), lambda row: _outcome_text(row.verdict_base)),
+        (Column(say("Outcome at low")), lambda row: _outcome_text(row.verdict_low)),
+        (Column(say("Outcome at high")), lambda row: _outcome_text(row.verdict_high)),
+        (Column(say("Remark")), lambda row: Listing(row.remarks or (Term(row.remark),), "")),
+    )
+    caption = say(
+        "Every check with each value at its low and its high end; there is no ratio where the body overturns."
+    )
+    return tabulate("sensitivity", caption, fields, results.sensitivity)
+
+
+PARAMETER_WORDS: Mapping[str, Phrase] = {
+    "thickness": say("thickness"),
+    "density": say("density"),
+    "compressive_strength": say("compressive strength"),
+    "stiffness": say("stiffness"),
+    "friction": say("friction"),
+    "restitution": say("restitution"),
+    "tie_force": say("force of the tie"),
+    "loads": say("load"),
+    "uplift": say("uplift multiplier"),
+    "p": say("frequency parameter"),
+}
+
+UNIT_DIMENSIONS: Mapping[str, str] = {
+    "m": "length",
+    "kg": "mass",
+    "N": "force",
+    "Pa": "stress",
+    "Pa/m": "stiffness",
+    "kg/m^3": "density",
+    "1/s": "angular frequency",
+}
+"""The dimensions of the units of varied inputs."""
+
+
+def input_name(row: SensitivityResult) -> Text:
+    """Return the name of an input: the parameter, and of what as far as its key tells."""
+    word = PARAMETER_WORDS.get(row.parameter, Term(row.parameter))
+    if row.key.startswith("materials."):
+        material = row.key.removeprefix("materials.").rpartition(".")[0]
+        return say("{parameter} of {material}", parameter=word, material=Verbatim(material))
+    own = row.key.removeprefix(f"mechanisms.{row.mechanism}.")
+    entry, joint = re.match(r"loads\[(\d+)\]", own), re.match(r"interfaces\.([A-D])\.", own)
+    if entry:
+        return say("{parameter} {number}", parameter=word, number=quantity(int(entry[1])))
+    return say("{parameter}, joint {joint}", parameter=word, joint=Verbatim(joint[1])) if joint else word
+
+
+def value_text(row: SensitivityResult, value: float | None) -> Text:
+    """Return a value of an input with its unit."""
+    if value is None:
+        return say("not known")
+    return quantity(value, UNIT_DIMENSIONS.get(row.unit, "ratio"))
+
+
+def answer_name(row: SensitivityResult) -> Text:
+    """Return the name of an answer."""
+    if row.quantity == "index":
+        return say("index {name}", name=cells.index_symbol(row.index))
+    if row.quantity == "capacity_pga_g":
+        return say("PGA at capacity")
+    return say("D/C at {pga}", pga=quantity(row.level_pga_g or 0.0, "ground acceleration", FIGURES))
+
+
+def answer_text(row: SensitivityResult, at: InputValue) -> Text:
+    """Return an answer in a case, with its unit."""
+    found = _answer_value(row, at)
+    if found is None:
+        return say("not known")
+    if found == inf:
+        return cells.OVERTURNED
+    dimension = "ground acceleration" if row.quantity == "capacity_pga_g" else "ratio"
+    return quantity(found, dimension, FIGURES)
+
+
+InputValue = Literal["base", "low", "high"]
+"""The value of a number: as assessed, low or high."""
+RangeEnd = Literal["low", "high"]
+BOUNDS: tuple[RangeEnd, RangeEnd] = ("low", "high")
+INPUT_VALUES: tuple[InputValue, ...] = ("base", *BOUNDS)
+NEGLIGIBLE = 2e-3  # of its value: no history repeats better than this when all masses are multiplied by a number
+
+
+def rank_inputs(rows: Sequence[SensitivityResult]) -> tuple[VariedInput, ...]:
+    """Return every varied number of a mechanism, the one with the largest effect on the answers shown first."""
+    numbers: dict[tuple[str, str], list[SensitivityResult]] = {}
+    for row in rows:
+        if row.quantity:
+            numbers.setdefault((row.parameter, row.key), []).append(row)
+    if not numbers:
+        return ()
+    keys = [_answer_key(row) for row in _representative_answers(next(iter(numbers.values())))]
+    found = [_varied_input(each, keys) for each in numbers.values()]
+    return tuple(sorted(found, key=lambda each: [0.0 if is_negligible(row) else -span(row) for row in each.shown]))
+
+
+def span(row: SensitivityResult) -> float:
+    """Return the width of the range of an answer; 0 where it is not known, or overturns in all cases."""
+    known = [found for at in INPUT_VALUES if (found := _answer_value(row, at)) is not None]
+    return max(known) - min(known) if known and min(known) < inf else 0.0
+
+
+def is_negligible(row: SensitivityResult) -> bool:
+    """Return whether an answer hardly changes."""
+    return span(row) <= NEGLIGIBLE * (row.at_base or 0.0)
+
+
+def changes_outcome(row: SensitivityResult, side: RangeEnd) -> bool:
+    """Return whether a verdict changes from pass to fail or back."""
+    return {row.verdict_base, _outcome_at(row, side)} == {Outcome.PASS, Outcome.FAIL}
 
 
 def _input_effects(results: Results) -> list[InputEffect]:
@@ -199,11 +340,6 @@ def _figures(results: Results) -> Iterator[tuple[Figure, int]]:
         yield figure, len(ranked)
 
 
-def panels(ranked: tuple[VariedInput, ...], target: float | None = None) -> tuple[sensitivity.TornadoPanel, ...]:
-    """Return the panels of a tornado, one for each answer that is shown. target : of the index of the basis."""
-    return tuple(_panel(ranked, place, target) for place in range(len(ranked[0].shown)))
-
-
 def _panel(ranked: tuple[VariedInput, ...], place: int, target: float | None) -> sensitivity.TornadoPanel:
     first = ranked[0].shown[place]
     bars = tuple(_bar(each, each.shown[place]) for each in ranked)
@@ -252,135 +388,13 @@ def _inputs_not_varied(results: Results) -> list[Block]:
     return [Prose(tuple(reasons.values()))] if reasons else []
 
 
-QUANTITIES = {
-    "index": say("index"),
-    "capacity_pga_g": say("PGA at capacity [g]"),
-    "demand_capacity": say("demand / capacity"),
-}
-
-
-def sensitivity_table(results: Results) -> Table:
-    """Tabulate every answer of every mechanism with each value at its low and its high end."""
-    fields: tuple[Field[SensitivityResult], ...] = (
-        (cells.MECHANISM, lambda row: numbered_title(results, row.mechanism)),
-        (Column(say("Parameter")), input_name),
-        (Column(say("Key")), lambda row: Verbatim(row.key)),
-        (Column(say("Unit")), lambda row: Verbatim(row.unit)),
-        (Column(say("Base")), lambda row: row.base),
-        (Column(say("Low")), lambda row: row.low),
-        (Column(say("High")), lambda row: row.high),
-        (cells.PROCEDURE, lambda row: Verbatim(row.procedure)),
-        (cells.LIMIT_STATE, lambda row: Verbatim(row.limit_state)),
-        (Column(say("Role")), lambda row: cells.ROLES[row.role]),
-        (cells.LEVEL, lambda row: row.level_pga_g),
-        (Column(say("Quantity")), lambda row: QUANTITIES.get(row.quantity)),
-        (Column(say("At base")), lambda row: row.at_base),
-        (Column(say("At low")), lambda row: row.at_low),
-        (Column(say("At high")), lambda row: row.at_high),
-        (Column(say("Outcome")), lambda row: _outcome_text(row.verdict_base)),
-        (Column(say("Outcome at low")), lambda row: _outcome_text(row.verdict_low)),
-        (Column(say("Outcome at high")), lambda row: _outcome_text(row.verdict_high)),
-        (Column(say("Remark")), lambda row: Listing(row.remarks or (Term(row.remark),), "")),
-    )
-    caption = say(
-        "Every check with each value at its low and its high end; there is no ratio where the body overturns."
-    )
-    return tabulate("sensitivity", caption, fields, results.sensitivity)
-
-
 def _outcome_text(outcome: Outcome | None) -> Text | None:
     return None if outcome is None else cells.OUTCOMES[outcome.value]
-
-
-PARAMETER_WORDS: Mapping[str, Phrase] = {
-    "thickness": say("thickness"),
-    "density": say("density"),
-    "compressive_strength": say("compressive strength"),
-    "stiffness": say("stiffness"),
-    "friction": say("friction"),
-    "restitution": say("restitution"),
-    "tie_force": say("force of the tie"),
-    "loads": say("load"),
-    "uplift": say("uplift multiplier"),
-    "p": say("frequency parameter"),
-}
-
-UNIT_DIMENSIONS: Mapping[str, str] = {
-    "m": "length",
-    "kg": "mass",
-    "N": "force",
-    "Pa": "stress",
-    "Pa/m": "stiffness",
-    "kg/m^3": "density",
-    "1/s": "angular frequency",
-}
-"""The dimensions of the units of varied inputs."""
-
-
-def input_name(row: SensitivityResult) -> Text:
-    """Return the name of an input: the parameter, and of what as far as its key tells."""
-    word = PARAMETER_WORDS.get(row.parameter, Term(row.parameter))
-    if row.key.startswith("materials."):
-        material = row.key.removeprefix("materials.").rpartition(".")[0]
-        return say("{parameter} of {material}", parameter=word, material=Verbatim(material))
-    own = row.key.removeprefix(f"mechanisms.{row.mechanism}.")
-    entry, joint = re.match(r"loads\[(\d+)\]", own), re.match(r"interfaces\.([A-D])\.", own)
-    if entry:
-        return say("{parameter} {number}", parameter=word, number=quantity(int(entry[1])))
-    return say("{parameter}, joint {joint}", parameter=word, joint=Verbatim(joint[1])) if joint else word
-
-
-def value_text(row: SensitivityResult, value: float | None) -> Text:
-    """Return a value of an input with its unit."""
-    if value is None:
-        return say("not known")
-    return quantity(value, UNIT_DIMENSIONS.get(row.unit, "ratio"))
 
 
 def _range_text(row: SensitivityResult) -> Text:
     """Return the low and the high value of an input."""
     return say("{low} to {high}", low=value_text(row, row.low), high=value_text(row, row.high))
-
-
-def answer_name(row: SensitivityResult) -> Text:
-    """Return the name of an answer."""
-    if row.quantity == "index":
-        return say("index {name}", name=cells.index_symbol(row.index))
-    if row.quantity == "capacity_pga_g":
-        return say("PGA at capacity")
-    return say("D/C at {pga}", pga=quantity(row.level_pga_g or 0.0, "ground acceleration", FIGURES))
-
-
-def answer_text(row: SensitivityResult, at: InputValue) -> Text:
-    """Return an answer in a case, with its unit."""
-    found = _answer_value(row, at)
-    if found is None:
-        return say("not known")
-    if found == inf:
-        return cells.OVERTURNED
-    dimension = "ground acceleration" if row.quantity == "capacity_pga_g" else "ratio"
-    return quantity(found, dimension, FIGURES)
-
-
-InputValue = Literal["base", "low", "high"]
-"""The value of a number: as assessed, low or high."""
-RangeEnd = Literal["low", "high"]
-BOUNDS: tuple[RangeEnd, RangeEnd] = ("low", "high")
-INPUT_VALUES: tuple[InputValue, ...] = ("base", *BOUNDS)
-NEGLIGIBLE = 2e-3  # of its value: no history repeats better than this when all masses are multiplied by a number
-
-
-def rank_inputs(rows: Sequence[SensitivityResult]) -> tuple[VariedInput, ...]:
-    """Return every varied number of a mechanism, the one with the largest effect on the answers shown first."""
-    numbers: dict[tuple[str, str], list[SensitivityResult]] = {}
-    for row in rows:
-        if row.quantity:
-            numbers.setdefault((row.parameter, row.key), []).append(row)
-    if not numbers:
-        return ()
-    keys = [_answer_key(row) for row in _representative_answers(next(iter(numbers.values())))]
-    found = [_varied_input(each, keys) for each in numbers.values()]
-    return tuple(sorted(found, key=lambda each: [0.0 if is_negligible(row) else -span(row) for row in each.shown]))
 
 
 def _varied_input(rows: Sequence[SensitivityResult], keys: Sequence[tuple[str, str, str, float | None]]) -> VariedInput:
@@ -428,19 +442,3 @@ def _answer_value(row: SensitivityResult, at: InputValue) -> float | None:
 def _outcome_at(row: SensitivityResult, at: InputValue) -> Outcome | None:
     """Return the verdict in a case; None where it was not assessed."""
     return {"base": row.verdict_base, "low": row.verdict_low, "high": row.verdict_high}[at]
-
-
-def span(row: SensitivityResult) -> float:
-    """Return the width of the range of an answer; 0 where it is not known, or overturns in all cases."""
-    known = [found for at in INPUT_VALUES if (found := _answer_value(row, at)) is not None]
-    return max(known) - min(known) if known and min(known) < inf else 0.0
-
-
-def is_negligible(row: SensitivityResult) -> bool:
-    """Return whether an answer hardly changes."""
-    return span(row) <= NEGLIGIBLE * (row.at_base or 0.0)
-
-
-def changes_outcome(row: SensitivityResult, side: RangeEnd) -> bool:
-    """Return whether a verdict changes from pass to fail or back."""
-    return {row.verdict_base, _outcome_at(row, side)} == {Outcome.PASS, Outcome.FAIL}

@@ -37,6 +37,67 @@ def sections(results: Results) -> list[doc.Section]:
     return parts
 
 
+def parameters_table(results: Results, spectrum: SpectrumResult) -> doc.Table:
+    """Tabulate the parameters of the spectrum that are given or defaults, with their sources."""
+    stated = [row for row in _parameters(results, spectrum) if row[2] != CALCULATED]
+    columns = (doc.Column(say("Parameter")), doc.Column(say("Value")), doc.Column(say("Source")))
+    return doc.Table(
+        "site",
+        say("The elastic response spectrum of the site."),
+        columns,
+        tuple(_without_repeated_sources(stated)),
+        small=True,
+    )
+
+
+def hazard_table(results: Results) -> doc.Table:
+    """Tabulate the hazard over return periods; no rows where the project gives one spectrum."""
+    found = results.project.get(f"{SPECTRUM}.hazard")
+    given = found.value if found is not None and isinstance(found.value, list | tuple) else ()
+    columns = (
+        doc.Column(say("Return period"), "return period"),
+        doc.Column(say("a_g on rock"), "ground acceleration"),
+        doc.Column(say("F_0"), "ratio"),
+        doc.Column(say("T_C*"), "time"),
+    )
+    rows = tuple((row["return_period"], row["a_g"] / g, row["f_0"], row["t_c_star"]) for row in given)
+    return doc.Table("hazard", say("Hazard of the site over return periods, as given."), columns, rows, small=True)
+
+
+def calculated_parameters_table(results: Results, spectrum: SpectrumResult) -> doc.Table:
+    """Tabulate the parameters that follow from the others, several abreast; no rows where all are given."""
+    found: list[tuple[doc.Cell, ...]] = [
+        (name, with_figures(value, 4))
+        for name, value, source in _parameters(results, spectrum)
+        if source == CALCULATED and name not in ON_PAGE_1
+    ]
+    blank: tuple[doc.Cell, ...] = (doc.NOTHING, doc.NOTHING)
+    found += [blank] * (-len(found) % PAIRS_IN_ROW)
+    high = len(found) // PAIRS_IN_ROW
+    rows = tuple(tuple(chain.from_iterable(found[row::high])) for row in range(high))
+    columns = (doc.Column(say("Parameter")), doc.Column(say("Value"), share=0.1)) * PAIRS_IN_ROW
+    return doc.Table("calculated", say("Parameters calculated from these."), columns, rows, small=True)
+
+
+def loads_table(results: Results) -> doc.Table:
+    """Tabulate the loads that act, a row for loads that are alike in several mechanisms."""
+    groups: dict[tuple[object, ...], tuple[LoadResult, list[str]]] = {}
+    for mechanism in results.mechanisms:
+        for load in mechanism.loads:
+            alike = (load.name, load.kind, load.bearing, load.mass_kg, load.force_n)
+            groups.setdefault(alike, (load, []))[1].append(mechanism_number(results, mechanism.name))
+    fields: tuple[doc.Field[tuple[LoadResult, list[str]]], ...] = (
+        (doc.Column(say("Load")), lambda group: Verbatim(group[0].name)),
+        (doc.Column(say("Mechanisms")), lambda group: names(group[1])),
+        (doc.Column(say("Acts as")), lambda group: _acts_as(group[0])),
+        (doc.Column(say("Mass"), "mass"), lambda group: group[0].mass_kg),
+        (doc.Column(say("Force along"), "force"), lambda group: group[0].force_n and group[0].force_n[0]),
+        (doc.Column(say("Force up"), "force"), lambda group: group[0].force_n and group[0].force_n[1]),
+    )
+    caption = say("Loads besides the weight of the masonry, as given; forces along the direction of motion and up.")
+    return doc.tabulate("actions", caption, fields, groups.values(), small=True)
+
+
 def _action_blocks(results: Results) -> Iterator[doc.Block]:
     if results.spectrum is None:
         yield doc.Prose((say("The project gives no spectrum of the site."),))
@@ -85,48 +146,6 @@ def _figures(results: Results, target: SpectrumResult) -> Iterator[doc.Figure]:
     if results.ground_motion is not None:
         caption = say("Records, their mean and the target, with the limits that the deciding code sets to the mean.")
         yield doc.Figure("suite", caption, partial(suite_figure.draw_suite, results))
-
-
-def parameters_table(results: Results, spectrum: SpectrumResult) -> doc.Table:
-    """Tabulate the parameters of the spectrum that are given or defaults, with their sources."""
-    stated = [row for row in _parameters(results, spectrum) if row[2] != CALCULATED]
-    columns = (doc.Column(say("Parameter")), doc.Column(say("Value")), doc.Column(say("Source")))
-    return doc.Table(
-        "site",
-        say("The elastic response spectrum of the site."),
-        columns,
-        tuple(_without_repeated_sources(stated)),
-        small=True,
-    )
-
-
-def hazard_table(results: Results) -> doc.Table:
-    """Tabulate the hazard over return periods; no rows where the project gives one spectrum."""
-    found = results.project.get(f"{SPECTRUM}.hazard")
-    given = found.value if found is not None and isinstance(found.value, list | tuple) else ()
-    columns = (
-        doc.Column(say("Return period"), "return period"),
-        doc.Column(say("a_g on rock"), "ground acceleration"),
-        doc.Column(say("F_0"), "ratio"),
-        doc.Column(say("T_C*"), "time"),
-    )
-    rows = tuple((row["return_period"], row["a_g"] / g, row["f_0"], row["t_c_star"]) for row in given)
-    return doc.Table("hazard", say("Hazard of the site over return periods, as given."), columns, rows, small=True)
-
-
-def calculated_parameters_table(results: Results, spectrum: SpectrumResult) -> doc.Table:
-    """Tabulate the parameters that follow from the others, several abreast; no rows where all are given."""
-    found: list[tuple[doc.Cell, ...]] = [
-        (name, with_figures(value, 4))
-        for name, value, source in _parameters(results, spectrum)
-        if source == CALCULATED and name not in ON_PAGE_1
-    ]
-    blank: tuple[doc.Cell, ...] = (doc.NOTHING, doc.NOTHING)
-    found += [blank] * (-len(found) % PAIRS_IN_ROW)
-    high = len(found) // PAIRS_IN_ROW
-    rows = tuple(tuple(chain.from_iterable(found[row::high])) for row in range(high))
-    columns = (doc.Column(say("Parameter")), doc.Column(say("Value"), share=0.1)) * PAIRS_IN_ROW
-    return doc.Table("calculated", say("Parameters calculated from these."), columns, rows, small=True)
 
 
 def _parameters(results: Results, spectrum: SpectrumResult) -> Iterator[tuple[Text, Text, Text]]:
@@ -230,25 +249,6 @@ def _directions(results: Results) -> Iterator[Text]:
         )
     else:
         yield say("No vertical ground motion is applied.")
-
-
-def loads_table(results: Results) -> doc.Table:
-    """Tabulate the loads that act, a row for loads that are alike in several mechanisms."""
-    groups: dict[tuple[object, ...], tuple[LoadResult, list[str]]] = {}
-    for mechanism in results.mechanisms:
-        for load in mechanism.loads:
-            alike = (load.name, load.kind, load.bearing, load.mass_kg, load.force_n)
-            groups.setdefault(alike, (load, []))[1].append(mechanism_number(results, mechanism.name))
-    fields: tuple[doc.Field[tuple[LoadResult, list[str]]], ...] = (
-        (doc.Column(say("Load")), lambda group: Verbatim(group[0].name)),
-        (doc.Column(say("Mechanisms")), lambda group: names(group[1])),
-        (doc.Column(say("Acts as")), lambda group: _acts_as(group[0])),
-        (doc.Column(say("Mass"), "mass"), lambda group: group[0].mass_kg),
-        (doc.Column(say("Force along"), "force"), lambda group: group[0].force_n and group[0].force_n[0]),
-        (doc.Column(say("Force up"), "force"), lambda group: group[0].force_n and group[0].force_n[1]),
-    )
-    caption = say("Loads besides the weight of the masonry, as given; forces along the direction of motion and up.")
-    return doc.tabulate("actions", caption, fields, groups.values(), small=True)
 
 
 def _acts_as(load: LoadResult) -> Text:

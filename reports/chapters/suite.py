@@ -39,36 +39,10 @@ def suite_records_table(results: Results) -> doc.Table:
     return doc.Table("suite-records", say("Records, as scaled to the spectrum of the site."), columns, rows, small=True)
 
 
-def _record_row(record: RecordResult) -> tuple[doc.Cell, ...]:
-    texts = (record.id, event_name(record), record.station, record.component)
-    scaled = (quantity(record.scale_factor), quantity(record.pga_g, "ground acceleration", FIGURES))
-    return (*(Verbatim(text) if text else None for text in texts), *scaled)
-
-
-def _artificial_row(records: tuple[RecordResult, ...]) -> tuple[doc.Cell, ...]:
-    label = say_count("{number} artificial record", "{number} artificial records", len(records))
-    factors = _range_text([record.scale_factor for record in records], "ratio")
-    return (label, None, None, None, factors, _range_text([record.pga_g for record in records], "ground acceleration"))
-
-
-def _range_text(values: list[float], dimension: str) -> Text:
-    """Return the range of numbers; one number where they are alike as shown."""
-    least, most = quantity(min(values), dimension, FIGURES), quantity(max(values), dimension, FIGURES)
-    if most.value - least.value <= 5e-4 * most.value:
-        return most
-    return say("{least} to {most}", least=least, most=most)
-
-
 def event_name(record: RecordResult) -> str:
     """Return the earthquake with its year, where that is known and not part of its name."""
     year = record.date[:4]
     return record.event if year in record.event else f"{record.event} {year}".strip()
-
-
-def _requirements_of_basis(results: Results) -> tuple[RequirementResult, ...]:
-    """Return the requirements of the code that belongs to the basis; none without records or basis."""
-    code, motion = suite_code(results), results.ground_motion
-    return () if motion is None else tuple(one for one in motion.requirements if one.code == code)
 
 
 def meets_requirements(results: Results) -> bool:
@@ -100,42 +74,6 @@ def suite_sentences(results: Results) -> Iterator[Text]:
         yield from _compliance(rules)
 
 
-def _made_for_sentence(code: str) -> Text:
-    """Say whose rules the suite was made to meet."""
-    return say(
-        "The suite was made to meet the rules of {code}, as far as they can be checked: the number of its records "
-        "and their factors were adjusted for it, and records that break a rule by themselves were replaced.",
-        code=Verbatim(code),
-    )
-
-
-def _lock_sentence(file: str) -> Text:
-    """Say that the suite is locked."""
-    return say(
-        "The suite is locked: the records and their scale factors are those of {file}, whatever becomes of the "
-        "mechanisms and the selection.",
-        file=Verbatim(file),
-    )
-
-
-def _compliance(rules: tuple[RequirementResult, ...]) -> Iterator[Text]:
-    code = Verbatim(rules[0].code)
-    not_met, not_answered = (
-        listing(Term(rule.what) for rule in rules if rule.verdict == verdict) for verdict in ("not met", "not answered")
-    )
-    if not_met.texts:
-        yield say("The suite does not meet these requirements of {code}: {which}.", code=code, which=not_met)
-    if not_answered.texts:
-        yield say("These requirements of {code} could not be checked: {which}.", code=code, which=not_answered)
-    if not not_met.texts and not not_answered.texts:
-        yield say_count(
-            "The suite meets the one requirement of {code} on suites.",
-            "The suite meets all {number} requirements of {code} on suites.",
-            len(rules),
-            code=code,
-        )
-
-
 def basis_requirements_table(results: Results) -> doc.Table:
     """Tabulate the requirements of the code that belongs to the basis."""
     fields: tuple[doc.Field[RequirementResult], ...] = (
@@ -148,15 +86,6 @@ def basis_requirements_table(results: Results) -> doc.Table:
     rules = _requirements_of_basis(results)
     caption = say("The suite against the rules of {code}.", code=Verbatim(rules[0].code if rules else ""))
     return doc.tabulate("suite-rules", caption, fields, rules, small=True)
-
-
-def _found_cell(rule: RequirementResult) -> doc.Cell:
-    return None if rule.value is None else quantity(rule.value, DIMENSIONS.get(rule.unit, "ratio"))
-
-
-def _limit_text(rule: RequirementResult) -> Text:
-    limit = quantity(rule.limit, DIMENSIONS.get(rule.unit, "ratio"))
-    return say("{sign} {limit}", sign=Verbatim(SIGNS[rule.sense]), limit=limit)
 
 
 MARK = "D"
@@ -210,6 +139,108 @@ def selection_sentences(motion: GroundMotionResult) -> tuple[Text, ...]:
     return (over, rule, *lock)
 
 
+def requirements_table(motion: GroundMotionResult) -> doc.Table:
+    """Tabulate the requirements of each code on the suite."""
+    fields: tuple[doc.Field[RequirementResult], ...] = (
+        (doc.Column(say("Code")), lambda rule: Verbatim(rule.code)),
+        (doc.Column(say("Clause")), lambda rule: Term(rule.clause)),
+        (doc.Column(say("Requirement"), share=0.26), lambda rule: Term(rule.what)),
+        (doc.Column(say("Found")), _found_cell),
+        (doc.Column(say("Limit")), _limit_text),
+        (doc.Column(say("Periods")), _periods_text),
+        (doc.Column(say("Outcome")), lambda rule: REQUIREMENT_OUTCOMES[rule.verdict][1]),
+        (doc.Column(say("Remark"), share=0.2), _remarks_text),
+    )
+    caption = say(
+        "Requirements of codes on the suite. Histories by ASCE 43-05 and NTC 2018 are evaluated only where their "
+        "requirements are met; the others are for information. T₁ is replaced by the smallest and the largest "
+        "equivalent period."
+    )
+    return doc.tabulate("requirements", caption, fields, motion.requirements, small=True)
+
+
+def processing_table(results: Results) -> doc.Table:
+    """Tabulate the origin and the processing of each record."""
+    fields: tuple[doc.Field[RecordResult], ...] = (
+        (doc.Column(say("Record"), share=0.18), lambda record: Verbatim(record.id)),
+        (doc.Column(say("Station"), share=0.15), lambda record: Verbatim(record.station)),
+        (doc.Column(say("File"), share=0.22), lambda record: Verbatim(record.path)),
+        (doc.Column(say("Processing, in order")), lambda record: Listing(_processing_steps(record), "")),
+    )
+    return doc.tabulate("processing", say("Origin and processing of the records."), fields, results.records, small=True)
+
+
+def _record_row(record: RecordResult) -> tuple[doc.Cell, ...]:
+    texts = (record.id, event_name(record), record.station, record.component)
+    scaled = (quantity(record.scale_factor), quantity(record.pga_g, "ground acceleration", FIGURES))
+    return (*(Verbatim(text) if text else None for text in texts), *scaled)
+
+
+def _artificial_row(records: tuple[RecordResult, ...]) -> tuple[doc.Cell, ...]:
+    label = say_count("{number} artificial record", "{number} artificial records", len(records))
+    factors = _range_text([record.scale_factor for record in records], "ratio")
+    return (label, None, None, None, factors, _range_text([record.pga_g for record in records], "ground acceleration"))
+
+
+def _range_text(values: list[float], dimension: str) -> Text:
+    """Return the range of numbers; one number where they are alike as shown."""
+    least, most = quantity(min(values), dimension, FIGURES), quantity(max(values), dimension, FIGURES)
+    if most.value - least.value <= 5e-4 * most.value:
+        return most
+    return say("{least} to {most}", least=least, most=most)
+
+
+def _requirements_of_basis(results: Results) -> tuple[RequirementResult, ...]:
+    """Return the requirements of the code that belongs to the basis; none without records or basis."""
+    code, motion = suite_code(results), results.ground_motion
+    return () if motion is None else tuple(one for one in motion.requirements if one.code == code)
+
+
+def _made_for_sentence(code: str) -> Text:
+    """Say whose rules the suite was made to meet."""
+    return say(
+        "The suite was made to meet the rules of {code}, as far as they can be checked: the number of its records "
+        "and their factors were adjusted for it, and records that break a rule by themselves were replaced.",
+        code=Verbatim(code),
+    )
+
+
+def _lock_sentence(file: str) -> Text:
+    """Say that the suite is locked."""
+    return say(
+        "The suite is locked: the records and their scale factors are those of {file}, whatever becomes of the "
+        "mechanisms and the selection.",
+        file=Verbatim(file),
+    )
+
+
+def _compliance(rules: tuple[RequirementResult, ...]) -> Iterator[Text]:
+    code = Verbatim(rules[0].code)
+    not_met, not_answered = (
+        listing(Term(rule.what) for rule in rules if rule.verdict == verdict) for verdict in ("not met", "not answered")
+    )
+    if not_met.texts:
+        yield say("The suite does not meet these requirements of {code}: {which}.", code=code, which=not_met)
+    if not_answered.texts:
+        yield say("These requirements of {code} could not be checked: {which}.", code=code, which=not_answered)
+    if not not_met.texts and not not_answered.texts:
+        yield say_count(
+            "The suite meets the one requirement of {code} on suites.",
+            "The suite meets all {number} requirements of {code} on suites.",
+            len(rules),
+            code=code,
+        )
+
+
+def _found_cell(rule: RequirementResult) -> doc.Cell:
+    return None if rule.value is None else quantity(rule.value, DIMENSIONS.get(rule.unit, "ratio"))
+
+
+def _limit_text(rule: RequirementResult) -> Text:
+    limit = quantity(rule.limit, DIMENSIONS.get(rule.unit, "ratio"))
+    return say("{sign} {limit}", sign=Verbatim(SIGNS[rule.sense]), limit=limit)
+
+
 def _equivalent_periods_table(results: Results, motion: GroundMotionResult) -> doc.Table:
     """Tabulate the equivalent periods of the mechanisms."""
     columns = (MECHANISM, doc.Column(say("Shortest"), "time"), doc.Column(say("Longest"), "time"))
@@ -255,26 +286,6 @@ def _amplification_table(results: Results) -> doc.Table:
     return doc.Table("amplification", caption, columns, rows, small=True)
 
 
-def requirements_table(motion: GroundMotionResult) -> doc.Table:
-    """Tabulate the requirements of each code on the suite."""
-    fields: tuple[doc.Field[RequirementResult], ...] = (
-        (doc.Column(say("Code")), lambda rule: Verbatim(rule.code)),
-        (doc.Column(say("Clause")), lambda rule: Term(rule.clause)),
-        (doc.Column(say("Requirement"), share=0.26), lambda rule: Term(rule.what)),
-        (doc.Column(say("Found")), _found_cell),
-        (doc.Column(say("Limit")), _limit_text),
-        (doc.Column(say("Periods")), _periods_text),
-        (doc.Column(say("Outcome")), lambda rule: REQUIREMENT_OUTCOMES[rule.verdict][1]),
-        (doc.Column(say("Remark"), share=0.2), _remarks_text),
-    )
-    caption = say(
-        "Requirements of codes on the suite. Histories by ASCE 43-05 and NTC 2018 are evaluated only where their "
-        "requirements are met; the others are for information. T₁ is replaced by the smallest and the largest "
-        "equivalent period."
-    )
-    return doc.tabulate("requirements", caption, fields, motion.requirements, small=True)
-
-
 def _periods_text(rule: RequirementResult) -> Text | None:
     if rule.from_s is None or rule.to_s is None:
         return None
@@ -294,14 +305,3 @@ def _processing_steps(record: RecordResult) -> tuple[Text, ...]:
     """Return what was done to a record; lines of its file are verbatim, and older results hold the English alone."""
     texts = tuple(Verbatim(each) if isinstance(each, str) else each for each in record.processing)
     return texts or tuple(map(Term, record.trail))
-
-
-def processing_table(results: Results) -> doc.Table:
-    """Tabulate the origin and the processing of each record."""
-    fields: tuple[doc.Field[RecordResult], ...] = (
-        (doc.Column(say("Record"), share=0.18), lambda record: Verbatim(record.id)),
-        (doc.Column(say("Station"), share=0.15), lambda record: Verbatim(record.station)),
-        (doc.Column(say("File"), share=0.22), lambda record: Verbatim(record.path)),
-        (doc.Column(say("Processing, in order")), lambda record: Listing(_processing_steps(record), "")),
-    )
-    return doc.tabulate("processing", say("Origin and processing of the records."), fields, results.records, small=True)

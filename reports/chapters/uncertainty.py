@@ -61,30 +61,10 @@ def annex_sections(results: Results) -> list[Section]:
     return [Section(say("Uncertainty of all answers"), 1, tuple(blocks))]
 
 
-def _remarks(results: Results, shown: list[UncertainAnswer]) -> Iterator[Text]:
-    for answer in shown:
-        lead = {"mechanism": numbered_title(results, answer.mechanism), "method": procedure_title(answer.procedure)}
-        yield from (say("{mechanism}, {method}: {note}", **lead, note=note) for note in answer.notes)
-
-
 def shown_answers(found: UncertaintyResult) -> list[UncertainAnswer]:
     """Return the deciding answers, those that fail most often first; all of them where none decides."""
     deciding = [each for each in found.answers if each.role == "deciding"] or list(found.answers)
     return sorted(deciding, key=lambda each: (-(each.probability or 0.0), -(each.at_mean or 0.0)))
-
-
-def _findings(results: Results, found: UncertaintyResult) -> Iterator[Text]:
-    yield say_count(
-        "{number} uncertain value of the project varies in {samples} samples (Sobol sequence, seed {seed}), and every "
-        "mechanism is assessed in each.",
-        "{number} uncertain values of the project vary together in {samples} samples (Sobol sequence, seed {seed}), "
-        "and every mechanism is assessed in each.",
-        len(found.inputs),
-        samples=count(found.samples),
-        seed=count(found.seed),
-    )
-    yield say("The probability of failing is the share of samples that fail: of these values alone, not of records.")
-    yield from densities_without_effect(results, found)
 
 
 def densities_without_effect(results: Results, found: UncertaintyResult) -> Iterator[Text]:
@@ -109,11 +89,6 @@ def densities_without_effect(results: Results, found: UncertaintyResult) -> Iter
         )
 
 
-def _spread_out(answers: list[UncertainAnswer]) -> list[UncertainAnswer]:
-    """Return the answers that any value changes, which alone have something to draw."""
-    return [each for each in answers if figure.rank_influences(each)]
-
-
 def figures(results: Results, answer: UncertainAnswer) -> FigureRow:
     """Return the distribution of an answer beside its influences."""
     found = results.uncertainty
@@ -128,6 +103,52 @@ def figures(results: Results, answer: UncertainAnswer) -> FigureRow:
     spread = Figure(f"{stem}-distribution", caption, partial(figure.draw_distribution, answer))
     caption = say("What this answer hangs on: to the right, a larger value makes it worse.")
     return FigureRow((spread, Figure(f"{stem}-influences", caption, partial(figure.draw_influences, answer))))
+
+
+def inputs_table(found: UncertaintyResult) -> Table:
+    """Tabulate the uncertain inputs, each mean with its unit."""
+    columns = (KEY, Column(say("Mean")), *SPREAD)
+    rows = tuple(
+        (Verbatim(each.key), value_cell(each.mean, each.unit.replace("^", "")), *_spread(each)) for each in found.inputs
+    )
+    caption = say("Uncertain values; those of one group vary together.")
+    return Table("uncertainty-inputs", caption, columns, rows, small=True)
+
+
+def data_tables(results: Results) -> Iterator[Table]:
+    """Yield every number, for the spreadsheet and the CSV files."""
+    found = results.uncertainty
+    if found is None:
+        return
+    yield _means(found)
+    yield _statistics(results, found)
+    yield _influences(results, found)
+    yield _samples(results, found)
+
+
+def _remarks(results: Results, shown: list[UncertainAnswer]) -> Iterator[Text]:
+    for answer in shown:
+        lead = {"mechanism": numbered_title(results, answer.mechanism), "method": procedure_title(answer.procedure)}
+        yield from (say("{mechanism}, {method}: {note}", **lead, note=note) for note in answer.notes)
+
+
+def _findings(results: Results, found: UncertaintyResult) -> Iterator[Text]:
+    yield say_count(
+        "{number} uncertain value of the project varies in {samples} samples (Sobol sequence, seed {seed}), and every "
+        "mechanism is assessed in each.",
+        "{number} uncertain values of the project vary together in {samples} samples (Sobol sequence, seed {seed}), "
+        "and every mechanism is assessed in each.",
+        len(found.inputs),
+        samples=count(found.samples),
+        seed=count(found.seed),
+    )
+    yield say("The probability of failing is the share of samples that fail: of these values alone, not of records.")
+    yield from densities_without_effect(results, found)
+
+
+def _spread_out(answers: list[UncertainAnswer]) -> list[UncertainAnswer]:
+    """Return the answers that any value changes, which alone have something to draw."""
+    return [each for each in answers if figure.rank_influences(each)]
 
 
 def _stem(results: Results, name: str) -> str:
@@ -169,16 +190,6 @@ def _interval(each: UncertainAnswer) -> Text | None:
     return say("{low} to {high}", low=low, high=high)
 
 
-def inputs_table(found: UncertaintyResult) -> Table:
-    """Tabulate the uncertain inputs, each mean with its unit."""
-    columns = (KEY, Column(say("Mean")), *SPREAD)
-    rows = tuple(
-        (Verbatim(each.key), value_cell(each.mean, each.unit.replace("^", "")), *_spread(each)) for each in found.inputs
-    )
-    caption = say("Uncertain values; those of one group vary together.")
-    return Table("uncertainty-inputs", caption, columns, rows, small=True)
-
-
 def _spread(each: UncertainInput) -> tuple[Cell, ...]:
     return each.cov, DISTRIBUTIONS[each.distribution], Verbatim(each.group)
 
@@ -188,17 +199,6 @@ def _means(found: UncertaintyResult) -> Table:
     columns = (KEY, Column(say("Mean"), "ratio"), Column(say("Unit")), *SPREAD)
     rows = tuple((Verbatim(each.key), each.mean, Verbatim(each.unit), *_spread(each)) for each in found.inputs)
     return Table("uncertainty-means", say("Uncertain values, in SI."), columns, rows)
-
-
-def data_tables(results: Results) -> Iterator[Table]:
-    """Yield every number, for the spreadsheet and the CSV files."""
-    found = results.uncertainty
-    if found is None:
-        return
-    yield _means(found)
-    yield _statistics(results, found)
-    yield _influences(results, found)
-    yield _samples(results, found)
 
 
 def _lead(results: Results, each: UncertainAnswer) -> tuple[Cell, ...]:

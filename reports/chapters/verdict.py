@@ -98,99 +98,9 @@ def headline(verdict: Verdict) -> Text:
     return _some_are_open(verdict, pga)
 
 
-def _all_hold(verdict: Verdict, pga: Quantity) -> Text:
-    """Return that the action is borne, or that share of it which is the target."""
-    target = cells.target_text(verdict)
-    if cells.has_reduced_target(verdict) and target is not None:
-        return say_count(
-            "The one mechanism examined reaches the target at the site’s own action, PGA {pga}: {target}.",
-            "All {number} mechanisms examined reach the target at the site’s own action, PGA {pga}: {target}.",
-            len(verdict.mechanisms),
-            pga=pga,
-            target=target,
-        )
-    return say_count(
-        "The one mechanism examined holds at the site’s own action, PGA {pga}.",
-        "All {number} mechanisms examined hold at the site’s own action, PGA {pga}.",
-        len(verdict.mechanisms),
-        pga=pga,
-    )
-
-
-def _some_fail(verdict: Verdict, pga: Quantity) -> Text:
-    every = len(verdict.mechanisms)
-    if every == 1:
-        return say("The one mechanism examined fails at the site’s own action, PGA {pga}.", pga=pga)
-    return say_count(
-        "{number} of {every} mechanisms examined fails at the site’s own action, PGA {pga}.",
-        "{number} of {every} mechanisms examined fail at the site’s own action, PGA {pga}.",
-        sum(one.outcome == Decision.FAIL for one in verdict.mechanisms),
-        every=count(every),
-        pga=pga,
-    )
-
-
-def _some_are_open(verdict: Verdict, pga: Quantity) -> Text:
-    every = len(verdict.mechanisms)
-    if every == 1:
-        return say("The one mechanism examined has no deciding answer at the site’s own action, PGA {pga}.", pga=pga)
-    return say_count(
-        "{number} of {every} mechanisms examined has no deciding answer at the site’s own action, PGA {pga}.",
-        "{number} of {every} mechanisms examined have no deciding answer at the site’s own action, PGA {pga}.",
-        sum(one.outcome == Decision.INCOMPLETE for one in verdict.mechanisms),
-        every=count(every),
-        pga=pga,
-    )
-
-
 def conditions(results: Results, verdict: Verdict) -> list[Text]:
     """Return on what the verdict depends: what is still to be shown, and what the project vouches for."""
     return [*verdict.conditions, *(cells.stated_premises(results) if verdict.basis else ())]
-
-
-def _basis_facts(results: Results, verdict: Verdict) -> Iterator[tuple[Text, Text]]:
-    """Yield what the verdict is based on: code, limit state, action, methods, target and index."""
-    yield say("Code"), _code(results, verdict)
-    if verdict.limit_states and verdict.basis != cells.OWN_BASIS:
-        states = listing(LIMIT_STATES.get(state, Verbatim(state)) for state in verdict.limit_states)
-        yield say("Limit state"), states
-    yield say("Site’s own action"), action_text(results, verdict)
-    if results.spectrum is not None:
-        yield say("Spectrum"), _spectrum_text(results.spectrum)
-    if verdict.methods:
-        yield say("Methods that may decide"), listing(map(procedure_title, verdict.methods))
-    known = cells.knowledge_text(results)
-    if known is not None:
-        yield say("Knowledge level"), known
-    yield from _measures(results, verdict)
-    left = not_examined_text(results)
-    if left is not None:
-        yield say("Possible, not examined"), left
-
-
-def _measures(results: Results, verdict: Verdict) -> Iterator[tuple[Text, Text]]:
-    """Yield target, index and least margin, as far as they are known."""
-    target, index, least = cells.target_text(verdict), cells.building_index_text(verdict), cells.least_margin(verdict)
-    if target is not None:
-        yield say("Target"), _with_works(results, target)
-    if index is not None:
-        yield say("Index of the building"), say("{index}; local mechanisms only", index=index)
-    if least is not None:
-        margin = cells.margin_text(least, verdict.action) or NOTHING
-        title = numbered_title(results, least.mechanism)
-        yield say("Least margin"), say("{mechanism} holds up to a PGA of {margin}", mechanism=title, margin=margin)
-
-
-def _code(results: Results, verdict: Verdict) -> Text:
-    """Return the edition of the code with its national annex; of a basis of its own the user's statement."""
-    if not verdict.basis:
-        return say("none named")
-    if verdict.basis == cells.OWN_BASIS:
-        return Verbatim(verdict.clauses[0][0])
-    annex, edition = results.report.national_annex, Term(verdict.edition)
-    if not annex:
-        return edition
-    return say("{edition}, national annex: {annex}", edition=edition, annex=Verbatim(annex))
 
 
 def action_text(results: Results, verdict: Verdict) -> Text:
@@ -211,32 +121,6 @@ def action_text(results: Results, verdict: Verdict) -> Text:
     return listing(known, "")
 
 
-def _spectrum_text(spectrum: SpectrumResult) -> Text:
-    """Return the clause of the spectrum with the parameters that an authority looks for first."""
-    rows = dict(zip(spectrum.parameters, parameter_rows(spectrum.parameters), strict=True))
-    known = [(phrase.english, rows[key][1]) for key, phrase in ESSENTIAL.items() if key in rows]
-    return listing(
-        [Term(spectrum.clause), *(Phrase(words, {"value": with_figures(value, 3)}) for words, value in known)], ""
-    )
-
-
-def _with_works(results: Results, target: Text) -> Text:
-    works = WORKS.get(project_text(results, "verdict.works"))
-    return target if works is None else say("{target} ({works})", target=target, works=works)
-
-
-def _missing(verdict: Verdict, results: Results) -> list[Block]:
-    """Return what would complete the verdict, as lines to paste, and what it would be with the safe values."""
-    if verdict.outcome != Decision.INCOMPLETE or not verdict.missing:
-        return []
-    blocks = _short_list(say("What is missing:"), cells.missing_texts(results, verdict))
-    if cells.fits_page_1(results, verdict):
-        blocks += cells.blocks_to_paste(results, verdict)
-    else:
-        blocks += [Prose((say("The lines that complete the project file are listed under Recommendations."),))]
-    return [*blocks, *cells.provisional_outcome(verdict)]
-
-
 def warnings(results: Results) -> list[Text]:
     """Return the warnings of the run and the remarks of the checks that decide, each once with where it holds."""
     found: dict[tuple[str, str], list[Message]] = {}
@@ -245,45 +129,9 @@ def warnings(results: Results) -> list[Text]:
     return [_placed(results, same) for same in found.values()]
 
 
-def _remarks(results: Results) -> Iterator[Message]:
-    for mechanism in results.mechanisms:
-        deciding = (check for check in mechanism.checks if check.role == "deciding")
-        for each in (remark for check in deciding for remark in check.remarks):
-            yield Message(each.key, each.severity, f"mechanisms.{mechanism.name}", each.text, each.values)
-
-
-def _placed(results: Results, same: Sequence[Message]) -> Text:
-    """Return a message with the mechanisms or the keys of the project file that it concerns."""
-    owners = [_owner(results, each.where) for each in same]
-    if all(owners):
-        return say("{places}: {message}", places=mechanism_list(results, owners), message=same[0])
-    keys = [each.where for each in same if "." in each.where]
-    return say("{places}: {message}", places=names(keys), message=same[0]) if keys else same[0]
-
-
-def _owner(results: Results, where: str) -> str:
-    """Return the mechanism that a message is about, by its name or its key; empty for none."""
-    named = any(where == each.name for each in results.mechanisms)
-    return where if named else split_key(results, where)[0]
-
-
 def is_shortened(points: Sequence[Text]) -> bool:
     """Return whether page 1 shows only the first of these points."""
     return len(points) > MAX_POINTS + 1
-
-
-def _short_list(title: Text, points: Sequence[Text]) -> list[Block]:
-    """Return a list under its title; of a long one the first points, and how many there are besides."""
-    if not points:
-        return []
-    if not is_shortened(points):
-        return [Prose((title,)), BulletList(tuple(points))]
-    rest = say_count(
-        "and {number} other, under Scope and limits",
-        "and {number} others, under Scope and limits",
-        len(points) - MAX_POINTS,
-    )
-    return [Prose((title,)), BulletList((*points[:MAX_POINTS], rest))]
 
 
 ZETA = "zeta_E"
@@ -331,6 +179,175 @@ def matrix(results: Results, verdict: Verdict) -> Table:
             )
         )
     return Table("verdict", _matrix_caption(verdict), tuple(columns), tuple(rows), small=True)
+
+
+def ratio_text(check: Check) -> Text:
+    """Return demand over capacity, or why there is no number."""
+    if check.verdict == Outcome.NOT_ANSWERED:
+        return say("not answered")
+    if check.unbounded == "overturned":
+        return say("overturns")
+    if check.unbounded:
+        return say("beyond the spectrum")
+    if check.ratio is None:
+        return say("fail") if check.verdict == Outcome.FAIL else say("pass")
+    if check.ratio == 0.0:
+        return say("no rocking")
+    if check.ratio < LEAST_RATIO:
+        return say("below {least}", least=quantity(LEAST_RATIO))
+    return quantity(check.ratio, figures=ratio_figures(check, most=3))
+
+
+def _all_hold(verdict: Verdict, pga: Quantity) -> Text:
+    """Return that the action is borne, or that share of it which is the target."""
+    target = cells.target_text(verdict)
+    if cells.has_reduced_target(verdict) and target is not None:
+        return say_count(
+            "The one mechanism examined reaches the target at the site’s own action, PGA {pga}: {target}.",
+            "All {number} mechanisms examined reach the target at the site’s own action, PGA {pga}: {target}.",
+            len(verdict.mechanisms),
+            pga=pga,
+            target=target,
+        )
+    return say_count(
+        "The one mechanism examined holds at the site’s own action, PGA {pga}.",
+        "All {number} mechanisms examined hold at the site’s own action, PGA {pga}.",
+        len(verdict.mechanisms),
+        pga=pga,
+    )
+
+
+def _some_fail(verdict: Verdict, pga: Quantity) -> Text:
+    every = len(verdict.mechanisms)
+    if every == 1:
+        return say("The one mechanism examined fails at the site’s own action, PGA {pga}.", pga=pga)
+    return say_count(
+        "{number} of {every} mechanisms examined fails at the site’s own action, PGA {pga}.",
+        "{number} of {every} mechanisms examined fail at the site’s own action, PGA {pga}.",
+        sum(one.outcome == Decision.FAIL for one in verdict.mechanisms),
+        every=count(every),
+        pga=pga,
+    )
+
+
+def _some_are_open(verdict: Verdict, pga: Quantity) -> Text:
+    every = len(verdict.mechanisms)
+    if every == 1:
+        return say("The one mechanism examined has no deciding answer at the site’s own action, PGA {pga}.", pga=pga)
+    return say_count(
+        "{number} of {every} mechanisms examined has no deciding answer at the site’s own action, PGA {pga}.",
+        "{number} of {every} mechanisms examined have no deciding answer at the site’s own action, PGA {pga}.",
+        sum(one.outcome == Decision.INCOMPLETE for one in verdict.mechanisms),
+        every=count(every),
+        pga=pga,
+    )
+
+
+def _basis_facts(results: Results, verdict: Verdict) -> Iterator[tuple[Text, Text]]:
+    """Yield what the verdict is based on: code, limit state, action, methods, target and index."""
+    yield say("Code"), _code(results, verdict)
+    if verdict.limit_states and verdict.basis != cells.OWN_BASIS:
+        states = listing(LIMIT_STATES.get(state, Verbatim(state)) for state in verdict.limit_states)
+        yield say("Limit state"), states
+    yield say("Site’s own action"), action_text(results, verdict)
+    if results.spectrum is not None:
+        yield say("Spectrum"), _spectrum_text(results.spectrum)
+    if verdict.methods:
+        yield say("Methods that may decide"), listing(map(procedure_title, verdict.methods))
+    known = cells.knowledge_text(results)
+    if known is not None:
+        yield say("Knowledge level"), known
+    yield from _measures(results, verdict)
+    left = not_examined_text(results)
+    if left is not None:
+        yield say("Possible, not examined"), left
+
+
+def _measures(results: Results, verdict: Verdict) -> Iterator[tuple[Text, Text]]:
+    """Yield target, index and least margin, as far as they are known."""
+    target, index, least = cells.target_text(verdict), cells.building_index_text(verdict), cells.least_margin(verdict)
+    if target is not None:
+        yield say("Target"), _with_works(results, target)
+    if index is not None:
+        yield say("Index of the building"), say("{index}; local mechanisms only", index=index)
+    if least is not None:
+        margin = cells.margin_text(least, verdict.action) or NOTHING
+        title = numbered_title(results, least.mechanism)
+        yield say("Least margin"), say("{mechanism} holds up to a PGA of {margin}", mechanism=title, margin=margin)
+
+
+def _code(results: Results, verdict: Verdict) -> Text:
+    """Return the edition of the code with its national annex; of a basis of its own the user's statement."""
+    if not verdict.basis:
+        return say("none named")
+    if verdict.basis == cells.OWN_BASIS:
+        return Verbatim(verdict.clauses[0][0])
+    annex, edition = results.report.national_annex, Term(verdict.edition)
+    if not annex:
+        return edition
+    return say("{edition}, national annex: {annex}", edition=edition, annex=Verbatim(annex))
+
+
+def _spectrum_text(spectrum: SpectrumResult) -> Text:
+    """Return the clause of the spectrum with the parameters that an authority looks for first."""
+    rows = dict(zip(spectrum.parameters, parameter_rows(spectrum.parameters), strict=True))
+    known = [(phrase.english, rows[key][1]) for key, phrase in ESSENTIAL.items() if key in rows]
+    return listing(
+        [Term(spectrum.clause), *(Phrase(words, {"value": with_figures(value, 3)}) for words, value in known)], ""
+    )
+
+
+def _with_works(results: Results, target: Text) -> Text:
+    works = WORKS.get(project_text(results, "verdict.works"))
+    return target if works is None else say("{target} ({works})", target=target, works=works)
+
+
+def _missing(verdict: Verdict, results: Results) -> list[Block]:
+    """Return what would complete the verdict, as lines to paste, and what it would be with the safe values."""
+    if verdict.outcome != Decision.INCOMPLETE or not verdict.missing:
+        return []
+    blocks = _short_list(say("What is missing:"), cells.missing_texts(results, verdict))
+    if cells.fits_page_1(results, verdict):
+        blocks += cells.blocks_to_paste(results, verdict)
+    else:
+        blocks += [Prose((say("The lines that complete the project file are listed under Recommendations."),))]
+    return [*blocks, *cells.provisional_outcome(verdict)]
+
+
+def _remarks(results: Results) -> Iterator[Message]:
+    for mechanism in results.mechanisms:
+        deciding = (check for check in mechanism.checks if check.role == "deciding")
+        for each in (remark for check in deciding for remark in check.remarks):
+            yield Message(each.key, each.severity, f"mechanisms.{mechanism.name}", each.text, each.values)
+
+
+def _placed(results: Results, same: Sequence[Message]) -> Text:
+    """Return a message with the mechanisms or the keys of the project file that it concerns."""
+    owners = [_owner(results, each.where) for each in same]
+    if all(owners):
+        return say("{places}: {message}", places=mechanism_list(results, owners), message=same[0])
+    keys = [each.where for each in same if "." in each.where]
+    return say("{places}: {message}", places=names(keys), message=same[0]) if keys else same[0]
+
+
+def _owner(results: Results, where: str) -> str:
+    """Return the mechanism that a message is about, by its name or its key; empty for none."""
+    named = any(where == each.name for each in results.mechanisms)
+    return where if named else split_key(results, where)[0]
+
+
+def _short_list(title: Text, points: Sequence[Text]) -> list[Block]:
+    """Return a list under its title; of a long one the first points, and how many there are besides."""
+    if not points:
+        return []
+    if not is_shortened(points):
+        return [Prose((title,)), BulletList(tuple(points))]
+    rest = say_count(
+        "and {number} other, under Scope and limits",
+        "and {number} others, under Scope and limits",
+        len(points) - MAX_POINTS,
+    )
+    return [Prose((title,)), BulletList((*points[:MAX_POINTS], rest))]
 
 
 def _matrix_caption(verdict: Verdict) -> Text:
@@ -389,23 +406,6 @@ def _method_cell(
 
 def _is_by(check: Check, method: MethodColumn) -> bool:
     return check.procedure == method.procedure and check.limit_state == method.limit_state
-
-
-def ratio_text(check: Check) -> Text:
-    """Return demand over capacity, or why there is no number."""
-    if check.verdict == Outcome.NOT_ANSWERED:
-        return say("not answered")
-    if check.unbounded == "overturned":
-        return say("overturns")
-    if check.unbounded:
-        return say("beyond the spectrum")
-    if check.ratio is None:
-        return say("fail") if check.verdict == Outcome.FAIL else say("pass")
-    if check.ratio == 0.0:
-        return say("no rocking")
-    if check.ratio < LEAST_RATIO:
-        return say("below {least}", least=quantity(LEAST_RATIO))
-    return quantity(check.ratio, figures=ratio_figures(check, most=3))
 
 
 def _least_favourable_cell(results: Results, mechanism: MechanismResult, folded: Sequence[MethodColumn]) -> Cell:

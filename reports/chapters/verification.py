@@ -31,6 +31,29 @@ def sections(results: VerificationResults) -> list[doc.Section]:
     ]
 
 
+ComparedValue = tuple[QuantityResult, ValueResult]
+
+
+def values_table(case: CaseResult, place: int) -> doc.Table:
+    """Tabulate every value of a case beside that of the program. place: among the cases, from 1 on."""
+    fields: tuple[doc.Field[ComparedValue], ...] = (
+        (doc.Column(say("Quantity"), share=0.26), lambda pair: Verbatim(pair[0].name)),
+        (doc.Column(say("Row"), share=0.15), lambda pair: Verbatim(pair[1].row)),
+        (doc.Column(say("Unit")), lambda pair: Verbatim(pair[0].unit or "–")),
+        (doc.Column(say("Expected")), lambda pair: _number(pair[1].expected, FIGURES)),
+        (doc.Column(say("Program")), lambda pair: _number(pair[1].found, FIGURES)),
+        (doc.Column(say("Difference")), lambda pair: _number(pair[1].difference, DIFFERENCE_FIGURES)),
+        (
+            doc.Column(say("Tolerance")),
+            lambda pair: _number(pair[0].tolerance.around(pair[1].reference), DIFFERENCE_FIGURES),
+        ),
+        (doc.Column(say("Outcome")), lambda pair: _value_outcome(pair[1])),
+    )
+    caption = say("{title}: values of the source and of the program.", title=Verbatim(case.title))
+    pairs = [(each, value) for each in case.quantities for value in each.values]
+    return doc.tabulate(f"case-{file_stem(case.key, place)}", caption, fields, pairs, small=True)
+
+
 def _outcome_blocks(results: VerificationResults) -> Iterator[doc.Block]:
     deciding = {each.use for each in results.coverage} - set(THESIS_READINGS)
     bare = not deciding <= results.passed_uses
@@ -286,29 +309,6 @@ def _case_blocks(case: CaseResult, place: int) -> Iterator[doc.Block]:
         yield doc.Prose((say("The case could not be run: {fault}", fault=Verbatim(case.fault)),))
     yield values_table(case, place)
     yield doc.BulletList((*_departures(case), *_tolerances_and_misprints(case)))
-
-
-ComparedValue = tuple[QuantityResult, ValueResult]
-
-
-def values_table(case: CaseResult, place: int) -> doc.Table:
-    """Tabulate every value of a case beside that of the program. place: among the cases, from 1 on."""
-    fields: tuple[doc.Field[ComparedValue], ...] = (
-        (doc.Column(say("Quantity"), share=0.26), lambda pair: Verbatim(pair[0].name)),
-        (doc.Column(say("Row"), share=0.15), lambda pair: Verbatim(pair[1].row)),
-        (doc.Column(say("Unit")), lambda pair: Verbatim(pair[0].unit or "–")),
-        (doc.Column(say("Expected")), lambda pair: _number(pair[1].expected, FIGURES)),
-        (doc.Column(say("Program")), lambda pair: _number(pair[1].found, FIGURES)),
-        (doc.Column(say("Difference")), lambda pair: _number(pair[1].difference, DIFFERENCE_FIGURES)),
-        (
-            doc.Column(say("Tolerance")),
-            lambda pair: _number(pair[0].tolerance.around(pair[1].reference), DIFFERENCE_FIGURES),
-        ),
-        (doc.Column(say("Outcome")), lambda pair: _value_outcome(pair[1])),
-    )
-    caption = say("{title}: values of the source and of the program.", title=Verbatim(case.title))
-    pairs = [(each, value) for each in case.quantities for value in each.values]
-    return doc.tabulate(f"case-{file_stem(case.key, place)}", caption, fields, pairs, small=True)
 
 
 def _number(value: float | None, figures: int) -> Text | None:

@@ -47,30 +47,6 @@ def draw_capacity(mechanism: MechanismResult, locale: Locale) -> Figure:
         return figure
 
 
-def _branches(mechanism: MechanismResult) -> list[tuple[BranchCurve, str, str, Phrase]]:
-    positive, negative = mechanism.curve.positive, mechanism.curve.negative
-    mirrored = [] if negative is None else [(negative, style.NEGATIVE, "--", say("negative side, mirrored"))]
-    return [(positive, style.POSITIVE, "-", say("positive side")), *mirrored]
-
-
-def _mark_overturning(axes: Axes, mechanism: MechanismResult, locale: Locale) -> None:
-    """Mark the rotations that overturn: of rigid joints, and of the joints in use where these give."""
-    marks = [(mechanism.oscillator.overturning_rad, "o", say("rigid joints: φₒᵥ"))]
-    if mechanism.oscillator.overturning_flexible_rad is not None:
-        marks.append((mechanism.oscillator.overturning_flexible_rad, "s", say("its joints: φₒᵥ")))
-    for at, marker, name in marks:
-        axes.plot(
-            style.table_scale("rotation", locale).in_unit(at), 0.0, marker=marker, color=style.FAIL, markersize=4,
-            linestyle="none", clip_on=False, label=locale.text(name),
-        )  # fmt: skip
-
-
-def _multiplier(branch: BranchCurve) -> FloatArray:
-    excitation = np.asarray(branch.excitation_kg_m)
-    with np.errstate(divide="ignore", invalid="ignore"):
-        return np.asarray(np.where(excitation > 0, np.asarray(branch.restoring_n_m) / (g * excitation), np.nan))
-
-
 FIXED_HINGES, OWN_JOINTS = "#0072b2", "#c1121f"
 NEAR_MARKS = 0.03  # of an axis: joints whose marks are nearer share one
 
@@ -99,6 +75,76 @@ def draw_moment_rotation(mechanism: MechanismResult, locale: Locale) -> Figure:
         axes.set_ylim(-0.08, 1.08)
         style.legend_below(figure, columns=2)
         return figure
+
+
+HINGE_COLOURS = ("#c1121f", "#0072b2", "#009e73", "#e69f00")  # of the hinges A, B, C, D
+BEFORE_OPENING = 0.5  # of the rotation at which a joint opens
+LEAST_ROTATION = 1e-3  # of the largest rotation drawn
+LEAST_DIFFERENCE = 1e-2  # of the largest value: curves that differ by less are one
+
+_CONTACT_PANELS = (
+    ("resultant_m", "length", say("resultant from the edge")),
+    ("peak_stress_pa", "stress", say("stress at the edge")),
+)
+
+
+def draw_contact(mechanism: MechanismResult, locale: Locale) -> Figure:
+    """Draw the distance of the resultant and the peak stress of each joint over the rotation."""
+    sides = (mechanism.oscillator, mechanism.oscillator_negative)
+    end = max(side.overturning_rad for side in sides if side is not None)
+    with style.report_style():
+        figure = style.sheet(2.2, locale)
+        for axes, (key, dimension, name) in zip(figure.subplots(1, 2), _CONTACT_PANELS, strict=True):
+            scale = style.table_scale(dimension, locale)
+            for interface, colour, dash, hinges in distinct_curves(mechanism):
+                curve = interface["curve"]
+                rotation, values = np.asarray(curve["mechanism_rotation_rad"]), scale.in_unit(curve[key])
+                axes.plot(rotation, values, dash, color=colour, label=style.label(hinges))
+            axes.set(xlabel=locale.heading(say("rotation φ"), "rotation"), ylabel=scale.heading(name), xscale="log")
+            axes.set_xlim(_axis_start(mechanism, end), end)
+            axes.xaxis.set_minor_formatter(NullFormatter())
+            axes.set_ylim(bottom=0.0)
+        _draw_strength(axes, mechanism, locale)
+        axes.legend(loc="lower right")
+        return figure
+
+
+def distinct_curves(mechanism: MechanismResult) -> list[tuple[dict[str, Any], str, str, str]]:
+    """Return each joint unlike those before it: itself, colour, line, and the hinges that it represents."""
+    found: list[tuple[dict[str, Any], str, str, list[str]]] = []
+    branches: tuple[tuple[BranchName, str], ...] = (("positive", "-"), ("negative", "--"))
+    for branch, dash in branches:
+        for place, interface in enumerate(joints_of_branch(mechanism, branch)):
+            like = next((hinges for other, _, _, hinges in found if _have_same_curves(interface, other)), None)
+            if like is None:
+                found.append((interface, HINGE_COLOURS[place % len(HINGE_COLOURS)], dash, [interface["hinge"]]))
+            else:
+                like.append(interface["hinge"])
+    return [(interface, colour, dash, ", ".join(hinges)) for interface, colour, dash, hinges in found]
+
+
+def _branches(mechanism: MechanismResult) -> list[tuple[BranchCurve, str, str, Phrase]]:
+    positive, negative = mechanism.curve.positive, mechanism.curve.negative
+    mirrored = [] if negative is None else [(negative, style.NEGATIVE, "--", say("negative side, mirrored"))]
+    return [(positive, style.POSITIVE, "-", say("positive side")), *mirrored]
+
+
+def _mark_overturning(axes: Axes, mechanism: MechanismResult, locale: Locale) -> None:
+    """Mark the rotations that overturn: of rigid joints, and of the joints in use where these give."""
+    marks = [(mechanism.oscillator.overturning_rad, "o", say("rigid joints: φₒᵥ"))]
+    if mechanism.oscillator.overturning_flexible_rad is not None:
+        marks.append((mechanism.oscillator.overturning_flexible_rad, "s", say("its joints: φₒᵥ")))
+    for at, marker, name in marks:
+        axes.plot(
+            style.table_scale("rotation", locale).in_unit(at), 0.0, marker=marker, color=style.FAIL, markersize=4,
+            linestyle="none", clip_on=False, label=locale.text(name),
+        )  # fmt: skip
+
+
+def _multiplier(branch: BranchCurve) -> FloatArray:
+    excitation = np.asarray(branch.excitation_kg_m)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        return np.asarray(np.where(excitation > 0, np.asarray(branch.restoring_n_m) / (g * excitation), np.nan))
 
 
 def _mark_joint_events(
@@ -141,56 +187,10 @@ def _joint_events(
     return found
 
 
-HINGE_COLOURS = ("#c1121f", "#0072b2", "#009e73", "#e69f00")  # of the hinges A, B, C, D
-BEFORE_OPENING = 0.5  # of the rotation at which a joint opens
-LEAST_ROTATION = 1e-3  # of the largest rotation drawn
-LEAST_DIFFERENCE = 1e-2  # of the largest value: curves that differ by less are one
-
-_CONTACT_PANELS = (
-    ("resultant_m", "length", say("resultant from the edge")),
-    ("peak_stress_pa", "stress", say("stress at the edge")),
-)
-
-
-def draw_contact(mechanism: MechanismResult, locale: Locale) -> Figure:
-    """Draw the distance of the resultant and the peak stress of each joint over the rotation."""
-    sides = (mechanism.oscillator, mechanism.oscillator_negative)
-    end = max(side.overturning_rad for side in sides if side is not None)
-    with style.report_style():
-        figure = style.sheet(2.2, locale)
-        for axes, (key, dimension, name) in zip(figure.subplots(1, 2), _CONTACT_PANELS, strict=True):
-            scale = style.table_scale(dimension, locale)
-            for interface, colour, dash, hinges in distinct_curves(mechanism):
-                curve = interface["curve"]
-                rotation, values = np.asarray(curve["mechanism_rotation_rad"]), scale.in_unit(curve[key])
-                axes.plot(rotation, values, dash, color=colour, label=style.label(hinges))
-            axes.set(xlabel=locale.heading(say("rotation φ"), "rotation"), ylabel=scale.heading(name), xscale="log")
-            axes.set_xlim(_axis_start(mechanism, end), end)
-            axes.xaxis.set_minor_formatter(NullFormatter())
-            axes.set_ylim(bottom=0.0)
-        _draw_strength(axes, mechanism, locale)
-        axes.legend(loc="lower right")
-        return figure
-
-
 def _axis_start(mechanism: MechanismResult, end: float) -> float:
     """Return the start of the axis of rotations [rad]: before any joint opens, at most a thousandth of its end."""
     opening = [float(found["opening_rad"]) for found in deformable_joints(mechanism) if found["opening_rad"]]
     return min([*(BEFORE_OPENING * at for at in opening), LEAST_ROTATION * end])
-
-
-def distinct_curves(mechanism: MechanismResult) -> list[tuple[dict[str, Any], str, str, str]]:
-    """Return each joint unlike those before it: itself, colour, line, and the hinges that it represents."""
-    found: list[tuple[dict[str, Any], str, str, list[str]]] = []
-    branches: tuple[tuple[BranchName, str], ...] = (("positive", "-"), ("negative", "--"))
-    for branch, dash in branches:
-        for place, interface in enumerate(joints_of_branch(mechanism, branch)):
-            like = next((hinges for other, _, _, hinges in found if _have_same_curves(interface, other)), None)
-            if like is None:
-                found.append((interface, HINGE_COLOURS[place % len(HINGE_COLOURS)], dash, [interface["hinge"]]))
-            else:
-                like.append(interface["hinge"])
-    return [(interface, colour, dash, ", ".join(hinges)) for interface, colour, dash, hinges in found]
 
 
 def _have_same_curves(one: dict[str, Any], other: dict[str, Any]) -> bool:

@@ -60,15 +60,6 @@ def draw_capacities(results: Results, locale: Locale) -> Figure:
         return figure
 
 
-def _set_pga_axis(axes: Axes, values: Sequence[float], locale: Locale) -> None:
-    """Start the axis at zero, or make it logarithmic where the values are too far apart for a linear one."""
-    if max(values) <= LOGARITHMIC_FROM * min(values):
-        axes.set_xlim(0.0, 1.05 * max(values))
-        return
-    axes.set(xscale="log", xlim=(0.8 * min(values), 1.25 * max(values)))
-    style.number_by_decades(axes.xaxis, locale)
-
-
 def draw_demands(results: Results, locale: Locale) -> Figure:
     """Draw demand / capacity [-] of every mechanism, a panel for each level; a cross where the body overturns."""
     order = [mechanism for group in group_variants(results) for mechanism in group]
@@ -125,6 +116,48 @@ def curve_procedure(results: Results) -> str:
     letter = [check.procedure for check in shown if check.reading == "letter"]
     count = Counter(letter or [check.procedure for check in shown])
     return max(count, key=lambda name: (count[name], name in methods), default="")
+
+
+def marker_kind(check: Check) -> str:
+    """Return how a result is drawn: "overturned", "beyond" the scale or "inside" it; empty without a result."""
+    if governing.is_overturned(check):
+        return "overturned"
+    if check.verdict in (Outcome.NOT_ANSWERED, Outcome.NOT_APPLICABLE):
+        return ""
+    if check.ratio is None:
+        return "beyond" if check.verdict == Outcome.FAIL else ""
+    return "beyond" if check.ratio > LARGEST_RATIO else "inside"
+
+
+OVERTURNED_HEIGHT = 1.06  # where a record that overturned is drawn [-]
+AXES_HEIGHT, LEGEND_LINE = 1.85, 0.125  # of the axes, of a line of the legend [in]
+
+
+def draw_pga_rotation(mechanism: MechanismResult, locale: Locale) -> Figure:
+    """Draw phi / phi_ov [-] over PGA [g]: a curve for each procedure, allowables, levels, and maxima of records."""
+    shown = _one_per_procedure(mechanism.checks)
+    with style.report_style():
+        figure = style.sheet(AXES_HEIGHT + LEGEND_LINE * (len(shown) // 2 + 3), locale, width=style.HALF)
+        axes = figure.subplots()
+        for check in shown:
+            _draw_procedure(axes, check, style.label(locale.text(short_check_title(check, mechanism.checks)), 30))
+        levels = sorted({check.level_pga_g for check in mechanism.checks})
+        _draw_levels(axes, levels, locale)
+        _draw_histories(axes, mechanism.histories, locale)
+        axes.set_xlabel(locale.heading(say("peak ground acceleration, PGA"), "ground acceleration"))
+        axes.set_ylabel(locale.heading(say("rotation φ / φₒᵥ"), "ratio"))
+        axes.set(xlim=(0.0, _pga_axis_end(mechanism, levels)), ylim=(0.0, 1.12))
+        style.legend_below(figure, columns=2)
+        return figure
+
+
+def _set_pga_axis(axes: Axes, values: Sequence[float], locale: Locale) -> None:
+    """Start the axis at zero, or make it logarithmic where the values are too far apart for a linear one."""
+    if max(values) <= LOGARITHMIC_FROM * min(values):
+        axes.set_xlim(0.0, 1.05 * max(values))
+        return
+    axes.set(xscale="log", xlim=(0.8 * min(values), 1.25 * max(values)))
+    style.number_by_decades(axes.xaxis, locale)
 
 
 def _draw_rotation(axes: Axes, mechanism: MechanismResult, procedure: str, ink: style.Pen, name: str) -> None:
@@ -185,17 +218,6 @@ def _demand_marks(order: Sequence[MechanismResult], level: float, procedures: Se
     return made
 
 
-def marker_kind(check: Check) -> str:
-    """Return how a result is drawn: "overturned", "beyond" the scale or "inside" it; empty without a result."""
-    if governing.is_overturned(check):
-        return "overturned"
-    if check.verdict in (Outcome.NOT_ANSWERED, Outcome.NOT_APPLICABLE):
-        return ""
-    if check.ratio is None:
-        return "beyond" if check.verdict == Outcome.FAIL else ""
-    return "beyond" if check.ratio > LARGEST_RATIO else "inside"
-
-
 def _draw_marks(axes: Axes, dots: Sequence[ResultMark]) -> None:
     """Draw the results that share a marker as one line without ink between them."""
     alike: dict[tuple[str, str], list[ResultMark]] = {}
@@ -224,28 +246,6 @@ def _legend(figure: Figure, procedures: Sequence[str], locale: Locale) -> None:
     for name in procedures:
         lines += axes.plot([], [], label=style.label(locale.text(short_title(name)), 32), **_marker_style(name))  # type: ignore[arg-type]
     figure.legend(handles=lines, loc="outside lower center", ncols=4)
-
-
-OVERTURNED_HEIGHT = 1.06  # where a record that overturned is drawn [-]
-AXES_HEIGHT, LEGEND_LINE = 1.85, 0.125  # of the axes, of a line of the legend [in]
-
-
-def draw_pga_rotation(mechanism: MechanismResult, locale: Locale) -> Figure:
-    """Draw phi / phi_ov [-] over PGA [g]: a curve for each procedure, allowables, levels, and maxima of records."""
-    shown = _one_per_procedure(mechanism.checks)
-    with style.report_style():
-        figure = style.sheet(AXES_HEIGHT + LEGEND_LINE * (len(shown) // 2 + 3), locale, width=style.HALF)
-        axes = figure.subplots()
-        for check in shown:
-            _draw_procedure(axes, check, style.label(locale.text(short_check_title(check, mechanism.checks)), 30))
-        levels = sorted({check.level_pga_g for check in mechanism.checks})
-        _draw_levels(axes, levels, locale)
-        _draw_histories(axes, mechanism.histories, locale)
-        axes.set_xlabel(locale.heading(say("peak ground acceleration, PGA"), "ground acceleration"))
-        axes.set_ylabel(locale.heading(say("rotation φ / φₒᵥ"), "ratio"))
-        axes.set(xlim=(0.0, _pga_axis_end(mechanism, levels)), ylim=(0.0, 1.12))
-        style.legend_below(figure, columns=2)
-        return figure
 
 
 def _one_per_procedure(checks: tuple[Check, ...]) -> tuple[Check, ...]:

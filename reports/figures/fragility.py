@@ -78,56 +78,6 @@ def draw_states(curves: Sequence[FragilityCurve], locale: Locale) -> Figure:
         return figure
 
 
-def _draw_points(
-    axes: Axes, points: Sequence[EmpiricalPoint], colour: str, marker: str, names: tuple[str, str] = ("_", "_")
-) -> None:
-    """Draw the shares that were counted; hollow where most records are scaled by more than 4. names: with intervals."""
-    name, hollow_name = names
-    if name != "_":
-        ends = [[point.intensity] * 2 for point in points], [[PERCENT * p.low, PERCENT * p.high] for p in points]
-        for x, y in zip(*ends, strict=True):
-            axes.plot(x, y, color=style.MUTED, linewidth=0.7)
-    for hollow in (False, True):
-        some = [point for point in points if _is_hollow(point) == hollow]
-        axes.plot(
-            [point.intensity for point in some],
-            [PERCENT * point.share for point in some],
-            marker,
-            color=colour,
-            markersize=POINT_SIZE,
-            markerfacecolor="white" if hollow else colour,
-            label=hollow_name if hollow and some else name if not hollow else "_",
-        )
-
-
-def _draw_lognormal(axes: Axes, curve: FragilityCurve, fitted: LognormalResult, locale: Locale) -> None:
-    if fitted.band is not None:
-        low, high = (PERCENT * np.array(side) for side in (fitted.band.low, fitted.band.high))
-        words = locale.text(say("95 % band, by earthquake"))
-        axes.fill_between(
-            fitted.band.intensity, low, high, color=LOGNORMAL_COLOUR, alpha=0.18, linewidth=0.0, label=words
-        )
-    x = _intensities(curve)
-    axes.plot(
-        x, PERCENT * _shares(fitted, x), color=LOGNORMAL_COLOUR, linewidth=1.6, label=locale.text(say("lognormal"))
-    )
-    for share, at in ((5.0, fitted.five_percent), (50.0, fitted.median)):
-        if at <= x[-1]:
-            axes.plot([0.0, at, at], [share, share, 0.0], ":", color=LOGNORMAL_COLOUR, linewidth=0.8)
-
-
-def _is_hollow(point: EmpiricalPoint) -> bool:
-    """Return whether most records of a point are scaled by more than 4."""
-    return 2 * point.hollow > point.records
-
-
-def _frame_shares(axes: Axes, curves: Sequence[FragilityCurve], locale: Locale) -> None:
-    axes.set_xlim(0.0, max(map(intensity_reach, curves)))
-    axes.set_ylim(0.0, 103.0)
-    measure = curves[0].measure
-    axes.set_xlabel(locale.heading(measure_text(measure), measure.dimension))
-
-
 def intensity_reach(curve: FragilityCurve) -> float:
     """Return the intensity up to which a curve is shown: where nearly all records reach the state, or the last run.
 
@@ -140,17 +90,6 @@ def intensity_reach(curve: FragilityCurve) -> float:
     if curve.method == "cloud" and curve.lognormal is not None:
         return BEYOND_LAST_POINT * max([*points, min(max(needed), 2.0 * curve.lognormal.median)])
     return BEYOND_LAST_POINT * min(max(needed, default=inf), max(points, default=inf)) if needed or points else 1.0
-
-
-def _intensities(curve: FragilityCurve) -> FloatArray:
-    """Return intensities up to the end of the axis."""
-    return np.linspace(0.0, intensity_reach(curve), 200)
-
-
-def _shares(fitted: LognormalResult, x: FloatArray) -> FloatArray:
-    """Return the share by a lognormal at each intensity, 0 at zero."""
-    with np.errstate(divide="ignore"):
-        return np.asarray(ndtr(np.log(x / fitted.median) / fitted.dispersion), dtype=np.float64)
 
 
 OVERTURNED_HEIGHT = 1.12  # of the largest rotation that did not overturn, where overturned runs are drawn
@@ -203,51 +142,6 @@ def draw_record_runs(
         return figure
 
 
-def _record_curve(run: RecordRunsResult, unit: float, top: float) -> tuple[FloatArray, FloatArray]:
-    """Return intensities and rotations of a record, `top` where it overturned."""
-    ratio = np.array([top if each is None else each for each in run.ratio])
-    return unit * np.array(run.scale), ratio
-
-
-def _first_overturning_scale(run: RecordRunsResult) -> float | None:
-    """Return the least scale that overturns; None for a record that never does."""
-    return next((scale for scale, ratio in zip(run.scale, run.ratio, strict=True) if ratio is None), None)
-
-
-def _mark_first_overturning(
-    axes: Axes, pairs: Sequence[tuple[RecordRunsResult, float]], top: float, locale: Locale
-) -> None:
-    """Mark the first run of each record that overturns; hollow where it is scaled by more than 4."""
-    first = [(_first_overturning_scale(run), unit) for run, unit in pairs]
-    for large, face, words in (
-        (False, style.FAIL, say("overturns first")),
-        (True, "white", say("overturns first, scaled by more than 4")),
-    ):
-        at = [scale * unit for scale, unit in first if scale is not None and (scale > LARGE_SCALE) == large]
-        if at:
-            name = locale.text(words)
-            axes.plot(
-                at, [top] * len(at), "o", color=style.FAIL, markersize=3.5, markerfacecolor=face, label=name, zorder=3
-            )
-
-
-def _draw_islands(axes: Axes, pairs: Sequence[tuple[RecordRunsResult, float]], locale: Locale) -> None:
-    """Draw runs that stand although a lower scale overturns the mechanism."""
-    found = [
-        (scale * unit, ratio)
-        for run, unit in pairs
-        for scale, ratio in zip(run.scale, run.ratio, strict=True)
-        if ratio is not None and any(low <= scale <= high for low, high in run.islands)
-    ]
-    if found:
-        x, y = zip(*found, strict=True)
-        size = 4 if len(pairs) <= MANY_RECORDS else 2
-        axes.plot(
-            x, y, "D", color=style.INK, markerfacecolor=ISLAND_COLOUR, markersize=size, markeredgewidth=0.4, zorder=4,
-            label=locale.text(say("island: stands again")),
-        )  # fmt: skip
-
-
 CONTRIBUTION_COLOUR = "#56b4e9"
 LOGARITHMIC_FROM = 10.0  # last intensity over the first, from which on the axis is logarithmic
 DECADES = 9  # of the axis of rates, at most
@@ -296,3 +190,109 @@ def draw_risk(risk: RiskResult, hazard: HazardResult | None, locale: Locale) -> 
         below.set_xlabel(locale.heading(measure_text(risk.measure), risk.measure.dimension))
         style.legend_below(figure, columns=2)
         return figure
+
+
+def _draw_points(
+    axes: Axes, points: Sequence[EmpiricalPoint], colour: str, marker: str, names: tuple[str, str] = ("_", "_")
+) -> None:
+    """Draw the shares that were counted; hollow where most records are scaled by more than 4. names: with intervals."""
+    name, hollow_name = names
+    if name != "_":
+        ends = [[point.intensity] * 2 for point in points], [[PERCENT * p.low, PERCENT * p.high] for p in points]
+        for x, y in zip(*ends, strict=True):
+            axes.plot(x, y, color=style.MUTED, linewidth=0.7)
+    for hollow in (False, True):
+        some = [point for point in points if _is_hollow(point) == hollow]
+        axes.plot(
+            [point.intensity for point in some],
+            [PERCENT * point.share for point in some],
+            marker,
+            color=colour,
+            markersize=POINT_SIZE,
+            markerfacecolor="white" if hollow else colour,
+            label=hollow_name if hollow and some else name if not hollow else "_",
+        )
+
+
+def _draw_lognormal(axes: Axes, curve: FragilityCurve, fitted: LognormalResult, locale: Locale) -> None:
+    if fitted.band is not None:
+        low, high = (PERCENT * np.array(side) for side in (fitted.band.low, fitted.band.high))
+        words = locale.text(say("95 % band, by earthquake"))
+        axes.fill_between(
+            fitted.band.intensity, low, high, color=LOGNORMAL_COLOUR, alpha=0.18, linewidth=0.0, label=words
+        )
+    x = _intensities(curve)
+    axes.plot(
+        x, PERCENT * _shares(fitted, x), color=LOGNORMAL_COLOUR, linewidth=1.6, label=locale.text(say("lognormal"))
+    )
+    for share, at in ((5.0, fitted.five_percent), (50.0, fitted.median)):
+        if at <= x[-1]:
+            axes.plot([0.0, at, at], [share, share, 0.0], ":", color=LOGNORMAL_COLOUR, linewidth=0.8)
+
+
+def _is_hollow(point: EmpiricalPoint) -> bool:
+    """Return whether most records of a point are scaled by more than 4."""
+    return 2 * point.hollow > point.records
+
+
+def _frame_shares(axes: Axes, curves: Sequence[FragilityCurve], locale: Locale) -> None:
+    axes.set_xlim(0.0, max(map(intensity_reach, curves)))
+    axes.set_ylim(0.0, 103.0)
+    measure = curves[0].measure
+    axes.set_xlabel(locale.heading(measure_text(measure), measure.dimension))
+
+
+def _intensities(curve: FragilityCurve) -> FloatArray:
+    """Return intensities up to the end of the axis."""
+    return np.linspace(0.0, intensity_reach(curve), 200)
+
+
+def _shares(fitted: LognormalResult, x: FloatArray) -> FloatArray:
+    """Return the share by a lognormal at each intensity, 0 at zero."""
+    with np.errstate(divide="ignore"):
+        return np.asarray(ndtr(np.log(x / fitted.median) / fitted.dispersion), dtype=np.float64)
+
+
+def _record_curve(run: RecordRunsResult, unit: float, top: float) -> tuple[FloatArray, FloatArray]:
+    """Return intensities and rotations of a record, `top` where it overturned."""
+    ratio = np.array([top if each is None else each for each in run.ratio])
+    return unit * np.array(run.scale), ratio
+
+
+def _first_overturning_scale(run: RecordRunsResult) -> float | None:
+    """Return the least scale that overturns; None for a record that never does."""
+    return next((scale for scale, ratio in zip(run.scale, run.ratio, strict=True) if ratio is None), None)
+
+
+def _mark_first_overturning(
+    axes: Axes, pairs: Sequence[tuple[RecordRunsResult, float]], top: float, locale: Locale
+) -> None:
+    """Mark the first run of each record that overturns; hollow where it is scaled by more than 4."""
+    first = [(_first_overturning_scale(run), unit) for run, unit in pairs]
+    for large, face, words in (
+        (False, style.FAIL, say("overturns first")),
+        (True, "white", say("overturns first, scaled by more than 4")),
+    ):
+        at = [scale * unit for scale, unit in first if scale is not None and (scale > LARGE_SCALE) == large]
+        if at:
+            name = locale.text(words)
+            axes.plot(
+                at, [top] * len(at), "o", color=style.FAIL, markersize=3.5, markerfacecolor=face, label=name, zorder=3
+            )
+
+
+def _draw_islands(axes: Axes, pairs: Sequence[tuple[RecordRunsResult, float]], locale: Locale) -> None:
+    """Draw runs that stand although a lower scale overturns the mechanism."""
+    found = [
+        (scale * unit, ratio)
+        for run, unit in pairs
+        for scale, ratio in zip(run.scale, run.ratio, strict=True)
+        if ratio is not None and any(low <= scale <= high for low, high in run.islands)
+    ]
+    if found:
+        x, y = zip(*found, strict=True)
+        size = 4 if len(pairs) <= MANY_RECORDS else 2
+        axes.plot(
+            x, y, "D", color=style.INK, markerfacecolor=ISLAND_COLOUR, markersize=size, markeredgewidth=0.4, zorder=4,
+            label=locale.text(say("island: stands again")),
+        )  # fmt: skip

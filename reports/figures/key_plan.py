@@ -104,55 +104,6 @@ def model_of_key_plan(building: BuildingScene) -> SpatialModel:
     return scene_model(building.surface, building.owner, colours, wires, SHARP_ANGLE, building.direction)
 
 
-def _wires_of_part(part: MovingPart) -> Iterator[Wire]:
-    """Yield the cracks of a part and its axes of rotation, the first of these named."""
-    yield from (Wire(rounded_points(ring), INK, dashed=True) for ring in part.cracks)
-    for place, line in enumerate(part.hinges):
-        yield Wire(rounded_points(line), HINGE_COLOUR, part.title if place == 0 else "")
-
-
-def _scene_points(building: BuildingScene, shown: Sequence[MovingPart]) -> FloatArray:
-    """Return all points [k, 3] [m] of a picture with the axes of rotation of the parts shown."""
-    hinges = [line for part in shown for line in part.hinges]
-    used = np.unique(building.surface.triangles)
-    return np.concatenate([building.surface.vertices[used], *hinges])
-
-
-def _paint_building(axes: Axes, building: BuildingScene, camera: Camera, shown: Mapping[int, MovingPart]) -> None:
-    """Draw the bodies: the parts of `shown` in the colours of their verdicts, everything else grey."""
-    colours = dict.fromkeys(range(-1, len(building.moving_parts)), FIXED)
-    colours |= {place: VERDICT[part.outcome] for place, part in shown.items()}
-    hatched = {place: HATCHINGS[part.outcome] for place, part in shown.items() if part.outcome in HATCHINGS}
-    paint_bodies(axes, building.surface, building.owner, camera, Appearance(colours, hatched, SHARP_ANGLE))
-
-
-def _draw_lines(axes: Axes, part: MovingPart, camera: Camera, occluders: Occluders) -> None:
-    """Draw the axes of rotation of a part, thick, and its cracks, dashed; what is hidden of them is dotted."""
-    for ring in part.cracks:
-        _draw_line(axes, camera.project(ring), occluders, colour=INK, width=0.7, dash=CRACK_DASHES)
-    for line in part.hinges:
-        _draw_line(axes, camera.project(line), occluders, colour=HINGE_COLOUR, width=1.8, dash="-")
-
-
-def _draw_line(axes: Axes, line: FloatArray, occluders: Occluders, *, colour: str, width: float, dash: Any) -> None:
-    for piece, hidden in split_line(line, occluders):
-        stroke = {"linewidth": 0.5, "linestyle": (0, (1, 1.5))} if hidden else {"linewidth": width, "linestyle": dash}
-        axes.plot(*piece[:, :2].T, color=colour, solid_capstyle="round", **stroke)
-
-
-def _legend(figure: Figure, axes: Axes, building: BuildingScene, locale: Locale) -> None:
-    """Explain the colours that appear, hinges and cracks."""
-    found = {part.outcome for part in building.moving_parts}
-    colours = [(VERDICT[outcome], word) for outcome, word in VERDICT_WORDS.items() if outcome in found]
-    if (building.owner < 0).any():
-        colours.append((FIXED, say("does not move")))
-    patches = [Patch(facecolor=ink, edgecolor=INK, linewidth=0.5, label=locale.text(word)) for ink, word in colours]
-    lines = axes.plot([], [], color=HINGE_COLOUR, linewidth=1.8, label=locale.text(say("axis of rotation")))
-    if any(part.cracks for part in building.moving_parts):
-        lines += axes.plot([], [], color=INK, linewidth=0.7, linestyle=CRACK_DASHES, label=locale.text(say("crack")))
-    figure.legend(handles=[*patches, *lines], loc="lower center", ncols=6, borderaxespad=0.1)
-
-
 PLACE_SIZE = PictureSize(wide=HALF, tall=2.3, left=0.7, around=0.1)
 
 
@@ -257,14 +208,6 @@ def building_of(results: Results) -> BuildingScene | None:
     )
 
 
-def _join_surfaces(surfaces: Sequence[TriangleSurface], steps: Sequence[FloatArray]) -> TriangleSurface:
-    """Return all surfaces as one, each moved by its step [3] [m]."""
-    starts = np.cumsum([0, *(len(surface.vertices) for surface in surfaces)])
-    vertices = [surface.vertices + step for surface, step in zip(surfaces, steps, strict=True)]
-    triangles = [surface.triangles + start for surface, start in zip(surfaces, starts, strict=False)]
-    return TriangleSurface(np.concatenate(vertices), np.concatenate(triangles))
-
-
 def building_of_mechanism(building: BuildingScene, place: int) -> BuildingScene:
     """Return the building with what one mechanism moves marked, and nothing that only others move.
 
@@ -278,6 +221,154 @@ def building_of_mechanism(building: BuildingScene, place: int) -> BuildingScene:
     return replace(building, surface=surface, owner=owner[kept], group=building.group[kept])
 
 
+def bodies_of(results: Results, mechanism: str) -> tuple[str, ...]:
+    """Return the names of the bodies of a mechanism as the project gives them; its own name where it gives none."""
+    found = results.project.get(f"mechanisms.{mechanism}.blocks")
+    return tuple(_body_names(found.value)) if found is not None else (f"mechanism {mechanism}",)
+
+
+NEAR = 1e-2  # of a body's size: boxes nearer are one
+
+
+@dataclass(frozen=True)
+class CrackPlane:
+    """A plane through a point [3] with a unit normal [3]."""
+
+    point: FloatArray
+    normal: FloatArray
+
+    def heights(self, points: FloatArray) -> FloatArray:
+        """Return the distance of points [..., 3] on the side of the normal [m]."""
+        return np.asarray((points - self.point) @ self.normal)
+
+
+@dataclass(frozen=True)
+class MovingRegion:
+    """Where a mechanism moves: a box [2, 3] [m], and its sections, each with the side on which all of it lies."""
+
+    mechanism: MechanismResult
+    view: View
+    box: FloatArray
+    sides: tuple[tuple[CrackPlane, float], ...]
+
+    @property
+    def slack(self) -> float:
+        """The distance [m] within which places are one."""
+        return NEAR * float(max(self.view.size))
+
+    @property
+    def volume(self) -> float:
+        """The volume of its box [m3]."""
+        return float(np.prod(np.maximum(self.box[1] - self.box[0], NEAR)))
+
+    def holds(self, points: FloatArray) -> BoolArray:
+        """Return whether points [m, 3] lie in it."""
+        inside = ((points >= self.box[0] - self.slack) & (points <= self.box[1] + self.slack)).all(axis=1)
+        for plane, side in self.sides:
+            inside &= side * plane.heights(points) > -1e-6
+        return np.asarray(inside)
+
+    def is_like(self, other: MovingRegion) -> bool:
+        """Return whether two mechanisms move the same part about the same axes."""
+        mine, its = (np.array([region.box, *(axis.ends for axis in region.view.axes)]) for region in (self, other))
+        return mine.shape == its.shape and np.allclose(mine, its, rtol=0.0, atol=self.slack)
+
+
+def plane_of(ring: FloatArray) -> CrackPlane:
+    """Return the plane of a ring of points [k, 3], its normal upwards where it is not upright."""
+    middle = ring.mean(axis=0)
+    normal = np.linalg.svd(ring - middle)[2][2]
+    return CrackPlane(middle, normal if normal[2] >= 0.0 else -normal)
+
+
+def weld(corners: FloatArray) -> TriangleSurface:
+    """Return the surface of loose triangles [m, 3, 3]: vertices in one place are one, triangles without area go."""
+    vertices, index = np.unique(np.round(corners.reshape(-1, 3), WELD_DECIMALS), axis=0, return_inverse=True)
+    triangles = index.reshape(-1, 3)
+    return TriangleSurface(vertices, triangles[(triangles != np.roll(triangles, 1, axis=1)).all(axis=1)])
+
+
+def cut_triangles(corners: FloatArray, plane: CrackPlane) -> FloatArray:
+    """Cut triangles [m, 3, 3] by a plane: those that cross it become three each."""
+    heights = plane.heights(corners)
+    heights[np.abs(heights) < ON_PLANE] = 0.0
+    crossed = (heights.min(axis=1) < 0.0) & (heights.max(axis=1) > 0.0)
+    whole, parts, heights = corners[~crossed], corners[crossed], heights[crossed]
+    upper = (heights > 0.0).sum(axis=1) == 1
+    lone = np.where(upper, heights.argmax(axis=1), heights.argmin(axis=1))
+    turned = (lone[:, None] + np.arange(3)) % 3
+    a, b, c = np.take_along_axis(parts, turned[..., None], axis=1).swapaxes(0, 1)
+    h, i, j = np.take_along_axis(heights, turned, axis=1).T[..., None]
+    p, q = a + (b - a) * h / (h - i), a + (c - a) * h / (h - j)
+    return np.concatenate([whole, *(np.stack(three, axis=1) for three in ((a, p, q), (p, b, c), (p, c, q)))])
+
+
+def body_numbers(surface: TriangleSurface) -> IntArray:
+    """Return the number of the connected body that each triangle [m] belongs to."""
+    a, b, c = surface.triangles.T
+    start, end = np.concatenate([a, b]), np.concatenate([b, c])
+    size = len(surface.vertices)
+    _, body = connected_components(coo_array((np.ones(len(start)), (start, end)), shape=(size, size)), directed=False)
+    return np.asarray(body[a])
+
+
+def _wires_of_part(part: MovingPart) -> Iterator[Wire]:
+    """Yield the cracks of a part and its axes of rotation, the first of these named."""
+    yield from (Wire(rounded_points(ring), INK, dashed=True) for ring in part.cracks)
+    for place, line in enumerate(part.hinges):
+        yield Wire(rounded_points(line), HINGE_COLOUR, part.title if place == 0 else "")
+
+
+def _scene_points(building: BuildingScene, shown: Sequence[MovingPart]) -> FloatArray:
+    """Return all points [k, 3] [m] of a picture with the axes of rotation of the parts shown."""
+    hinges = [line for part in shown for line in part.hinges]
+    used = np.unique(building.surface.triangles)
+    return np.concatenate([building.surface.vertices[used], *hinges])
+
+
+def _paint_building(axes: Axes, building: BuildingScene, camera: Camera, shown: Mapping[int, MovingPart]) -> None:
+    """Draw the bodies: the parts of `shown` in the colours of their verdicts, everything else grey."""
+    colours = dict.fromkeys(range(-1, len(building.moving_parts)), FIXED)
+    colours |= {place: VERDICT[part.outcome] for place, part in shown.items()}
+    hatched = {place: HATCHINGS[part.outcome] for place, part in shown.items() if part.outcome in HATCHINGS}
+    paint_bodies(axes, building.surface, building.owner, camera, Appearance(colours, hatched, SHARP_ANGLE))
+
+
+def _draw_lines(axes: Axes, part: MovingPart, camera: Camera, occluders: Occluders) -> None:
+    """Draw the axes of rotation of a part, thick, and its cracks, dashed; what is hidden of them is dotted."""
+    for ring in part.cracks:
+        _draw_line(axes, camera.project(ring), occluders, colour=INK, width=0.7, dash=CRACK_DASHES)
+    for line in part.hinges:
+        _draw_line(axes, camera.project(line), occluders, colour=HINGE_COLOUR, width=1.8, dash="-")
+
+
+def _draw_line(axes: Axes, line: FloatArray, occluders: Occluders, *, colour: str, width: float, dash: Any) -> None:
+    for piece, hidden in split_line(line, occluders):
+        stroke = {"linewidth": 0.5, "linestyle": (0, (1, 1.5))} if hidden else {"linewidth": width, "linestyle": dash}
+        axes.plot(*piece[:, :2].T, color=colour, solid_capstyle="round", **stroke)
+
+
+def _legend(figure: Figure, axes: Axes, building: BuildingScene, locale: Locale) -> None:
+    """Explain the colours that appear, hinges and cracks."""
+    found = {part.outcome for part in building.moving_parts}
+    colours = [(VERDICT[outcome], word) for outcome, word in VERDICT_WORDS.items() if outcome in found]
+    if (building.owner < 0).any():
+        colours.append((FIXED, say("does not move")))
+    patches = [Patch(facecolor=ink, edgecolor=INK, linewidth=0.5, label=locale.text(word)) for ink, word in colours]
+    lines = axes.plot([], [], color=HINGE_COLOUR, linewidth=1.8, label=locale.text(say("axis of rotation")))
+    if any(part.cracks for part in building.moving_parts):
+        lines += axes.plot([], [], color=INK, linewidth=0.7, linestyle=CRACK_DASHES, label=locale.text(say("crack")))
+    figure.legend(handles=[*patches, *lines], loc="lower center", ncols=6, borderaxespad=0.1)
+
+
+def _join_surfaces(surfaces: Sequence[TriangleSurface], steps: Sequence[FloatArray]) -> TriangleSurface:
+    """Return all surfaces as one, each moved by its step [3] [m]."""
+    starts = np.cumsum([0, *(len(surface.vertices) for surface in surfaces)])
+    vertices = [surface.vertices + step for surface, step in zip(surfaces, steps, strict=True)]
+    triangles = [surface.triangles + start for surface, start in zip(surfaces, starts, strict=False)]
+    return TriangleSurface(np.concatenate(vertices), np.concatenate(triangles))
+
+
 def _group_by_shared_bodies(results: Results, regions: Sequence[MovingRegion]) -> list[list[MovingRegion]]:
     """Return the regions in groups that are connected by shared bodies, each from the smallest on."""
     groups: list[tuple[set[str], list[int]]] = []
@@ -289,12 +380,6 @@ def _group_by_shared_bodies(results: Results, regions: Sequence[MovingRegion]) -
         groups = [*rest, (bodies.union(*(group[0] for group in touched)), [*together, place])]
     places = sorted((group[1] for group in groups), key=min)
     return [sorted((regions[place] for place in group), key=lambda region: region.volume) for group in places]
-
-
-def bodies_of(results: Results, mechanism: str) -> tuple[str, ...]:
-    """Return the names of the bodies of a mechanism as the project gives them; its own name where it gives none."""
-    found = results.project.get(f"mechanisms.{mechanism}.blocks")
-    return tuple(_body_names(found.value)) if found is not None else (f"mechanism {mechanism}",)
 
 
 def _body_names(value: object) -> Iterator[str]:
@@ -389,53 +474,6 @@ def _side_by_side(surfaces: Sequence[TriangleSurface], direction: FloatArray) ->
     return steps
 
 
-NEAR = 1e-2  # of a body's size: boxes nearer are one
-
-
-@dataclass(frozen=True)
-class CrackPlane:
-    """A plane through a point [3] with a unit normal [3]."""
-
-    point: FloatArray
-    normal: FloatArray
-
-    def heights(self, points: FloatArray) -> FloatArray:
-        """Return the distance of points [..., 3] on the side of the normal [m]."""
-        return np.asarray((points - self.point) @ self.normal)
-
-
-@dataclass(frozen=True)
-class MovingRegion:
-    """Where a mechanism moves: a box [2, 3] [m], and its sections, each with the side on which all of it lies."""
-
-    mechanism: MechanismResult
-    view: View
-    box: FloatArray
-    sides: tuple[tuple[CrackPlane, float], ...]
-
-    @property
-    def slack(self) -> float:
-        """The distance [m] within which places are one."""
-        return NEAR * float(max(self.view.size))
-
-    @property
-    def volume(self) -> float:
-        """The volume of its box [m3]."""
-        return float(np.prod(np.maximum(self.box[1] - self.box[0], NEAR)))
-
-    def holds(self, points: FloatArray) -> BoolArray:
-        """Return whether points [m, 3] lie in it."""
-        inside = ((points >= self.box[0] - self.slack) & (points <= self.box[1] + self.slack)).all(axis=1)
-        for plane, side in self.sides:
-            inside &= side * plane.heights(points) > -1e-6
-        return np.asarray(inside)
-
-    def is_like(self, other: MovingRegion) -> bool:
-        """Return whether two mechanisms move the same part about the same axes."""
-        mine, its = (np.array([region.box, *(axis.ends for axis in region.view.axes)]) for region in (self, other))
-        return mine.shape == its.shape and np.allclose(mine, its, rtol=0.0, atol=self.slack)
-
-
 def _region_of(mechanism: MechanismResult, view: View) -> MovingRegion:
     """Return where a mechanism moves masonry of its view."""
     triangles, moves = np.array(view.triangles), np.array(view.block_of) >= 0
@@ -469,44 +507,6 @@ GROUND_SAMPLES = 15  # points along the ground of a body, in either direction
 def _box_of(points: FloatArray) -> FloatArray:
     """Return the least and the largest coordinates [2, 3] of points [k, 3]."""
     return np.array([points.min(axis=0), points.max(axis=0)])
-
-
-def plane_of(ring: FloatArray) -> CrackPlane:
-    """Return the plane of a ring of points [k, 3], its normal upwards where it is not upright."""
-    middle = ring.mean(axis=0)
-    normal = np.linalg.svd(ring - middle)[2][2]
-    return CrackPlane(middle, normal if normal[2] >= 0.0 else -normal)
-
-
-def weld(corners: FloatArray) -> TriangleSurface:
-    """Return the surface of loose triangles [m, 3, 3]: vertices in one place are one, triangles without area go."""
-    vertices, index = np.unique(np.round(corners.reshape(-1, 3), WELD_DECIMALS), axis=0, return_inverse=True)
-    triangles = index.reshape(-1, 3)
-    return TriangleSurface(vertices, triangles[(triangles != np.roll(triangles, 1, axis=1)).all(axis=1)])
-
-
-def cut_triangles(corners: FloatArray, plane: CrackPlane) -> FloatArray:
-    """Cut triangles [m, 3, 3] by a plane: those that cross it become three each."""
-    heights = plane.heights(corners)
-    heights[np.abs(heights) < ON_PLANE] = 0.0
-    crossed = (heights.min(axis=1) < 0.0) & (heights.max(axis=1) > 0.0)
-    whole, parts, heights = corners[~crossed], corners[crossed], heights[crossed]
-    upper = (heights > 0.0).sum(axis=1) == 1
-    lone = np.where(upper, heights.argmax(axis=1), heights.argmin(axis=1))
-    turned = (lone[:, None] + np.arange(3)) % 3
-    a, b, c = np.take_along_axis(parts, turned[..., None], axis=1).swapaxes(0, 1)
-    h, i, j = np.take_along_axis(heights, turned, axis=1).T[..., None]
-    p, q = a + (b - a) * h / (h - i), a + (c - a) * h / (h - j)
-    return np.concatenate([whole, *(np.stack(three, axis=1) for three in ((a, p, q), (p, b, c), (p, c, q)))])
-
-
-def body_numbers(surface: TriangleSurface) -> IntArray:
-    """Return the number of the connected body that each triangle [m] belongs to."""
-    a, b, c = surface.triangles.T
-    start, end = np.concatenate([a, b]), np.concatenate([b, c])
-    size = len(surface.vertices)
-    _, body = connected_components(coo_array((np.ones(len(start)), (start, end)), shape=(size, size)), directed=False)
-    return np.asarray(body[a])
 
 
 def _occupy_same_space(one: TriangleSurface, other: TriangleSurface) -> bool:

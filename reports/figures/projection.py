@@ -103,17 +103,6 @@ def scene_sheet(camera: Camera, width: float, locale: Locale, *, below: float = 
     return figure, axes
 
 
-def _draw_triad(axes: Axes, camera: Camera, arm: float, locale: Locale) -> None:
-    """Draw the axes of the project at the lower left, each with the length `arm` [m] to scale, which is written."""
-    arms = camera.frame[:2].T * arm * camera.scale * INCH
-    origin = np.array([2.0, 10.0]) - np.minimum(arms.min(axis=0), 0.0) + AXIS_NAME_ROOM
-    for way, name in zip(arms, "xyz", strict=True):
-        draw_arrow(axes, np.array([origin, origin + way]), width=0.8)
-        out = way / (float(np.linalg.norm(way)) or 1.0)
-        axes.annotate(name, tuple(origin + way + 5.0 * out), ha="center", va="center", fontsize=6.5)
-    axes.annotate(locale.text(say("arms {length}", length=quantity(arm, "length", 3))), (2.0, 2.0), fontsize=6.5)
-
-
 def draw_arrow(axes: Axes, ends: FloatArray, *, width: float) -> None:
     """Draw an arrow from the first of two points [pt] to the other."""
     style = {"arrowstyle": "-|>", "color": INK, "linewidth": width, "shrinkA": 0, "shrinkB": 0, "mutation_scale": 7}
@@ -174,14 +163,6 @@ def paint_bodies(axes: Axes, surface: TriangleSurface, owner: IntArray, camera: 
         cast("Any", np.array(shapes)), facecolors=inks, edgecolors=inks, linewidths=LINE_WIDTH, joinstyle="round"
     )
     axes.add_collection(painted, autolim=False)
-
-
-def _shades(corners: FloatArray, owner: IntArray, camera: Camera, appearance: Appearance) -> list[tuple[float, ...]]:
-    """Return the colour of each face: of its owner, darker the less it looks to the light."""
-    light = np.array(LIGHT) / np.linalg.norm(LIGHT) @ camera.frame
-    bright = DARKEST + (1.0 - DARKEST) * np.clip(unit_normals(corners) @ light, 0.0, 1.0)
-    plain = np.array([to_rgb(appearance.colours[each]) for each in owner.tolist()]).reshape(-1, 3)
-    return [tuple(ink) for ink in np.round(plain * bright[:, None], 4).tolist()]
 
 
 def hatch_lines(corners: FloatArray, lines: Hatching) -> list[FloatArray]:
@@ -264,13 +245,6 @@ def occluding_pairs(corners: FloatArray) -> tuple[IntArray, IntArray]:
     return np.where(gap > 0.0, one, other), np.where(gap > 0.0, other, one)
 
 
-def _plane_heights(corners: FloatArray, at: FloatArray) -> FloatArray:
-    """Return the third coordinate [k] of the planes of triangles [k, 3, 3] at points [k, 2]."""
-    normal = unit_normals(corners)
-    away = np.einsum("ki,ki->k", normal[:, :2], at - corners[:, 0, :2])
-    return np.asarray(corners[:, 0, 2] - away / normal[:, 2], dtype=np.float64)
-
-
 LINE_PIECES = 60  # pieces of a line
 FEW_TRIANGLES = 200  # of a part, up to which points are taken on a grid over each
 GRID_POINTS = 5  # of such a grid, along each side of a triangle
@@ -326,6 +300,32 @@ def visible_middle(own: FloatArray, occluders: Occluders) -> FloatArray | None:
         return None
     middle = np.average(points[seen, :2], axis=0, weights=weight[seen])
     return np.asarray(points[seen][np.linalg.norm(points[seen, :2] - middle, axis=1).argmin()])
+
+
+def _draw_triad(axes: Axes, camera: Camera, arm: float, locale: Locale) -> None:
+    """Draw the axes of the project at the lower left, each with the length `arm` [m] to scale, which is written."""
+    arms = camera.frame[:2].T * arm * camera.scale * INCH
+    origin = np.array([2.0, 10.0]) - np.minimum(arms.min(axis=0), 0.0) + AXIS_NAME_ROOM
+    for way, name in zip(arms, "xyz", strict=True):
+        draw_arrow(axes, np.array([origin, origin + way]), width=0.8)
+        out = way / (float(np.linalg.norm(way)) or 1.0)
+        axes.annotate(name, tuple(origin + way + 5.0 * out), ha="center", va="center", fontsize=6.5)
+    axes.annotate(locale.text(say("arms {length}", length=quantity(arm, "length", 3))), (2.0, 2.0), fontsize=6.5)
+
+
+def _shades(corners: FloatArray, owner: IntArray, camera: Camera, appearance: Appearance) -> list[tuple[float, ...]]:
+    """Return the colour of each face: of its owner, darker the less it looks to the light."""
+    light = np.array(LIGHT) / np.linalg.norm(LIGHT) @ camera.frame
+    bright = DARKEST + (1.0 - DARKEST) * np.clip(unit_normals(corners) @ light, 0.0, 1.0)
+    plain = np.array([to_rgb(appearance.colours[each]) for each in owner.tolist()]).reshape(-1, 3)
+    return [tuple(ink) for ink in np.round(plain * bright[:, None], 4).tolist()]
+
+
+def _plane_heights(corners: FloatArray, at: FloatArray) -> FloatArray:
+    """Return the third coordinate [k] of the planes of triangles [k, 3, 3] at points [k, 2]."""
+    normal = unit_normals(corners)
+    away = np.einsum("ki,ki->k", normal[:, :2], at - corners[:, 0, :2])
+    return np.asarray(corners[:, 0, 2] - away / normal[:, 2], dtype=np.float64)
 
 
 def _grid() -> FloatArray:

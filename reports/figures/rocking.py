@@ -50,17 +50,6 @@ def draw_history(
         return figure
 
 
-def _draw_motion(axes: Axes, trace: HistoryTrace, locale: Locale) -> None:
-    axes.set_ylabel(locale.heading(say("acceleration"), "ground acceleration"))
-    if trace.base_acceleration_g is None:
-        axes.plot(trace.time_s, trace.ground_acceleration_g, color=style.MUTED, linewidth=0.6)
-        return
-    base, ground = locale.text(say("at its base")), locale.text(say("at the ground"))
-    axes.plot(trace.time_s, trace.base_acceleration_g, color="#d55e00", linewidth=0.6, label=base)
-    axes.plot(trace.time_s, trace.ground_acceleration_g, color=style.INK, linewidth=0.5, label=ground)
-    style.legend_above(axes, columns=2)
-
-
 def rotation_ratio(mechanism: MechanismResult, trace: HistoryTrace) -> np.ndarray[tuple[int], np.dtype[np.float64]]:
     """Return the rotation over the rigid overturning rotation of the deciding branch [-], signed."""
     turned = np.asarray(trace.rotation_rad, dtype=np.float64)
@@ -68,35 +57,6 @@ def rotation_ratio(mechanism: MechanismResult, trace: HistoryTrace) -> np.ndarra
     both = (mechanism.oscillator.overturning_rad, negative.overturning_rad)
     ahead, behind = mechanism.deciding_overturning_rad or both
     return turned / np.where(turned < 0, behind or ahead, ahead)
-
-
-def _draw_rotation(axes: Axes, mechanism: MechanismResult, trace: HistoryTrace) -> None:
-    values = rotation_ratio(mechanism, trace)
-    top = min(_MOST_ROTATION, 1.5 * float(np.max(np.abs(values), initial=0.0)))
-    axes.plot(trace.time_s, values, color="#0072b2", linewidth=0.9)
-    low = -1.0 if mechanism.oscillator_negative is not None else -0.12
-    axes.set_ylim(low * max(top, 0.05), max(top, 0.05) * 1.25)
-
-
-def _draw_limits(axes: Axes, allowable: float | None, locale: Locale, *, two_sided: bool) -> None:
-    sides = (1, -1) if two_sided else (1,)
-    lines = [(1.0, style.FAIL, "-", say("overturning, φₒᵥ"))]
-    if allowable is not None:
-        name = say("allowable, {ratio} φₒᵥ", ratio=quantity(allowable, "ratio", 3))
-        lines.append((allowable, ALLOWABLE_COLOUR, "--", name))
-    for height, colour, dash, name in lines:
-        for side in sides if height <= max(np.abs(axes.get_ylim())) else ():
-            named = locale.text(name) if side > 0 else "_"
-            axes.axhline(side * height, color=colour, linestyle=dash, linewidth=1.0, label=named)
-
-
-def _draw_peak(axes: Axes, history: HistoryResult, locale: Locale) -> None:
-    if history.overturning_time_s is not None:
-        name = locale.text(say("overturns"))
-        axes.axvline(history.overturning_time_s, color=style.FAIL, linewidth=0.8, linestyle=":", label=name)
-    elif history.max_rotation_ratio is not None and history.time_of_max_s is not None:
-        signed = np.copysign(abs(history.max_rotation_ratio), history.max_rotation_rad or 0.0)
-        axes.plot(history.time_of_max_s, signed, "o", color=style.INK, markersize=4, label=locale.text(say("largest")))
 
 
 _BASE_COLOUR = "#d55e00"
@@ -120,13 +80,6 @@ def draw_amplification(motion: CarriedMotion, locale: Locale) -> Figure:
         spectrum.set_xlim(motion.period_s[0], motion.period_s[-1])
         style.legend_below(figure, columns=2)
         return figure
-
-
-def _draw_pair(axes: Axes, across: Series, ground: Series, base: Series, linewidth: float, locale: Locale) -> None:
-    axes.plot(
-        across, base, color=_BASE_COLOUR, linewidth=linewidth, label=locale.text(say("at the base of the mechanism"))
-    )
-    axes.plot(across, ground, color=style.INK, linewidth=linewidth, label=locale.text(say("at the ground")))
 
 
 PULSE = say("frequency of the pulse")
@@ -158,37 +111,6 @@ def draw_envelope(one: EnvelopeResult, records: Sequence[RecordResult], locale: 
         axes.set_ylabel(locale.heading(say("peak acceleration of the pulse"), "ground acceleration"))
         style.legend_below(figure, columns=3)
         return figure
-
-
-def _overturning_rectangles(one: EnvelopeResult, frequency: FloatArray, amplitude: FloatArray) -> FloatArray:
-    """Return rectangles [k, 4, 2] of the pulses that overturn: at each frequency, one for each run of amplitudes."""
-    f, a = _cell_borders(frequency), _cell_borders(amplitude)
-    found = []
-    for column, row in enumerate(np.array(one.overturned, dtype=np.int64)):
-        steps = np.flatnonzero(np.diff(np.r_[0, row, 0]))
-        for first, last in steps.reshape(-1, 2):
-            left, right, low, high = f[column], f[column + 1], a[first], a[last]
-            found.append([(left, low), (right, low), (right, high), (left, high)])
-    return np.array(found, dtype=np.float64).reshape(-1, 4, 2)
-
-
-def _cell_borders(values: FloatArray) -> FloatArray:
-    """Return where the cell of each value [n] ends and the next begins [n + 1]."""
-    return np.concatenate([values[:1], 0.5 * (values[1:] + values[:-1]), values[-1:]])
-
-
-def _draw_primary_pulses(
-    axes: Axes, records: Sequence[RecordResult], frequency: FloatArray, amplitude: FloatArray, locale: Locale
-) -> None:
-    """Draw the best pulse within each record, as the record is scaled, where the map shows its place."""
-    found = [record.primary_pulses[0] for record in records if record.primary_pulses]
-    inside = [
-        pulse for pulse in found
-        if frequency[0] <= pulse.frequency_hz <= frequency[-1] and pulse.amplitude_g <= amplitude[-1]
-    ]  # fmt: skip
-    if inside:
-        at = [pulse.frequency_hz for pulse in inside], [pulse.amplitude_g for pulse in inside]
-        axes.plot(*at, "o", color=style.INK, markersize=3, label=locale.text(say("primary pulses of the records")))
 
 
 def draw_envelope_bounds(results: Results, locale: Locale) -> Figure:
@@ -225,6 +147,84 @@ def draw_envelope_bounds(results: Results, locale: Locale) -> Figure:
         band.grid(visible=False)
         style.legend_below(figure, columns=3, axes=axes)
         return figure
+
+
+def _draw_motion(axes: Axes, trace: HistoryTrace, locale: Locale) -> None:
+    axes.set_ylabel(locale.heading(say("acceleration"), "ground acceleration"))
+    if trace.base_acceleration_g is None:
+        axes.plot(trace.time_s, trace.ground_acceleration_g, color=style.MUTED, linewidth=0.6)
+        return
+    base, ground = locale.text(say("at its base")), locale.text(say("at the ground"))
+    axes.plot(trace.time_s, trace.base_acceleration_g, color="#d55e00", linewidth=0.6, label=base)
+    axes.plot(trace.time_s, trace.ground_acceleration_g, color=style.INK, linewidth=0.5, label=ground)
+    style.legend_above(axes, columns=2)
+
+
+def _draw_rotation(axes: Axes, mechanism: MechanismResult, trace: HistoryTrace) -> None:
+    values = rotation_ratio(mechanism, trace)
+    top = min(_MOST_ROTATION, 1.5 * float(np.max(np.abs(values), initial=0.0)))
+    axes.plot(trace.time_s, values, color="#0072b2", linewidth=0.9)
+    low = -1.0 if mechanism.oscillator_negative is not None else -0.12
+    axes.set_ylim(low * max(top, 0.05), max(top, 0.05) * 1.25)
+
+
+def _draw_limits(axes: Axes, allowable: float | None, locale: Locale, *, two_sided: bool) -> None:
+    sides = (1, -1) if two_sided else (1,)
+    lines = [(1.0, style.FAIL, "-", say("overturning, φₒᵥ"))]
+    if allowable is not None:
+        name = say("allowable, {ratio} φₒᵥ", ratio=quantity(allowable, "ratio", 3))
+        lines.append((allowable, ALLOWABLE_COLOUR, "--", name))
+    for height, colour, dash, name in lines:
+        for side in sides if height <= max(np.abs(axes.get_ylim())) else ():
+            named = locale.text(name) if side > 0 else "_"
+            axes.axhline(side * height, color=colour, linestyle=dash, linewidth=1.0, label=named)
+
+
+def _draw_peak(axes: Axes, history: HistoryResult, locale: Locale) -> None:
+    if history.overturning_time_s is not None:
+        name = locale.text(say("overturns"))
+        axes.axvline(history.overturning_time_s, color=style.FAIL, linewidth=0.8, linestyle=":", label=name)
+    elif history.max_rotation_ratio is not None and history.time_of_max_s is not None:
+        signed = np.copysign(abs(history.max_rotation_ratio), history.max_rotation_rad or 0.0)
+        axes.plot(history.time_of_max_s, signed, "o", color=style.INK, markersize=4, label=locale.text(say("largest")))
+
+
+def _draw_pair(axes: Axes, across: Series, ground: Series, base: Series, linewidth: float, locale: Locale) -> None:
+    axes.plot(
+        across, base, color=_BASE_COLOUR, linewidth=linewidth, label=locale.text(say("at the base of the mechanism"))
+    )
+    axes.plot(across, ground, color=style.INK, linewidth=linewidth, label=locale.text(say("at the ground")))
+
+
+def _overturning_rectangles(one: EnvelopeResult, frequency: FloatArray, amplitude: FloatArray) -> FloatArray:
+    """Return rectangles [k, 4, 2] of the pulses that overturn: at each frequency, one for each run of amplitudes."""
+    f, a = _cell_borders(frequency), _cell_borders(amplitude)
+    found = []
+    for column, row in enumerate(np.array(one.overturned, dtype=np.int64)):
+        steps = np.flatnonzero(np.diff(np.r_[0, row, 0]))
+        for first, last in steps.reshape(-1, 2):
+            left, right, low, high = f[column], f[column + 1], a[first], a[last]
+            found.append([(left, low), (right, low), (right, high), (left, high)])
+    return np.array(found, dtype=np.float64).reshape(-1, 4, 2)
+
+
+def _cell_borders(values: FloatArray) -> FloatArray:
+    """Return where the cell of each value [n] ends and the next begins [n + 1]."""
+    return np.concatenate([values[:1], 0.5 * (values[1:] + values[:-1]), values[-1:]])
+
+
+def _draw_primary_pulses(
+    axes: Axes, records: Sequence[RecordResult], frequency: FloatArray, amplitude: FloatArray, locale: Locale
+) -> None:
+    """Draw the best pulse within each record, as the record is scaled, where the map shows its place."""
+    found = [record.primary_pulses[0] for record in records if record.primary_pulses]
+    inside = [
+        pulse for pulse in found
+        if frequency[0] <= pulse.frequency_hz <= frequency[-1] and pulse.amplitude_g <= amplitude[-1]
+    ]  # fmt: skip
+    if inside:
+        at = [pulse.frequency_hz for pulse in inside], [pulse.amplitude_g for pulse in inside]
+        axes.plot(*at, "o", color=style.INK, markersize=3, label=locale.text(say("primary pulses of the records")))
 
 
 def _draw_critical_band(axes: Axes, part: CriticalBand, ink: style.Pen, number: str, span: tuple[float, float]) -> None:

@@ -71,68 +71,6 @@ def draw_tornado(panels: Sequence[TornadoPanel], locale: Locale) -> Figure:
         return figure
 
 
-def _draw_panel(axes: Axes, panel: TornadoPanel, locale: Locale) -> None:
-    limit = None if panel.limit is None else panel.limit[0]
-    ends = [value for bar in panel.bars for value in (bar.low, bar.high)]
-    low, high = _axis_span([value for value in (*ends, panel.base, limit) if _is_drawn(value)])
-    axes.set_xlim(low, high)
-    for row, bar in enumerate(panel.bars):
-        halves = zip((bar.low, bar.high), (LOW_COLOUR, HIGH_COLOUR), (-0.5, 0.5), bar.verdicts, strict=True)
-        for value, colour, side, verdict in halves:
-            if value is not None and panel.base is not None:
-                word = "" if verdict is None else label(locale.text(verdict), 20)
-                _draw_half_bar(axes, panel.base, value, height=row + side * HALF_BAR, colour=colour, verdict=word)
-    if _is_drawn(panel.base):
-        axes.axvline(panel.base, color=INK, linewidth=0.9)
-    if panel.limit is not None:
-        at, name = panel.limit
-        axes.axvline(at, color=FAIL, linewidth=1.1, linestyle="--")
-        top = axes.get_xaxis_transform()
-        axes.text(at, 1.01, locale.text(name), transform=top, ha="center", fontsize=6.5, color=FAIL)
-    words = (locale.heading(panel.name[0], panel.dimension), locale.text(panel.name[1]))
-    axes.set_xlabel("\n".join(fold(line, width=34) for line in words))
-    axes.xaxis.set_major_locator(MaxNLocator(4, steps=[1, 2, 2.5, 5, 10]))
-    axes.grid(visible=False, axis="y")
-    axes.tick_params(axis="y", length=0)
-
-
-def _draw_half_bar(axes: Axes, base: float, value: float, *, height: float, colour: str, verdict: str) -> None:
-    """Draw half a bar, from the answer as assessed to that at one value; an arrow at the edge for overturning."""
-    low, high = axes.get_xlim()
-    start, end = min(base, high), min(value, high)
-    axes.barh(height, end - start, HALF_BAR, left=start, color=colour, linewidth=0)
-    if value == inf:
-        axes.plot(high, height, marker=">", color=colour, markersize=5, clip_on=False)
-    inside = abs(end - start) > WORD_ROOM * (
-        high - low
-    )  # beside the line of the answer as assessed, else beyond the end
-    aside = 3 if end >= start else -3
-    side: Literal["left", "right"] = "left" if aside > 0 else "right"
-    at = (start if inside else end, height)
-    axes.annotate(verdict, at, (aside, -0.3), textcoords="offset points", fontsize=6.3, ha=side, va="center", color=INK)
-
-
-def _is_drawn(value: float | None) -> TypeGuard[float]:
-    return value is not None and value < inf
-
-
-def _axis_span(values: Sequence[float]) -> tuple[float, float]:
-    """Return the ends of an axis: all of the values with a margin, and a width where they are one."""
-    low, high = min(values, default=0.0), max(values, default=1.0)
-    width = max(high - low, 0.02 * max(abs(low), abs(high)), 1e-6)
-    return low - MARGIN * width, high + MARGIN * width
-
-
-def _tornado_legend(figure: Figure, axes: Axes, locale: Locale) -> None:
-    handles = [
-        axes.barh([0], [0], color=LOW_COLOUR, label=locale.text(say("at the low value"))),
-        axes.barh([0], [0], color=HIGH_COLOUR, label=locale.text(say("at the high value"))),
-        *axes.plot([], [], color=INK, linewidth=0.9, label=locale.text(say("as assessed"))),
-        *axes.plot([], [], color=FAIL, linewidth=1.1, linestyle="--", label=locale.text(say("limit"))),
-    ]
-    figure.legend(handles=handles, loc="outside lower center", ncols=4)
-
-
 SweptValues = Sequence[float | None]
 
 
@@ -150,37 +88,6 @@ def draw_sweep(sweep: SweepResult, locale: Locale) -> Figure:
                 axes.axhline(1.0, color=FAIL, linewidth=0.8)
         figure.supxlabel(label(f"{sweep.key} [{sweep.unit}]", 90), fontsize=7)
         return figure
-
-
-def _swept_quantities(sweep: SweepResult) -> list[tuple[SweptValues, Phrase, str]]:
-    """Return the quantities of which any value is known, with their names and dimensions.
-
-    On joints without a threshold of uplift the overturning rotation replaces the multiplier.
-    """
-    threshold = (sweep.uplift_multiplier, say("load multiplier at uplift λ"), "ratio")
-    overturning = (sweep.overturning_flexible_rad, say("overturning on joints φₒᵥ"), "rotation")
-    all_of_them: list[tuple[SweptValues, Phrase, str]] = [
-        threshold if _any_known(sweep.uplift_multiplier) else overturning,
-        (sweep.p_eq_per_s, say("frequency parameter p"), "angular frequency"),
-        (sweep.demand_capacity, say("demand / capacity"), "ratio"),
-    ]
-    return [each for each in all_of_them if _any_known(each[0])]
-
-
-def _any_known(values: SweptValues) -> bool:
-    """Return whether any case has a value."""
-    return any(value is not None for value in values)
-
-
-def _draw_sweep_curve(axes: Axes, sweep: SweepResult, values: SweptValues) -> None:
-    """Draw the known values in the order of the swept number, with the controlling case marked."""
-    known = sorted((x, y) for x, y in zip(sweep.value, values, strict=True) if y is not None)
-    axes.plot([x for x, _ in known], [y for _, y in known], marker="o", markersize=3, color="#0072b2", linewidth=1.0)
-    highest = max((y for _, y in known), default=1.0)
-    axes.set_ylim(0.0, 1.15 * highest or 1.0)  # from 0: noise must not look like a trend
-    x, y = sweep.value[sweep.controlling], values[sweep.controlling]
-    if y is not None:
-        axes.plot([x], [y], "o", markersize=8, markerfacecolor="none", markeredgecolor=FAIL)
 
 
 def draw_directions(found: DirectionSweep, locale: Locale) -> Figure:
@@ -260,3 +167,96 @@ def rank_influences(answer: UncertainAnswer) -> list[Influence]:
 def input_group_name(influence: Influence) -> Text:
     """Return the key of a single input, or the name of a group of several."""
     return Verbatim(influence.keys[0] if len(influence.keys) == 1 else influence.group)
+
+
+def _draw_panel(axes: Axes, panel: TornadoPanel, locale: Locale) -> None:
+    limit = None if panel.limit is None else panel.limit[0]
+    ends = [value for bar in panel.bars for value in (bar.low, bar.high)]
+    low, high = _axis_span([value for value in (*ends, panel.base, limit) if _is_drawn(value)])
+    axes.set_xlim(low, high)
+    for row, bar in enumerate(panel.bars):
+        halves = zip((bar.low, bar.high), (LOW_COLOUR, HIGH_COLOUR), (-0.5, 0.5), bar.verdicts, strict=True)
+        for value, colour, side, verdict in halves:
+            if value is not None and panel.base is not None:
+                word = "" if verdict is None else label(locale.text(verdict), 20)
+                _draw_half_bar(axes, panel.base, value, height=row + side * HALF_BAR, colour=colour, verdict=word)
+    if _is_drawn(panel.base):
+        axes.axvline(panel.base, color=INK, linewidth=0.9)
+    if panel.limit is not None:
+        at, name = panel.limit
+        axes.axvline(at, color=FAIL, linewidth=1.1, linestyle="--")
+        top = axes.get_xaxis_transform()
+        axes.text(at, 1.01, locale.text(name), transform=top, ha="center", fontsize=6.5, color=FAIL)
+    words = (locale.heading(panel.name[0], panel.dimension), locale.text(panel.name[1]))
+    axes.set_xlabel("\n".join(fold(line, width=34) for line in words))
+    axes.xaxis.set_major_locator(MaxNLocator(4, steps=[1, 2, 2.5, 5, 10]))
+    axes.grid(visible=False, axis="y")
+    axes.tick_params(axis="y", length=0)
+
+
+def _draw_half_bar(axes: Axes, base: float, value: float, *, height: float, colour: str, verdict: str) -> None:
+    """Draw half a bar, from the answer as assessed to that at one value; an arrow at the edge for overturning."""
+    low, high = axes.get_xlim()
+    start, end = min(base, high), min(value, high)
+    axes.barh(height, end - start, HALF_BAR, left=start, color=colour, linewidth=0)
+    if value == inf:
+        axes.plot(high, height, marker=">", color=colour, markersize=5, clip_on=False)
+    inside = abs(end - start) > WORD_ROOM * (
+        high - low
+    )  # beside the line of the answer as assessed, else beyond the end
+    aside = 3 if end >= start else -3
+    side: Literal["left", "right"] = "left" if aside > 0 else "right"
+    at = (start if inside else end, height)
+    axes.annotate(verdict, at, (aside, -0.3), textcoords="offset points", fontsize=6.3, ha=side, va="center", color=INK)
+
+
+def _is_drawn(value: float | None) -> TypeGuard[float]:
+    return value is not None and value < inf
+
+
+def _axis_span(values: Sequence[float]) -> tuple[float, float]:
+    """Return the ends of an axis: all of the values with a margin, and a width where they are one."""
+    low, high = min(values, default=0.0), max(values, default=1.0)
+    width = max(high - low, 0.02 * max(abs(low), abs(high)), 1e-6)
+    return low - MARGIN * width, high + MARGIN * width
+
+
+def _tornado_legend(figure: Figure, axes: Axes, locale: Locale) -> None:
+    handles = [
+        axes.barh([0], [0], color=LOW_COLOUR, label=locale.text(say("at the low value"))),
+        axes.barh([0], [0], color=HIGH_COLOUR, label=locale.text(say("at the high value"))),
+        *axes.plot([], [], color=INK, linewidth=0.9, label=locale.text(say("as assessed"))),
+        *axes.plot([], [], color=FAIL, linewidth=1.1, linestyle="--", label=locale.text(say("limit"))),
+    ]
+    figure.legend(handles=handles, loc="outside lower center", ncols=4)
+
+
+def _swept_quantities(sweep: SweepResult) -> list[tuple[SweptValues, Phrase, str]]:
+    """Return the quantities of which any value is known, with their names and dimensions.
+
+    On joints without a threshold of uplift the overturning rotation replaces the multiplier.
+    """
+    threshold = (sweep.uplift_multiplier, say("load multiplier at uplift λ"), "ratio")
+    overturning = (sweep.overturning_flexible_rad, say("overturning on joints φₒᵥ"), "rotation")
+    all_of_them: list[tuple[SweptValues, Phrase, str]] = [
+        threshold if _any_known(sweep.uplift_multiplier) else overturning,
+        (sweep.p_eq_per_s, say("frequency parameter p"), "angular frequency"),
+        (sweep.demand_capacity, say("demand / capacity"), "ratio"),
+    ]
+    return [each for each in all_of_them if _any_known(each[0])]
+
+
+def _any_known(values: SweptValues) -> bool:
+    """Return whether any case has a value."""
+    return any(value is not None for value in values)
+
+
+def _draw_sweep_curve(axes: Axes, sweep: SweepResult, values: SweptValues) -> None:
+    """Draw the known values in the order of the swept number, with the controlling case marked."""
+    known = sorted((x, y) for x, y in zip(sweep.value, values, strict=True) if y is not None)
+    axes.plot([x for x, _ in known], [y for _, y in known], marker="o", markersize=3, color="#0072b2", linewidth=1.0)
+    highest = max((y for _, y in known), default=1.0)
+    axes.set_ylim(0.0, 1.15 * highest or 1.0)  # from 0: noise must not look like a trend
+    x, y = sweep.value[sweep.controlling], values[sweep.controlling]
+    if y is not None:
+        axes.plot([x], [y], "o", markersize=8, markerfacecolor="none", markeredgecolor=FAIL)

@@ -113,6 +113,85 @@ def extent_between(ring: Sequence[Point], low: float, high: float) -> tuple[floa
     return () if part.is_empty else (part.bounds[0], part.bounds[2])
 
 
+def panel_size(size: tuple[float, float]) -> tuple[float, float]:
+    """Return the size [in] of each of two panels in which a window of a size [m] is drawn largest side by side."""
+    wide, high = size
+    room = 0.5 * (HALF - LEFT - 2 * GAP)
+    scale = min(room / wide, (TALLEST - BOTTOM - TOP) / high)
+    return room, max(scale * high, LOWEST)
+
+
+VIEW_SIZE = PictureSize(wide=5.2, tall=3.0, left=0.75, around=0.25)
+AXIS_BEYOND = 0.07  # of the bodies' size: how far an axis is drawn beyond them
+AXIS_NAME_BOX = (11.0, 8.5)  # room of the name of an axis [pt]
+
+
+def draw_view(view: View, positive: int, locale: Locale) -> Figure:
+    """Draw the bodies, their sections, the axes of rotation and the direction of motion.
+
+    positive : of the axes, how many from the first on are those of the positive side
+    """
+    surface = TriangleSurface(np.array(view.vertices), np.array(view.triangles))
+    along, size = np.array(view.direction), float(max(view.size))
+    lines = [_extend_line(np.array(axis.ends), AXIS_BEYOND * size) for axis in view.axes]
+    arrow = direction_arrow(surface.vertices, along, size)
+    camera = fit_camera(along, np.concatenate([surface.vertices, arrow, *lines]), VIEW_SIZE)
+    with report_style():
+        figure, axes = scene_sheet(camera, WIDTH, locale)
+        appearance = Appearance({block: shade(block) for block in view.block_of}, {}, _sharp_angle(view))
+        paint_bodies(axes, surface, np.array(view.block_of), camera, appearance)
+        for ring in view.sections:
+            axes.plot(*camera.project(np.array(ring))[:, :2].T, color=INK, linewidth=0.8, linestyle=(0, (2, 1.5)))
+        _draw_rotation_axes(axes, view, camera, lines, positive)
+        draw_arrow(axes, camera.project(arrow), width=1.6)
+        return figure
+
+
+def direction_arrow(vertices: FloatArray, along: FloatArray, size: float) -> FloatArray:
+    """Return the ends [2, 3] of the arrow along the direction of motion, out of the leading face."""
+    low, high = vertices.min(axis=0), vertices.max(axis=0)
+    middle = 0.5 * (low + high)
+    start = middle + (float((vertices @ along).max()) - middle @ along) * along
+    start[2] = low[2] + 0.75 * (high[2] - low[2])
+    return np.array([start, start + 0.25 * size * along])
+
+
+def avoid_names(at: FloatArray, taken: Sequence[FloatArray]) -> FloatArray:
+    """Return the place of a name [pt], lowered where one of those taken is too near to read both."""
+    while any((np.abs(at - other) < AXIS_NAME_BOX).all() for other in taken):
+        at = at - np.array([0.0, 1.0])
+    return at
+
+
+def model_of_view(view: View, *, positive: int) -> SpatialModel:
+    """Return the model of a view, the first `positive` of whose axes are those of the positive branch."""
+    surface = TriangleSurface(np.array(view.vertices), np.array(view.triangles))
+    colours = {block: shade(block) for block in view.block_of}
+    wires = tuple(_wires_of_view(view, surface, positive))
+    return scene_model(surface, np.array(view.block_of), colours, wires, _sharp_angle(view), np.array(view.direction))
+
+
+def scene_model(
+    surface: TriangleSurface,
+    owner: IntArray,
+    colours: Mapping[int, str],
+    wires: tuple[Wire, ...],
+    sharp: float,
+    direction: FloatArray,
+) -> SpatialModel:
+    """Return bodies in the colours of their owners, first seen as the figure shows them for a direction of motion."""
+    parts = (ColouredFaces(colour, _indices(surface.triangles[owner == each])) for each, colour in colours.items())
+    east, north, _ = viewing_frame(direction)[2].tolist()
+    return SpatialModel(
+        rounded_points(surface.vertices), tuple(parts), wires, STONE_EDGE, sharp, (atan2(north, east), RAISED)
+    )
+
+
+def rounded_points(points: FloatArray) -> tuple[PointInSpace, ...]:
+    """Return points [k, 3] to a tenth of a millimetre."""
+    return tuple((x, y, z) for x, y, z in np.round(points, 4).tolist())
+
+
 def _drawn_points(scene: Drawing | DisplacedDrawing) -> Iterator[Point]:
     """Yield every point that is drawn, except of arrows."""
     yield from (point for ring in scene.blocks for point in ring)
@@ -129,14 +208,6 @@ def _arrow_ends(load: DrawnLoad, length: float) -> tuple[Point, ...]:
     sign = -1.0 if load.kind == "force" else 1.0
     far = (x + sign * length * along, z + sign * length * up)
     return (far, load.at) if load.kind == "force" else (load.at, far)
-
-
-def panel_size(size: tuple[float, float]) -> tuple[float, float]:
-    """Return the size [in] of each of two panels in which a window of a size [m] is drawn largest side by side."""
-    wide, high = size
-    room = 0.5 * (HALF - LEFT - 2 * GAP)
-    scale = min(room / wide, (TALLEST - BOTTOM - TOP) / high)
-    return room, max(scale * high, LOWEST)
 
 
 def _add_panel(figure: Figure, column: int, panel: tuple[float, float], window: SketchWindow, metres: Scale) -> Axes:
@@ -260,32 +331,6 @@ def _draw_direction(axes: Axes) -> None:
     axes.annotate("", end, (-26.0, 0.0), "axes fraction", "offset points", arrowprops=arrow, annotation_clip=False)
 
 
-VIEW_SIZE = PictureSize(wide=5.2, tall=3.0, left=0.75, around=0.25)
-AXIS_BEYOND = 0.07  # of the bodies' size: how far an axis is drawn beyond them
-AXIS_NAME_BOX = (11.0, 8.5)  # room of the name of an axis [pt]
-
-
-def draw_view(view: View, positive: int, locale: Locale) -> Figure:
-    """Draw the bodies, their sections, the axes of rotation and the direction of motion.
-
-    positive : of the axes, how many from the first on are those of the positive side
-    """
-    surface = TriangleSurface(np.array(view.vertices), np.array(view.triangles))
-    along, size = np.array(view.direction), float(max(view.size))
-    lines = [_extend_line(np.array(axis.ends), AXIS_BEYOND * size) for axis in view.axes]
-    arrow = direction_arrow(surface.vertices, along, size)
-    camera = fit_camera(along, np.concatenate([surface.vertices, arrow, *lines]), VIEW_SIZE)
-    with report_style():
-        figure, axes = scene_sheet(camera, WIDTH, locale)
-        appearance = Appearance({block: shade(block) for block in view.block_of}, {}, _sharp_angle(view))
-        paint_bodies(axes, surface, np.array(view.block_of), camera, appearance)
-        for ring in view.sections:
-            axes.plot(*camera.project(np.array(ring))[:, :2].T, color=INK, linewidth=0.8, linestyle=(0, (2, 1.5)))
-        _draw_rotation_axes(axes, view, camera, lines, positive)
-        draw_arrow(axes, camera.project(arrow), width=1.6)
-        return figure
-
-
 def _sharp_angle(view: View) -> float:
     """Return the angle between faces from which on their common edge is drawn [rad], larger for scans."""
     return radians(35 if len(view.triangles) == view.given else 65)
@@ -296,15 +341,6 @@ def _extend_line(ends: FloatArray, length: float) -> FloatArray:
     way = ends[1] - ends[0]
     step = way * length / (float(np.linalg.norm(way)) or 1.0)
     return np.array([ends[0] - step, ends[1] + step])
-
-
-def direction_arrow(vertices: FloatArray, along: FloatArray, size: float) -> FloatArray:
-    """Return the ends [2, 3] of the arrow along the direction of motion, out of the leading face."""
-    low, high = vertices.min(axis=0), vertices.max(axis=0)
-    middle = 0.5 * (low + high)
-    start = middle + (float((vertices @ along).max()) - middle @ along) * along
-    start[2] = low[2] + 0.75 * (high[2] - low[2])
-    return np.array([start, start + 0.25 * size * along])
 
 
 def _draw_rotation_axes(axes: Axes, view: View, camera: Camera, lines: Sequence[FloatArray], positive: int) -> None:
@@ -321,44 +357,8 @@ def _draw_rotation_axes(axes: Axes, view: View, camera: Camera, lines: Sequence[
         axes.annotate(name, tuple(named[-1]), ha="center", va="center", color=colour, fontsize=7)
 
 
-def avoid_names(at: FloatArray, taken: Sequence[FloatArray]) -> FloatArray:
-    """Return the place of a name [pt], lowered where one of those taken is too near to read both."""
-    while any((np.abs(at - other) < AXIS_NAME_BOX).all() for other in taken):
-        at = at - np.array([0.0, 1.0])
-    return at
-
-
-def model_of_view(view: View, *, positive: int) -> SpatialModel:
-    """Return the model of a view, the first `positive` of whose axes are those of the positive branch."""
-    surface = TriangleSurface(np.array(view.vertices), np.array(view.triangles))
-    colours = {block: shade(block) for block in view.block_of}
-    wires = tuple(_wires_of_view(view, surface, positive))
-    return scene_model(surface, np.array(view.block_of), colours, wires, _sharp_angle(view), np.array(view.direction))
-
-
-def scene_model(
-    surface: TriangleSurface,
-    owner: IntArray,
-    colours: Mapping[int, str],
-    wires: tuple[Wire, ...],
-    sharp: float,
-    direction: FloatArray,
-) -> SpatialModel:
-    """Return bodies in the colours of their owners, first seen as the figure shows them for a direction of motion."""
-    parts = (ColouredFaces(colour, _indices(surface.triangles[owner == each])) for each, colour in colours.items())
-    east, north, _ = viewing_frame(direction)[2].tolist()
-    return SpatialModel(
-        rounded_points(surface.vertices), tuple(parts), wires, STONE_EDGE, sharp, (atan2(north, east), RAISED)
-    )
-
-
 def _indices(triangles: IntArray) -> tuple[tuple[int, int, int], ...]:
     return tuple((a, b, c) for a, b, c in triangles.tolist())
-
-
-def rounded_points(points: FloatArray) -> tuple[PointInSpace, ...]:
-    """Return points [k, 3] to a tenth of a millimetre."""
-    return tuple((x, y, z) for x, y, z in np.round(points, 4).tolist())
 
 
 def _wires_of_view(view: View, surface: TriangleSurface, positive: int) -> Iterator[Wire]:

@@ -37,36 +37,6 @@ def draw_scaled_spectra(target: SpectrumResult, records: tuple[RecordResult, ...
         return figure
 
 
-def _draw_records(
-    axes: Axes, records: Sequence[tuple[str, ArrayLike, ArrayLike]], locale: Locale, *, named: bool = True
-) -> None:
-    """Draw the spectra of records, each by its name, periods [s] and ordinates [g].
-
-    named : whether each has a colour and its name; many are drawn alike in any case
-    """
-    named = named and len(records) <= MOST_NAMED
-    for place, (record, period, ordinates) in enumerate(records):
-        name = record_label(record, 24) if named else (locale.text(say("records")) if place == 0 else "_")
-        colour = RECORD_COLOURS[place] if named else MUTED
-        axes.plot(period, ordinates, color=colour, linewidth=0.8, alpha=0.8, label=name)
-
-
-def _frame_spectra(axes: Axes, periods: tuple[float, float], locale: Locale) -> None:
-    """Name the axes of response spectra over a range of periods [s]."""
-    axes.set(xlabel=locale.heading(say("period T"), "time"), xlim=periods, ylim=(0.0, None))
-    axes.set_ylabel(locale.heading(say("pseudo-acceleration Sₐ"), "ground acceleration"))
-
-
-def _draw_geometric_mean(axes: Axes, records: tuple[RecordResult, ...], locale: Locale) -> None:
-    grids = {record.spectrum.period_s for record in records}
-    if len(records) < 2 or len(grids) != 1:
-        return
-    ordinates = np.array([record.spectrum.acceleration_g for record in records])
-    name = locale.text(say("geometric mean"))
-    mean = np.exp(np.mean(np.log(np.maximum(ordinates, 1e-12)), axis=0))
-    axes.plot(records[0].spectrum.period_s, mean, color=FAIL, linewidth=1.4, linestyle="--", label=name)
-
-
 LONGEST_DESIGN_PERIOD = 4.0  # s: of the period axis, as far as most codes give their spectra
 
 
@@ -164,6 +134,56 @@ def frame_logarithmic_spectra(axes: Axes, longest: float, locale: Locale) -> Non
     axes.set_xticks((), minor=True)
 
 
+def draw_record_spectra(
+    names: Sequence[str], period: NDArray[np.float64], ordinates: NDArray[np.float64], locale: Locale
+) -> Figure:
+    """Draw response spectra over a logarithmic axis of periods; more than seven records alike, without names.
+
+    Parameters
+    ----------
+    names : of the records [n]
+    period : [k] [s]
+    ordinates : pseudo-accelerations [n, k] [g]
+    """
+    with report_style():
+        figure = sheet(3.0, locale)
+        axes = figure.subplots()
+        _draw_records(axes, [(name, period, each) for name, each in zip(names, ordinates, strict=True)], locale)
+        frame_logarithmic_spectra(axes, float(period[-1]), locale)
+        legend_below(figure, columns=3)
+        return figure
+
+
+def _draw_records(
+    axes: Axes, records: Sequence[tuple[str, ArrayLike, ArrayLike]], locale: Locale, *, named: bool = True
+) -> None:
+    """Draw the spectra of records, each by its name, periods [s] and ordinates [g].
+
+    named : whether each has a colour and its name; many are drawn alike in any case
+    """
+    named = named and len(records) <= MOST_NAMED
+    for place, (record, period, ordinates) in enumerate(records):
+        name = record_label(record, 24) if named else (locale.text(say("records")) if place == 0 else "_")
+        colour = RECORD_COLOURS[place] if named else MUTED
+        axes.plot(period, ordinates, color=colour, linewidth=0.8, alpha=0.8, label=name)
+
+
+def _frame_spectra(axes: Axes, periods: tuple[float, float], locale: Locale) -> None:
+    """Name the axes of response spectra over a range of periods [s]."""
+    axes.set(xlabel=locale.heading(say("period T"), "time"), xlim=periods, ylim=(0.0, None))
+    axes.set_ylabel(locale.heading(say("pseudo-acceleration Sₐ"), "ground acceleration"))
+
+
+def _draw_geometric_mean(axes: Axes, records: tuple[RecordResult, ...], locale: Locale) -> None:
+    grids = {record.spectrum.period_s for record in records}
+    if len(records) < 2 or len(grids) != 1:
+        return
+    ordinates = np.array([record.spectrum.acceleration_g for record in records])
+    name = locale.text(say("geometric mean"))
+    mean = np.exp(np.mean(np.log(np.maximum(ordinates, 1e-12)), axis=0))
+    axes.plot(records[0].spectrum.period_s, mean, color=FAIL, linewidth=1.4, linestyle="--", label=name)
+
+
 def _draw_suite_records(axes: Axes, records: Sequence[RecordResult], locale: Locale) -> None:
     for place, record in enumerate(records):
         name = locale.text(say("records")) if place == 0 else "_"
@@ -190,23 +210,3 @@ def _draw_suite_curve(
     period = np.array(motion.period_s)
     shown = period >= SHORTEST_PERIOD
     axes.plot(period[shown], np.array(values)[shown], color=colour, linewidth=width, label=name)
-
-
-def draw_record_spectra(
-    names: Sequence[str], period: NDArray[np.float64], ordinates: NDArray[np.float64], locale: Locale
-) -> Figure:
-    """Draw response spectra over a logarithmic axis of periods; more than seven records alike, without names.
-
-    Parameters
-    ----------
-    names : of the records [n]
-    period : [k] [s]
-    ordinates : pseudo-accelerations [n, k] [g]
-    """
-    with report_style():
-        figure = sheet(3.0, locale)
-        axes = figure.subplots()
-        _draw_records(axes, [(name, period, each) for name, each in zip(names, ordinates, strict=True)], locale)
-        frame_logarithmic_spectra(axes, float(period[-1]), locale)
-        legend_below(figure, columns=3)
-        return figure

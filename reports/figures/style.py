@@ -239,15 +239,6 @@ class LogTicks(Formatter):
         return self.locale.number(x, figures=TICK_FIGURES)
 
 
-def _localise_ticks(axis: Axis, locale: Locale) -> None:
-    """Give an axis that matplotlib would number by itself the numbers of a locale; labels that were set stay."""
-    given = axis.get_major_formatter()
-    if type(given) is ScalarFormatter:
-        axis.set_major_formatter(LinearTicks(locale))
-    elif isinstance(given, LogFormatter):
-        axis.set_major_formatter(LogTicks(locale))
-
-
 def number_by_decades(axis: Axis, locale: Locale) -> None:
     """Give a logarithmic axis numbers at 1, 2 and 5 of each decade."""
     axis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
@@ -344,27 +335,6 @@ def write_tags(axes: Axes, labels: Sequence[Label]) -> None:
         )
 
 
-def _boxes_around(point: tuple[float, float], size: tuple[float, float]) -> list[Box]:
-    """Return places for a name of a size beside a point [pt], nearest first."""
-    (x, y), (wide, high) = point, size
-    made = []
-    for far, (right, up) in product(LABEL_DISTANCES, LABEL_SIDES):
-        step = far if right == 0 or up == 0 else 0.6 * far
-        left, low = x + right * step - wide * (1 - right) / 2, y + up * step - high * (1 - up) / 2
-        made.append((left, low, left + wide, low + high))
-    return made
-
-
-def _freest_box(boxes: Sequence[Box], taken: Sequence[Box], inside: Box, step: float) -> Box:
-    """Return the box that covers the least area of others and outside the panel; each later one counts `step` more."""
-
-    def cost(place: int) -> float:
-        outside = box_overlap(boxes[place], boxes[place]) - box_overlap(boxes[place], inside)
-        return sum(box_overlap(boxes[place], other) for other in taken) + 3.0 * outside + step * place
-
-    return boxes[min(range(len(boxes)), key=cost)]
-
-
 def box_overlap(one: Box, other: Box) -> float:
     """Return the area that two boxes share [pt2]."""
     wide = min(one[2], other[2]) - max(one[0], other[0])
@@ -387,12 +357,6 @@ def font_file(face: str) -> Path:
     return Path(matplotlib.get_data_path()) / "fonts" / "ttf" / _FONT_FILES[face]
 
 
-@cache
-def _glyphs() -> frozenset[int]:
-    faces = [FT2Font(str(font_file(face))) for face in _FONT_FILES]
-    return frozenset.intersection(*(frozenset(face.get_charmap()) for face in faces))
-
-
 def printable(text: str) -> str:
     """Return `visible` text with characters that the font lacks, or a PDF font cannot map, shown as their code too."""
     if text.isascii() and text.isprintable():
@@ -401,3 +365,39 @@ def printable(text: str) -> str:
     return "".join(
         mark if ord(mark) in known and ord(mark) <= 0xFFFF else character_code(mark) for mark in visible(text)
     )
+
+
+def _localise_ticks(axis: Axis, locale: Locale) -> None:
+    """Give an axis that matplotlib would number by itself the numbers of a locale; labels that were set stay."""
+    given = axis.get_major_formatter()
+    if type(given) is ScalarFormatter:
+        axis.set_major_formatter(LinearTicks(locale))
+    elif isinstance(given, LogFormatter):
+        axis.set_major_formatter(LogTicks(locale))
+
+
+def _boxes_around(point: tuple[float, float], size: tuple[float, float]) -> list[Box]:
+    """Return places for a name of a size beside a point [pt], nearest first."""
+    (x, y), (wide, high) = point, size
+    made = []
+    for far, (right, up) in product(LABEL_DISTANCES, LABEL_SIDES):
+        step = far if right == 0 or up == 0 else 0.6 * far
+        left, low = x + right * step - wide * (1 - right) / 2, y + up * step - high * (1 - up) / 2
+        made.append((left, low, left + wide, low + high))
+    return made
+
+
+def _freest_box(boxes: Sequence[Box], taken: Sequence[Box], inside: Box, step: float) -> Box:
+    """Return the box that covers the least area of others and outside the panel; each later one counts `step` more."""
+
+    def cost(place: int) -> float:
+        outside = box_overlap(boxes[place], boxes[place]) - box_overlap(boxes[place], inside)
+        return sum(box_overlap(boxes[place], other) for other in taken) + 3.0 * outside + step * place
+
+    return boxes[min(range(len(boxes)), key=cost)]
+
+
+@cache
+def _glyphs() -> frozenset[int]:
+    faces = [FT2Font(str(font_file(face))) for face in _FONT_FILES]
+    return frozenset.intersection(*(frozenset(face.get_charmap()) for face in faces))

@@ -133,14 +133,6 @@ class Locale:
         return f"{self.text(label)} [{unit or '-'}]" if dimension else self.text(label)
 
 
-def _fill_entry(english: str, message: Message) -> str | None:
-    """Return an entry with the values of a message; None where it has other gaps."""
-    try:
-        return english.format(**message.values)
-    except KeyError:
-        return None
-
-
 _SUPERSCRIPT = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 _NOT_FINITE = {"inf": "∞", "-inf": "−∞", "nan": "—"}
 
@@ -172,11 +164,6 @@ def decimals(value: float, *, figures: int) -> int | None:
     """Return the decimals that show a finite number to so many significant figures; None for a power of ten."""
     exponent = int(f"{value:.{figures - 1}e}".split("e")[1])
     return max(0, figures - 1 - exponent) if -4 <= exponent < 6 else None
-
-
-def _with_decimal_sign(text: str, *, aligned: bool, point: str) -> str:
-    shorter = text if aligned or "." not in text else text.rstrip("0").rstrip(".")
-    return shorter.replace("-", "−").replace(".", point)
 
 
 KIP = kilo * lbf
@@ -338,3 +325,16 @@ def mark_up(escaped: str, *, index: tuple[str, str], power: tuple[str, str]) -> 
     """Put the given marks before and after each index and each power of an escaped formula."""
     lowered = _INDEX_MARK.sub(lambda found: f"{index[0]}{found[1] or found[2]}{index[1]}", escaped)
     return _POWER_MARK.sub(lambda found: f"{power[0]}{found[1] or found[2]}{power[1]}", lowered)
+
+
+def _fill_entry(english: str, message: Message) -> str | None:
+    """Return an entry with the values of a message; None where it has other gaps."""
+    try:
+        return english.format(**message.values)
+    except KeyError:
+        return None
+
+
+def _with_decimal_sign(text: str, *, aligned: bool, point: str) -> str:
+    shorter = text if aligned or "." not in text else text.rstrip("0").rstrip(".")
+    return shorter.replace("-", "−").replace(".", point)

@@ -116,51 +116,10 @@ def write_html(document: Document, path: Path, *, pictures: Mapping[str, SvgPict
     return path
 
 
-def _content_security_policy(*, style: str, script: str) -> str:
-    """Return the content security policy of a page: this style sheet, this script, and nothing from elsewhere."""
-    allowed = f"style-src '{_digest(style)}'; script-src '{_digest(script)}'; img-src data:"
-    return f"default-src 'none'; {allowed}; base-uri 'none'; form-action 'none'"
-
-
 @cache
 def web_resource(name: str) -> str:
     """Return the text of a file of reports/render/web."""
     return files("reports.render").joinpath("web", name).read_text(encoding="utf-8")
-
-
-def _digest(text: str) -> str:
-    return "sha256-" + base64.b64encode(hashlib.sha256(text.encode()).digest()).decode()
-
-
-def _definitions(pictures: Mapping[str, SvgPicture]) -> dict[str, str]:
-    """Return letters and windows of all pictures, each once."""
-    return {name: element for picture in pictures.values() for name, element in picture.definitions.items()}
-
-
-def _contents(sections: tuple[Section, ...], elements: Elements) -> str:
-    """Return the headings as links, those of parts below their chapter's."""
-    made, depth = [], -1
-    for place, section in enumerate(sections):
-        made += ["<ul>"] * (section.level - depth) if section.level > depth else []
-        made += ["</li></ul>"] * (depth - section.level) + ["</li>"] if section.level <= depth else []
-        made.append(f'<li><a href="#section-{place}">{_title(section, elements)}</a>')
-        depth = section.level
-    return "\n".join([*made, *["</li></ul>"] * (depth + 1)])
-
-
-def _section(place: int, section: Section, elements: Elements) -> str:
-    rank = section.level + 2
-    blocks = "\n".join(map(elements.element, section.blocks))
-    return f'<section><h{rank} id="section-{place}">{_title(section, elements)}</h{rank}>\n{blocks}</section>'
-
-
-def _title(section: Section, elements: Elements) -> str:
-    title = _short(elements.locale.text(section.title), _LONGEST_HEADING)
-    return f'<span class="mark">{markup(section.mark)}</span> {title}' if section.mark else title
-
-
-def _short(text: str, limit: int) -> str:
-    return markup(truncate(text, limit))
 
 
 SIDEWAYS = say("Scroll sideways to see the whole table →")
@@ -304,6 +263,47 @@ class Elements:
         look = "number" if number else "words" if words else ""
         head = markup(self.locale.heading(column.label, column.dimension))
         return _head(head, look), [_cell(*each, number=number) for each in zip(cells, texts, strict=True)]
+
+
+def _content_security_policy(*, style: str, script: str) -> str:
+    """Return the content security policy of a page: this style sheet, this script, and nothing from elsewhere."""
+    allowed = f"style-src '{_digest(style)}'; script-src '{_digest(script)}'; img-src data:"
+    return f"default-src 'none'; {allowed}; base-uri 'none'; form-action 'none'"
+
+
+def _digest(text: str) -> str:
+    return "sha256-" + base64.b64encode(hashlib.sha256(text.encode()).digest()).decode()
+
+
+def _definitions(pictures: Mapping[str, SvgPicture]) -> dict[str, str]:
+    """Return letters and windows of all pictures, each once."""
+    return {name: element for picture in pictures.values() for name, element in picture.definitions.items()}
+
+
+def _contents(sections: tuple[Section, ...], elements: Elements) -> str:
+    """Return the headings as links, those of parts below their chapter's."""
+    made, depth = [], -1
+    for place, section in enumerate(sections):
+        made += ["<ul>"] * (section.level - depth) if section.level > depth else []
+        made += ["</li></ul>"] * (depth - section.level) + ["</li>"] if section.level <= depth else []
+        made.append(f'<li><a href="#section-{place}">{_title(section, elements)}</a>')
+        depth = section.level
+    return "\n".join([*made, *["</li></ul>"] * (depth + 1)])
+
+
+def _section(place: int, section: Section, elements: Elements) -> str:
+    rank = section.level + 2
+    blocks = "\n".join(map(elements.element, section.blocks))
+    return f'<section><h{rank} id="section-{place}">{_title(section, elements)}</h{rank}>\n{blocks}</section>'
+
+
+def _title(section: Section, elements: Elements) -> str:
+    title = _short(elements.locale.text(section.title), _LONGEST_HEADING)
+    return f'<span class="mark">{markup(section.mark)}</span> {title}' if section.mark else title
+
+
+def _short(text: str, limit: int) -> str:
+    return markup(truncate(text, limit))
 
 
 def _head(label: str, look: str = "") -> str:

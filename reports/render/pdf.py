@@ -156,15 +156,6 @@ class Story:
         yield from self.blocks.flowables(Facts(tuple(facts)))
 
 
-def _is_signed(section: Section) -> bool:
-    """Return whether somebody writes or signs in the section."""
-    return any(isinstance(block, WritingBox | Signatures) for block in section.blocks)
-
-
-def _is_whole(block: Block) -> bool:
-    return isinstance(block, _WHOLE_BLOCKS) or (isinstance(block, Table) and len(block.rows) <= _SHORT_TABLE)
-
-
 ROOM_TO_BEGIN = 24 * mm
 """What a heading and its first lines, or a table after its first row, need on a page, or go to the next."""
 _LEAST_LEFT = 0.75  # share of a page below which a section that asks for a page begins a new one
@@ -206,17 +197,6 @@ class PageUnlessRoom(CondPageBreak):
         self.height = min(self.height, _stacked_height(self.flowables, aW, self.height))
         width, height = super().wrap(aW, aH)
         return float(width), float(height)
-
-
-def _stacked_height(flowables: Sequence[Flowable], width: float, limit: float) -> float:
-    """Return the height of flowables one below the other [pt]; some value beyond `limit` where it is higher."""
-    height = space = 0.0
-    for flowable in flowables:
-        height += flowable.wrap(width, limit)[1] + max(space, flowable.getSpaceBefore())
-        space = flowable.getSpaceAfter()
-        if height > limit:
-            break
-    return height
 
 
 class PageStart(CondPageBreak):
@@ -293,33 +273,6 @@ class ContentsLine(Flowable):
         number = f" {self.numbers[self.heading.key]}"
         dots = _DOT * int((self.free - width_of(number, _CONTENTS_STYLE)) / width_of(_DOT, _CONTENTS_STYLE))
         canvas.drawRightString(self.width, self.height - STYLES[_CONTENTS_STYLE].fontSize, dots + number)
-
-
-def _contents_lines(headings: Sequence[Heading], numbers: Mapping[str, int], width: float) -> Flowable:
-    """Return the lines of the chapters and of the mechanisms, in two columns where they are many."""
-    entries = [ContentsLine(each, numbers) for each in headings if each.level == 0]
-    high = len(entries) if len(entries) <= LINES_IN_COLUMN else ceil(len(entries) / 2)
-    rows = [[entries[place], *entries[place + high : place + high + 1]] for place in range(high)]
-    wide = (width - _COLUMN_GAP) / 2
-    if high == len(entries):
-        return Grid(rows, colWidths=[width], style=BARE)
-    whole = [[*row, "", ""][:2] for row in rows]
-    return Grid([[one, "", other] for one, other in whole], colWidths=[wide, _COLUMN_GAP, wide], style=BARE)
-
-
-PAPER = {"A4": A4, "letter": LETTER}
-_SIDE, _TOP, _BOTTOM = 18 * mm, 19 * mm, 17 * mm
-_HEAD, _FOOT = 5 * mm, 10 * mm  # of the running head above the text, of the foot above the edge
-_LONGEST, _RUNNING = 90, 40  # letters of a heading in the bookmarks, of each part of the running head
-_RUNNING_SHARE, _HEAD_GAP = 0.6, 12.0  # of the line, beside the title; between them [pt]
-
-
-def _pdf_date(date: str) -> str:
-    """Return a date like 2026-05-12 as the properties of a PDF have it; empty for one that is not written so."""
-    try:
-        return f"D:{datetime.date.fromisoformat(date):%Y%m%d}000000Z"
-    except ValueError:
-        return ""
 
 
 class DeferredCanvas(Canvas):
@@ -421,3 +374,50 @@ class Pages(BaseDocTemplate):
         set_letters(canvas, "running")
         number = say("page {page} of {total}", page=count(page), total=count(self.page))
         canvas.drawRightString(_SIDE + self.width, _FOOT, self.locale.text(number))
+
+
+def _is_signed(section: Section) -> bool:
+    """Return whether somebody writes or signs in the section."""
+    return any(isinstance(block, WritingBox | Signatures) for block in section.blocks)
+
+
+def _is_whole(block: Block) -> bool:
+    return isinstance(block, _WHOLE_BLOCKS) or (isinstance(block, Table) and len(block.rows) <= _SHORT_TABLE)
+
+
+def _stacked_height(flowables: Sequence[Flowable], width: float, limit: float) -> float:
+    """Return the height of flowables one below the other [pt]; some value beyond `limit` where it is higher."""
+    height = space = 0.0
+    for flowable in flowables:
+        height += flowable.wrap(width, limit)[1] + max(space, flowable.getSpaceBefore())
+        space = flowable.getSpaceAfter()
+        if height > limit:
+            break
+    return height
+
+
+def _contents_lines(headings: Sequence[Heading], numbers: Mapping[str, int], width: float) -> Flowable:
+    """Return the lines of the chapters and of the mechanisms, in two columns where they are many."""
+    entries = [ContentsLine(each, numbers) for each in headings if each.level == 0]
+    high = len(entries) if len(entries) <= LINES_IN_COLUMN else ceil(len(entries) / 2)
+    rows = [[entries[place], *entries[place + high : place + high + 1]] for place in range(high)]
+    wide = (width - _COLUMN_GAP) / 2
+    if high == len(entries):
+        return Grid(rows, colWidths=[width], style=BARE)
+    whole = [[*row, "", ""][:2] for row in rows]
+    return Grid([[one, "", other] for one, other in whole], colWidths=[wide, _COLUMN_GAP, wide], style=BARE)
+
+
+PAPER = {"A4": A4, "letter": LETTER}
+_SIDE, _TOP, _BOTTOM = 18 * mm, 19 * mm, 17 * mm
+_HEAD, _FOOT = 5 * mm, 10 * mm  # of the running head above the text, of the foot above the edge
+_LONGEST, _RUNNING = 90, 40  # letters of a heading in the bookmarks, of each part of the running head
+_RUNNING_SHARE, _HEAD_GAP = 0.6, 12.0  # of the line, beside the title; between them [pt]
+
+
+def _pdf_date(date: str) -> str:
+    """Return a date like 2026-05-12 as the properties of a PDF have it; empty for one that is not written so."""
+    try:
+        return f"D:{datetime.date.fromisoformat(date):%Y%m%d}000000Z"
+    except ValueError:
+        return ""

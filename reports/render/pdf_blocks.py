@@ -228,12 +228,6 @@ def photograph(block: Photograph, width: float, height: float) -> Image | None:
     return Image(BytesIO(data), width=across * factor, height=up * factor)
 
 
-def _verdict_size(text: str, width: float) -> float:
-    """Return the size of letters at which the longest word of a verdict is no wider than `width` [pt]."""
-    widest = max(width_of(word, "verdict") for word in text.split())
-    return float(STYLES["verdict"].fontSize) * min(1.0, width / widest)
-
-
 TINT: Mapping[str, str] = {"pass": "#dcefe6", "fail": "#f8dfd6", "incomplete": "#faeccb", "comparison": "#e9ecef"}
 INK_OF: Mapping[str, str] = {**BANNER, "comparison": MUTED}
 _PADDING = 3.0  # left and right of a cell [pt]
@@ -267,6 +261,162 @@ class PagedTable(LongTable):
     def split(self, aW: float, aH: float) -> list[Any]:
         self.splitInRow = int(aH > _DIVIDED)
         return list(super().split(aW, aH))
+
+
+def column_widths(rows: Sequence[Sequence[str]], shares: Sequence[float], width: float, style: str) -> list[float]:
+    """Return the widths of columns [pt]: those with a share of `width` have it, the others what their cells need.
+
+    rows : texts, the heads first, which may be folded
+    shares : of the width, 0 for a column that shares what is left
+    """
+    free = [place for place, share in enumerate(shares) if not share]
+    whole = max(1.0, sum(shares) + _NARROWEST * len(free))
+    given = [share * width / whole for share in shares]
+    columns = [[row[place] for row in rows] for place in free]
+    least = [_padded(max(_word_width(text, style) for text in column)) for column in columns]
+    lines = [[min(_WIDEST * width, _padded(_line_width(text, style))) for text in column] for column in columns]
+    wanted = [max(low, *each[1:], 0.0) for low, each in zip(least, lines, strict=True)]
+    easy = [max(want, each[0]) for want, each in zip(wanted, lines, strict=True)]
+    found = _shared(least, wanted, easy, width - sum(given), fills=len(free) < len(shares))
+    for place, own in zip(free, found, strict=True):
+        given[place] = own
+    return given
+
+
+_CAP = {"butt": 0, "projecting": 2, "round": 1}
+_JOIN = {"miter": 0, "round": 1, "bevel": 2}
+_PLACE = "%.2f %.2f"  # a hundredth of a point is less than paper holds
+_OPERATORS = {int(Path.MOVETO): f"{_PLACE} m", int(Path.LINETO): f"{_PLACE} l", int(Path.CLOSEPOLY): "h"}
+_PAINT = {(True, True): "B", (True, False): "S", (False, True): "f", (False, False): "n"}  # a line, a filling
+
+_SETTING: Mapping[str, Callable[[Canvas, Any], None]] = {
+    "line": lambda canvas, ink: canvas.addLiteral("{:.4f} {:.4f} {:.4f} RG".format(*ink)),
+    "opacity of lines": lambda canvas, alpha: canvas.setStrokeAlpha(alpha),
+    "width": lambda canvas, width: canvas.addLiteral(f"{width:.3f} w"),
+    "cap": lambda canvas, cap: canvas.setLineCap(_CAP[cap]),
+    "join": lambda canvas, join: canvas.setLineJoin(_JOIN[join]),
+    "dashes": lambda canvas, dashes: canvas.setDash(list(dashes[0]), dashes[1]),
+    "filling": lambda canvas, ink: canvas.addLiteral("{:.4f} {:.4f} {:.4f} rg".format(*ink)),
+    "opacity of fillings": lambda canvas, alpha: canvas.setFillAlpha(alpha),
+}
+
+
+def draw_marks(traced: FigureMarks, canvas: Canvas, *, font: str, bold: str) -> None:
+    """Draw the marks with the lower left corner at the canvas' origin, in the registered fonts `font` and `bold`."""
+    for clip, marks in groupby(traced.marks, key=lambda mark: mark.clip if isinstance(mark, Stroke) else None):
+        canvas.saveState()
+        _clip(clip, canvas)
+        held: dict[str, object] = {}
+        for mark in marks:
+            if isinstance(mark, Stroke):
+                _stroke(mark, held, canvas)
+            else:
+                _write(mark, canvas, bold if mark.bold else font)
+        canvas.restoreState()
+
+
+def operators(codes: bytes, numbers: tuple[float, ...]) -> str:
+    """Return an outline in the operators of PDF."""
+    return _shape(codes) % numbers
+
+
+REGULAR, BOLD, ITALIC = "ReportSans", "ReportSans-Bold", "ReportSans-Italic"
+_FACES = {REGULAR: "regular", BOLD: "bold", ITALIC: "italic"}
+_INDEX, _POWER = '<sub rise="1.3" size="5.4">', '<super rise="2.4" size="5.4">'
+_ROOT = ParagraphStyle(
+    "root", fontName=REGULAR, fontSize=8.5, leading=11.3, textColor=HexColor(INK), splitLongWords=1, allowWidows=0
+)
+_CELL = ParagraphStyle("cell", _ROOT, fontSize=7.3, leading=9.1)
+_SMALL = ParagraphStyle("small", _CELL, fontSize=6.3, leading=7.9)
+
+
+def _bold(name: str, size: float, *, before: float = 0.0, after: float = 0.0) -> ParagraphStyle:
+    leading = 1.25 * size
+    return ParagraphStyle(
+        name, _ROOT, fontName=BOLD, fontSize=size, leading=leading, spaceBefore=before, spaceAfter=after
+    )
+
+
+STYLES: Mapping[str, ParagraphStyle] = {
+    "body": ParagraphStyle("body", _ROOT, spaceAfter=4),
+    "item": ParagraphStyle("item", _ROOT, spaceAfter=2.5, leftIndent=11, bulletIndent=1),
+    "code": ParagraphStyle("code", _ROOT, fontSize=7.6, leading=10.2, leftIndent=11, backColor=HexColor(PAPER)),
+    "title": _bold("title", 17, after=2),
+    "subject": ParagraphStyle("subject", _ROOT, fontSize=9.5, leading=13, textColor=HexColor(MUTED), spaceAfter=5),
+    "verdict": _bold("verdict", 17),
+    "heading-0": _bold("heading-0", 12.5, before=10, after=4),
+    "heading-1": _bold("heading-1", 9.8, before=7, after=3),
+    "contents": ParagraphStyle("contents", _ROOT, fontSize=8, leading=10.4),
+    "caption": ParagraphStyle("caption", _CELL, spaceBefore=2, spaceAfter=3),
+    "cell": _CELL,
+    "formula": ParagraphStyle("formula", _CELL, leading=10.6),
+    "head": ParagraphStyle("head", _CELL, fontName=BOLD),
+    "number": ParagraphStyle("number", _CELL, alignment=TA_RIGHT),
+    "head-number": ParagraphStyle("head-number", _CELL, fontName=BOLD, alignment=TA_RIGHT),
+    "small-cell": _SMALL,
+    "small-head": ParagraphStyle("small-head", _SMALL, fontName=BOLD),
+    "small-number": ParagraphStyle("small-number", _SMALL, alignment=TA_RIGHT),
+    "small-head-number": ParagraphStyle("small-head-number", _SMALL, fontName=BOLD, alignment=TA_RIGHT),
+    "running": ParagraphStyle("running", _ROOT, fontSize=7, leading=9, textColor=HexColor(MUTED)),
+    "muted": ParagraphStyle("muted", _CELL, textColor=HexColor(MUTED)),
+}
+
+BARE = [(f"{side}PADDING", (0, 0), (-1, -1), 0) for side in ("LEFT", "RIGHT", "TOP", "BOTTOM")]
+"""A grid without space around its cells."""
+
+
+@cache
+def register_fonts() -> None:
+    """Make the report's fonts known to reportlab, once."""
+    for name, face in _FACES.items():
+        pdfmetrics.registerFont(TTFont(name, str(font_file(face))))
+    pdfmetrics.registerFontFamily(REGULAR, normal=REGULAR, bold=BOLD, italic=ITALIC, boldItalic=BOLD)
+
+
+def set_letters(canvas: Canvas, style: str) -> None:
+    """Write on a canvas in one of STYLES."""
+    canvas.setFont(STYLES[style].fontName, STYLES[style].fontSize)
+    canvas.setFillColor(STYLES[style].textColor)
+
+
+def markup(text: str) -> str:
+    """Return plain text as reportlab markup that shows it letter for letter."""
+    return escape(printable(text))
+
+
+def paragraph(text: str, style: str, *, colour: str = "", bullet: str | None = None) -> Paragraph:
+    """Return plain text as a paragraph in one of STYLES. colour: in place of the style's; bullet: before it."""
+    chosen = STYLES[style]
+    if colour:
+        chosen = ParagraphStyle(f"{style}-{colour}", chosen, textColor=HexColor(colour))
+    return Paragraph(markup(text), chosen, bulletText=bullet)
+
+
+def formula(text: str) -> str:
+    """Return a formula as reportlab markup, with its indices and powers."""
+    return mark_up(markup(text), index=(_INDEX, "</sub>"), power=(_POWER, "</super>"))
+
+
+def cut_to_width(text: str, width: float, style: str) -> str:
+    """Return a text cut to a width [pt], with an ellipsis at its end."""
+    if width_of(text, style) <= width:
+        return text
+    short = truncate(text, int(width / STYLES[style].fontSize * 4))  # no letter is narrower than a quarter of its size
+    while len(short) > 1 and width_of(short, style) > width:
+        short = truncate(short, len(short) - 1)
+    return short
+
+
+@lru_cache(maxsize=8192)
+def width_of(text: str, style: str) -> float:
+    """Return the width of one line of text [pt]."""
+    return float(pdfmetrics.stringWidth(printable(text), STYLES[style].fontName, STYLES[style].fontSize))
+
+
+def _verdict_size(text: str, width: float) -> float:
+    """Return the size of letters at which the longest word of a verdict is no wider than `width` [pt]."""
+    widest = max(width_of(word, "verdict") for word in text.split())
+    return float(STYLES["verdict"].fontSize) * min(1.0, width / widest)
 
 
 def _table_grid(table: Table, locale: Locale, width: float) -> PagedTable:
@@ -304,26 +454,6 @@ def _head(column: Column, locale: Locale) -> str:
     """Return the head of a column, whose unit is kept where the label is cut."""
     label = truncate(locale.text(column.label), _LONGEST_HEAD)
     return locale.heading(Verbatim(label), column.dimension)
-
-
-def column_widths(rows: Sequence[Sequence[str]], shares: Sequence[float], width: float, style: str) -> list[float]:
-    """Return the widths of columns [pt]: those with a share of `width` have it, the others what their cells need.
-
-    rows : texts, the heads first, which may be folded
-    shares : of the width, 0 for a column that shares what is left
-    """
-    free = [place for place, share in enumerate(shares) if not share]
-    whole = max(1.0, sum(shares) + _NARROWEST * len(free))
-    given = [share * width / whole for share in shares]
-    columns = [[row[place] for row in rows] for place in free]
-    least = [_padded(max(_word_width(text, style) for text in column)) for column in columns]
-    lines = [[min(_WIDEST * width, _padded(_line_width(text, style))) for text in column] for column in columns]
-    wanted = [max(low, *each[1:], 0.0) for low, each in zip(least, lines, strict=True)]
-    easy = [max(want, each[0]) for want, each in zip(wanted, lines, strict=True)]
-    found = _shared(least, wanted, easy, width - sum(given), fills=len(free) < len(shares))
-    for place, own in zip(free, found, strict=True):
-        given[place] = own
-    return given
 
 
 def _shared(
@@ -405,38 +535,6 @@ def _height(row: Sequence[Any], widths: Sequence[float]) -> float:
     return max((cell.wrap(wide - 2 * _PADDING, 0)[1] for cell, wide in cells if isinstance(cell, Paragraph)), default=0)
 
 
-_CAP = {"butt": 0, "projecting": 2, "round": 1}
-_JOIN = {"miter": 0, "round": 1, "bevel": 2}
-_PLACE = "%.2f %.2f"  # a hundredth of a point is less than paper holds
-_OPERATORS = {int(Path.MOVETO): f"{_PLACE} m", int(Path.LINETO): f"{_PLACE} l", int(Path.CLOSEPOLY): "h"}
-_PAINT = {(True, True): "B", (True, False): "S", (False, True): "f", (False, False): "n"}  # a line, a filling
-
-_SETTING: Mapping[str, Callable[[Canvas, Any], None]] = {
-    "line": lambda canvas, ink: canvas.addLiteral("{:.4f} {:.4f} {:.4f} RG".format(*ink)),
-    "opacity of lines": lambda canvas, alpha: canvas.setStrokeAlpha(alpha),
-    "width": lambda canvas, width: canvas.addLiteral(f"{width:.3f} w"),
-    "cap": lambda canvas, cap: canvas.setLineCap(_CAP[cap]),
-    "join": lambda canvas, join: canvas.setLineJoin(_JOIN[join]),
-    "dashes": lambda canvas, dashes: canvas.setDash(list(dashes[0]), dashes[1]),
-    "filling": lambda canvas, ink: canvas.addLiteral("{:.4f} {:.4f} {:.4f} rg".format(*ink)),
-    "opacity of fillings": lambda canvas, alpha: canvas.setFillAlpha(alpha),
-}
-
-
-def draw_marks(traced: FigureMarks, canvas: Canvas, *, font: str, bold: str) -> None:
-    """Draw the marks with the lower left corner at the canvas' origin, in the registered fonts `font` and `bold`."""
-    for clip, marks in groupby(traced.marks, key=lambda mark: mark.clip if isinstance(mark, Stroke) else None):
-        canvas.saveState()
-        _clip(clip, canvas)
-        held: dict[str, object] = {}
-        for mark in marks:
-            if isinstance(mark, Stroke):
-                _stroke(mark, held, canvas)
-            else:
-                _write(mark, canvas, bold if mark.bold else font)
-        canvas.restoreState()
-
-
 def _clip(window: Rectangle | None, canvas: Canvas) -> None:
     if window is not None:
         outline = canvas.beginPath()
@@ -465,11 +563,6 @@ def _filling(ink: Rgba | None) -> tuple[tuple[str, object], ...]:
     return () if ink is None else (("filling", ink[:3]), ("opacity of fillings", ink[3]))
 
 
-def operators(codes: bytes, numbers: tuple[float, ...]) -> str:
-    """Return an outline in the operators of PDF."""
-    return _shape(codes) % numbers
-
-
 @cache
 def _shape(codes: bytes) -> str:
     """Return the operators with room for the numbers: outlines are ten thousands, shapes of them a hundred."""
@@ -486,99 +579,6 @@ def _write(mark: Letters, canvas: Canvas, font: str) -> None:
     canvas.restoreState()
 
 
-REGULAR, BOLD, ITALIC = "ReportSans", "ReportSans-Bold", "ReportSans-Italic"
-_FACES = {REGULAR: "regular", BOLD: "bold", ITALIC: "italic"}
-_INDEX, _POWER = '<sub rise="1.3" size="5.4">', '<super rise="2.4" size="5.4">'
-_ROOT = ParagraphStyle(
-    "root", fontName=REGULAR, fontSize=8.5, leading=11.3, textColor=HexColor(INK), splitLongWords=1, allowWidows=0
-)
-_CELL = ParagraphStyle("cell", _ROOT, fontSize=7.3, leading=9.1)
-_SMALL = ParagraphStyle("small", _CELL, fontSize=6.3, leading=7.9)
-
-
-def _bold(name: str, size: float, *, before: float = 0.0, after: float = 0.0) -> ParagraphStyle:
-    leading = 1.25 * size
-    return ParagraphStyle(
-        name, _ROOT, fontName=BOLD, fontSize=size, leading=leading, spaceBefore=before, spaceAfter=after
-    )
-
-
-STYLES: Mapping[str, ParagraphStyle] = {
-    "body": ParagraphStyle("body", _ROOT, spaceAfter=4),
-    "item": ParagraphStyle("item", _ROOT, spaceAfter=2.5, leftIndent=11, bulletIndent=1),
-    "code": ParagraphStyle("code", _ROOT, fontSize=7.6, leading=10.2, leftIndent=11, backColor=HexColor(PAPER)),
-    "title": _bold("title", 17, after=2),
-    "subject": ParagraphStyle("subject", _ROOT, fontSize=9.5, leading=13, textColor=HexColor(MUTED), spaceAfter=5),
-    "verdict": _bold("verdict", 17),
-    "heading-0": _bold("heading-0", 12.5, before=10, after=4),
-    "heading-1": _bold("heading-1", 9.8, before=7, after=3),
-    "contents": ParagraphStyle("contents", _ROOT, fontSize=8, leading=10.4),
-    "caption": ParagraphStyle("caption", _CELL, spaceBefore=2, spaceAfter=3),
-    "cell": _CELL,
-    "formula": ParagraphStyle("formula", _CELL, leading=10.6),
-    "head": ParagraphStyle("head", _CELL, fontName=BOLD),
-    "number": ParagraphStyle("number", _CELL, alignment=TA_RIGHT),
-    "head-number": ParagraphStyle("head-number", _CELL, fontName=BOLD, alignment=TA_RIGHT),
-    "small-cell": _SMALL,
-    "small-head": ParagraphStyle("small-head", _SMALL, fontName=BOLD),
-    "small-number": ParagraphStyle("small-number", _SMALL, alignment=TA_RIGHT),
-    "small-head-number": ParagraphStyle("small-head-number", _SMALL, fontName=BOLD, alignment=TA_RIGHT),
-    "running": ParagraphStyle("running", _ROOT, fontSize=7, leading=9, textColor=HexColor(MUTED)),
-    "muted": ParagraphStyle("muted", _CELL, textColor=HexColor(MUTED)),
-}
-
-BARE = [(f"{side}PADDING", (0, 0), (-1, -1), 0) for side in ("LEFT", "RIGHT", "TOP", "BOTTOM")]
-"""A grid without space around its cells."""
-
-
-@cache
-def register_fonts() -> None:
-    """Make the report's fonts known to reportlab, once."""
-    for name, face in _FACES.items():
-        pdfmetrics.registerFont(TTFont(name, str(font_file(face))))
-    pdfmetrics.registerFontFamily(REGULAR, normal=REGULAR, bold=BOLD, italic=ITALIC, boldItalic=BOLD)
-
-
-def set_letters(canvas: Canvas, style: str) -> None:
-    """Write on a canvas in one of STYLES."""
-    canvas.setFont(STYLES[style].fontName, STYLES[style].fontSize)
-    canvas.setFillColor(STYLES[style].textColor)
-
-
-def markup(text: str) -> str:
-    """Return plain text as reportlab markup that shows it letter for letter."""
-    return escape(printable(text))
-
-
-def paragraph(text: str, style: str, *, colour: str = "", bullet: str | None = None) -> Paragraph:
-    """Return plain text as a paragraph in one of STYLES. colour: in place of the style's; bullet: before it."""
-    chosen = STYLES[style]
-    if colour:
-        chosen = ParagraphStyle(f"{style}-{colour}", chosen, textColor=HexColor(colour))
-    return Paragraph(markup(text), chosen, bulletText=bullet)
-
-
 def _titled_caption(title: str, caption: str, style: str = "caption") -> Paragraph:
     """Return "Figure 5. What it shows"."""
     return Paragraph(f"<b>{markup(title)}.</b> {markup(caption)}", STYLES[style])
-
-
-def formula(text: str) -> str:
-    """Return a formula as reportlab markup, with its indices and powers."""
-    return mark_up(markup(text), index=(_INDEX, "</sub>"), power=(_POWER, "</super>"))
-
-
-def cut_to_width(text: str, width: float, style: str) -> str:
-    """Return a text cut to a width [pt], with an ellipsis at its end."""
-    if width_of(text, style) <= width:
-        return text
-    short = truncate(text, int(width / STYLES[style].fontSize * 4))  # no letter is narrower than a quarter of its size
-    while len(short) > 1 and width_of(short, style) > width:
-        short = truncate(short, len(short) - 1)
-    return short
-
-
-@lru_cache(maxsize=8192)
-def width_of(text: str, style: str) -> float:
-    """Return the width of one line of text [pt]."""
-    return float(pdfmetrics.stringWidth(printable(text), STYLES[style].fontName, STYLES[style].fontSize))

@@ -117,17 +117,17 @@ def worksheet_names(names: list[str], *, taken: Iterable[str] = ("contents", "ca
     return made
 
 
-def _cut(name: str, length: int) -> str:
-    """Return the first `length` characters as Excel counts them, in units of UTF-16: an emoji has two."""
-    return name.encode("utf-16-le")[: 2 * length].decode("utf-16-le", "ignore")
-
-
 def number_format(value: float, figures: int) -> str:
     """Return the format in which a spreadsheet shows a number as the report does: to so many figures."""
     places = decimals(value, figures=figures) if value else 0
     if places is None:
         return f"0.{'0' * (figures - 1)}E+00"
     return f"0.{'0' * places}" if places else "0"
+
+
+def _cut(name: str, length: int) -> str:
+    """Return the first `length` characters as Excel counts them, in units of UTF-16: an emoji has two."""
+    return name.encode("utf-16-le")[: 2 * length].decode("utf-16-le", "ignore")
 
 
 def _properties(document: Document) -> dict[str, object]:

@@ -64,21 +64,6 @@ def column_texts(cells: Sequence[Cell], column: Column, locale: Locale) -> list[
     return [_padded(cell, column, locale, max(kept)) if _is_measure(cell, text) else text for cell, text in pairs]
 
 
-def _is_measure(cell: Cell, text: str) -> TypeGuard[float]:
-    return isinstance(cell, float) and cell != 0.0 and "×" not in text
-
-
-def _padded(cell: float, column: Column, locale: Locale, most: int) -> str:
-    """Return a number with zeros up to `most` decimals, as far as its figures go."""
-    whole, point, decimals = _number(cell, column, locale, aligned=True).partition(locale.point)
-    return f"{whole}{point}{decimals[:most]}" if most else whole
-
-
-def _number(cell: float, column: Column, locale: Locale, *, aligned: bool = False) -> str:
-    value = cell / locale.table_unit(column.dimension).size if column.dimension else cell
-    return locale.number(value, figures=column.figures if isinstance(cell, float) else _WHOLE, aligned=aligned)
-
-
 def is_numeric(cells: tuple[Cell, ...]) -> bool:
     """Return whether a column has numbers alone."""
     return any(map(is_number, cells)) and all(cell is None or is_number(cell) for cell in cells)
@@ -99,12 +84,6 @@ def plain_cell(cell: Cell, column: Column, locale: Locale) -> PlainCell:
     if isinstance(content, int | float):
         return _in_unit(content, column.dimension, locale)
     return locale.text(content)
-
-
-def _in_unit(number: float, dimension: str, locale: Locale) -> float:
-    """Return a number in SI in the unit of tables of its dimension."""
-    size = locale.table_unit(dimension).size if dimension else 1.0
-    return number if size == 1.0 else number / size
 
 
 SIGNS: Mapping[str, str] = {"": "", "<=": "≤ ", ">=": "≥ "}
@@ -143,49 +122,6 @@ def sheet_rows(sheet: Sheet, locale: Locale) -> Iterator[SheetRow]:
         )
 
 
-def _word(english: str, locale: Locale) -> str:
-    return locale.word(english) if english else ""
-
-
-def _formula(step: Step, locale: Locale) -> str:
-    """Return the formula with the decimal sign of the locale; where nothing is put in it may be words."""
-    if not step.inputs:
-        return _word(step.formula, locale)
-    return _DECIMAL.sub(locale.point, step.formula)
-
-
-def _numbers(step: Step, locale: Locale) -> str:
-    """Return the formula with its numbers, where a value was read, and a remark; empty where these add nothing."""
-    if not (step.inputs or step.at or step.remark):
-        plain = step.value is not None and step.substituted == write_plain(step.value)
-        return "" if plain or step.substituted == step.formula else _word(step.substituted, locale)
-
-    def write(value: float) -> str:
-        return locale.number(value, figures=INPUT_FIGURES)
-
-    substituted = substitute(_formula(step, locale), step.inputs, write) if step.inputs else ""
-    if substituted and substituted != values_text(step.inputs, write):  # its symbols stand in the formula
-        substituted = f"= {substituted}"
-    return ", ".join(part for part in (substituted, values_text(step.at, write), _word(step.remark, locale)) if part)
-
-
-def _result(step: Step, locale: Locale) -> str:
-    """Return the result in the SI unit in which the formula is worked."""
-    if step.value is None:
-        return NOTHING
-    unit = "" if step.unit == "-" else step.unit.translate(_POWERS)
-    number = locale.number(step.value, figures=RESULT_FIGURES)
-    return f"{SIGNS[step.bound]}{number}" + (f"\N{NO-BREAK SPACE}{locale.word(unit)}" if unit else "")
-
-
-def _result_in_locale_unit(step: Step, locale: Locale) -> str:
-    """Return the result in the units of the locale where they are others; empty where not."""
-    here, in_si = (UNITS[system].get(step.dimension) for system in (locale.system, "SI"))
-    if step.value is None or here is None or here == in_si:
-        return ""
-    return SIGNS[step.bound] + locale.text(Quantity(step.value, step.dimension))
-
-
 _SHEET_COLUMNS = (
     say("Symbol"),
     say("Description"),
@@ -207,24 +143,6 @@ def sheet_as_table(sheet: Sheet, locale: Locale) -> Table:
         for step, row in zip(sheet.steps, sheet_rows(sheet, locale), strict=True)
     )
     return Table(sheet.name, sheet.caption, columns, rows)
-
-
-def _cells_in_si(step: Step, row: SheetRow, locale: Locale) -> tuple[Cell, ...]:
-    texts = map(Verbatim, (row.symbol, row.description, row.clause, row.formula, row.numbers.removeprefix("= ")))
-    return (*texts, _bounded(step, step.value, locale), Verbatim(step.unit))
-
-
-def _cells_in_locale_unit(step: Step, locale: Locale) -> tuple[Cell, ...]:
-    """Return a result in the unit of tables of the locale; nothing where that is no other unit."""
-    here, in_si = (UNITS[system].get(step.dimension) for system in (locale.system, "SI"))
-    if step.value is None or here is None or here == in_si:
-        return None, None
-    return _bounded(step, step.value / here.table.size, locale), Verbatim(here.table.name)
-
-
-def _bounded(step: Step, value: float | None, locale: Locale) -> Cell:
-    """Return a result as a number; as text where it is known only to be no more, or no less."""
-    return value if value is None or not step.bound else Verbatim(SIGNS[step.bound] + locale.number(value))
 
 
 CONTENTS = say("Contents")
@@ -283,6 +201,88 @@ def csv_lines(rows: Iterable[Iterable[PlainCell]]) -> str:
     stream = io.StringIO()
     csv.writer(stream, lineterminator="\n").writerows([csv_field(cell) for cell in row] for row in rows)
     return stream.getvalue()
+
+
+def _is_measure(cell: Cell, text: str) -> TypeGuard[float]:
+    return isinstance(cell, float) and cell != 0.0 and "×" not in text
+
+
+def _padded(cell: float, column: Column, locale: Locale, most: int) -> str:
+    """Return a number with zeros up to `most` decimals, as far as its figures go."""
+    whole, point, decimals = _number(cell, column, locale, aligned=True).partition(locale.point)
+    return f"{whole}{point}{decimals[:most]}" if most else whole
+
+
+def _number(cell: float, column: Column, locale: Locale, *, aligned: bool = False) -> str:
+    value = cell / locale.table_unit(column.dimension).size if column.dimension else cell
+    return locale.number(value, figures=column.figures if isinstance(cell, float) else _WHOLE, aligned=aligned)
+
+
+def _in_unit(number: float, dimension: str, locale: Locale) -> float:
+    """Return a number in SI in the unit of tables of its dimension."""
+    size = locale.table_unit(dimension).size if dimension else 1.0
+    return number if size == 1.0 else number / size
+
+
+def _word(english: str, locale: Locale) -> str:
+    return locale.word(english) if english else ""
+
+
+def _formula(step: Step, locale: Locale) -> str:
+    """Return the formula with the decimal sign of the locale; where nothing is put in it may be words."""
+    if not step.inputs:
+        return _word(step.formula, locale)
+    return _DECIMAL.sub(locale.point, step.formula)
+
+
+def _numbers(step: Step, locale: Locale) -> str:
+    """Return the formula with its numbers, where a value was read, and a remark; empty where these add nothing."""
+    if not (step.inputs or step.at or step.remark):
+        plain = step.value is not None and step.substituted == write_plain(step.value)
+        return "" if plain or step.substituted == step.formula else _word(step.substituted, locale)
+
+    def write(value: float) -> str:
+        return locale.number(value, figures=INPUT_FIGURES)
+
+    substituted = substitute(_formula(step, locale), step.inputs, write) if step.inputs else ""
+    if substituted and substituted != values_text(step.inputs, write):  # its symbols stand in the formula
+        substituted = f"= {substituted}"
+    return ", ".join(part for part in (substituted, values_text(step.at, write), _word(step.remark, locale)) if part)
+
+
+def _result(step: Step, locale: Locale) -> str:
+    """Return the result in the SI unit in which the formula is worked."""
+    if step.value is None:
+        return NOTHING
+    unit = "" if step.unit == "-" else step.unit.translate(_POWERS)
+    number = locale.number(step.value, figures=RESULT_FIGURES)
+    return f"{SIGNS[step.bound]}{number}" + (f"\N{NO-BREAK SPACE}{locale.word(unit)}" if unit else "")
+
+
+def _result_in_locale_unit(step: Step, locale: Locale) -> str:
+    """Return the result in the units of the locale where they are others; empty where not."""
+    here, in_si = (UNITS[system].get(step.dimension) for system in (locale.system, "SI"))
+    if step.value is None or here is None or here == in_si:
+        return ""
+    return SIGNS[step.bound] + locale.text(Quantity(step.value, step.dimension))
+
+
+def _cells_in_si(step: Step, row: SheetRow, locale: Locale) -> tuple[Cell, ...]:
+    texts = map(Verbatim, (row.symbol, row.description, row.clause, row.formula, row.numbers.removeprefix("= ")))
+    return (*texts, _bounded(step, step.value, locale), Verbatim(step.unit))
+
+
+def _cells_in_locale_unit(step: Step, locale: Locale) -> tuple[Cell, ...]:
+    """Return a result in the unit of tables of the locale; nothing where that is no other unit."""
+    here, in_si = (UNITS[system].get(step.dimension) for system in (locale.system, "SI"))
+    if step.value is None or here is None or here == in_si:
+        return None, None
+    return _bounded(step, step.value / here.table.size, locale), Verbatim(here.table.name)
+
+
+def _bounded(step: Step, value: float | None, locale: Locale) -> Cell:
+    """Return a result as a number; as text where it is known only to be no more, or no less."""
+    return value if value is None or not step.bound else Verbatim(SIGNS[step.bound] + locale.number(value))
 
 
 def _write(table: Table, folder: Path, locale: Locale, *, stamp: str) -> Path:

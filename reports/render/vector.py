@@ -139,11 +139,6 @@ def trace_figures(document: Document, submit: Submit) -> TracedFigures:
     return {figure.name: submit(_trace_figure_at, place) for place, figure in enumerate(document.figures)}
 
 
-def _trace_figure_at(document: Document, place: int) -> FigureMarks:
-    """Return the figure at this place among those of the document as marks."""
-    return trace_figure(document.figures[place].draw(document.writer))
-
-
 def trace_figure(figure: Figure) -> FigureMarks:
     """Return the figure as marks, in points."""
     with report_style():
@@ -153,26 +148,6 @@ def trace_figure(figure: Figure) -> FigureMarks:
         recorder = _Recorder(width, height)
         figure.draw(recorder)
     return FigureMarks(tuple(recorder.marks), width, height)
-
-
-def _outline(path: Path, transform: Transform, *, simplify: bool) -> tuple[bytes, tuple[float, ...]]:
-    """Return codes and numbers of a path, cleaned by matplotlib: without what is not a number, curves as lines."""
-    clean = path.cleaned(transform=transform, remove_nans=True, simplify=simplify)
-    codes = np.asarray(clean.codes, dtype=np.uint8)
-    drawn = codes[: codes.tobytes().index(Path.STOP)]
-    points = np.asarray(clean.vertices)[: drawn.size][drawn != Path.CLOSEPOLY]
-    return drawn.tobytes(), tuple(points.ravel().tolist())
-
-
-def _filling(gc: GraphicsContextBase, face: Any) -> Rgba:
-    r, g, b, *alpha = map(float, face)
-    opacity = gc.get_alpha() if gc.get_forced_alpha() or not alpha else alpha[0]
-    return r, g, b, float(1.0 if opacity is None else opacity)
-
-
-def _rgba(colour: Any) -> Rgba:
-    r, g, b, *alpha = map(float, colour)
-    return r, g, b, alpha[0] if alpha else 1.0
 
 
 _PLACE = "%.5g %.5g"  # a hundredth of a point on a page
@@ -245,6 +220,60 @@ def write_svg(picture: SvgPicture, path: File, *, creator: str) -> File:
 def path_data(codes: bytes, numbers: tuple[float, ...]) -> str:
     """Return path data of SVG, to five figures."""
     return _shape(codes) % numbers
+
+
+Submit = Callable[..., Future[Any]]
+"""Submits a function, which is called with the subject and then the arguments, and returns the future of its result."""
+_kept: object = None  # the subject; set in copies of this process only
+
+
+@contextmanager
+def document_processes(jobs: int, subject: object) -> Iterator[Submit]:
+    """Provide `jobs` copies of this process to work on a subject, however large; this one at 1 and if not on Linux.
+
+    Copies need not import anything again, and have no threads but their own. None of this program's holds a lock at
+    that moment: those of the dynamics have ended, that of the progress bar locks its console only, to which no copy
+    writes. Python warns all the same.
+    """
+    if jobs == 1 or sys.platform != "linux":
+        yield lambda function, *arguments: _done(function(subject, *arguments))
+        return
+    fork = get_context("fork")
+    pool = ProcessPoolExecutor(jobs, mp_context=fork, initializer=become_worker, initargs=(_keep, subject))
+
+    def submit(function: Callable[..., Any], *arguments: Any) -> Future[Any]:
+        with hold_signals(), warnings.catch_warnings():
+            warnings.filterwarnings("ignore", message=".*use of fork", category=DeprecationWarning)
+            return pool.submit(_of_kept, function, *arguments)
+
+    with end_on_error(pool):
+        yield submit
+
+
+def write_png(figure: Figure, path: File, creator: str) -> None:
+    """Write a figure as pixels. creator: name and version of the program."""
+    with report_style():
+        figure.savefig(path, dpi=PNG_DPI, metadata={"Software": creator})
+
+
+def _outline(path: Path, transform: Transform, *, simplify: bool) -> tuple[bytes, tuple[float, ...]]:
+    """Return codes and numbers of a path, cleaned by matplotlib: without what is not a number, curves as lines."""
+    clean = path.cleaned(transform=transform, remove_nans=True, simplify=simplify)
+    codes = np.asarray(clean.codes, dtype=np.uint8)
+    drawn = codes[: codes.tobytes().index(Path.STOP)]
+    points = np.asarray(clean.vertices)[: drawn.size][drawn != Path.CLOSEPOLY]
+    return drawn.tobytes(), tuple(points.ravel().tolist())
+
+
+def _filling(gc: GraphicsContextBase, face: Any) -> Rgba:
+    r, g, b, *alpha = map(float, face)
+    opacity = gc.get_alpha() if gc.get_forced_alpha() or not alpha else alpha[0]
+    return r, g, b, float(1.0 if opacity is None else opacity)
+
+
+def _rgba(colour: Any) -> Rgba:
+    r, g, b, *alpha = map(float, colour)
+    return r, g, b, alpha[0] if alpha else 1.0
 
 
 @cache
@@ -343,49 +372,6 @@ def _number(value: float) -> str:
     return f"{value:.5g}"
 
 
-Submit = Callable[..., Future[Any]]
-"""Submits a function, which is called with the subject and then the arguments, and returns the future of its result."""
-_kept: object = None  # the subject; set in copies of this process only
-
-
-@contextmanager
-def document_processes(jobs: int, subject: object) -> Iterator[Submit]:
-    """Provide `jobs` copies of this process to work on a subject, however large; this one at 1 and if not on Linux.
-
-    Copies need not import anything again, and have no threads but their own. None of this program's holds a lock at
-    that moment: those of the dynamics have ended, that of the progress bar locks its console only, to which no copy
-    writes. Python warns all the same.
-    """
-    if jobs == 1 or sys.platform != "linux":
-        yield lambda function, *arguments: _done(function(subject, *arguments))
-        return
-    fork = get_context("fork")
-    pool = ProcessPoolExecutor(jobs, mp_context=fork, initializer=become_worker, initargs=(_keep, subject))
-
-    def submit(function: Callable[..., Any], *arguments: Any) -> Future[Any]:
-        with hold_signals(), warnings.catch_warnings():
-            warnings.filterwarnings("ignore", message=".*use of fork", category=DeprecationWarning)
-            return pool.submit(_of_kept, function, *arguments)
-
-    with end_on_error(pool):
-        yield submit
-
-
-def _done(answer: object) -> Future[Any]:
-    done: Future[Any] = Future()
-    done.set_result(answer)
-    return done
-
-
-def _keep(subject: object) -> None:
-    global _kept
-    _kept = subject
-
-
-def _of_kept(function: Callable[..., Any], *arguments: Any) -> Any:
-    return function(_kept, *arguments)
-
-
 PNG_DPI = 200
 
 
@@ -396,12 +382,6 @@ def _write_svg_figure(figure: Figure, path: File, creator: str) -> None:
 def _write_pdf_figure(figure: Figure, path: File, creator: str) -> None:
     with report_style():
         figure.savefig(path, metadata={"Creator": creator, "CreationDate": None})
-
-
-def write_png(figure: Figure, path: File, creator: str) -> None:
-    """Write a figure as pixels. creator: name and version of the program."""
-    with report_style():
-        figure.savefig(path, dpi=PNG_DPI, metadata={"Software": creator})
 
 
 WRITERS: Mapping[str, Callable[[Figure, File, str], None]] = {
@@ -428,3 +408,23 @@ def write_figure(figure: Figure, path: File, *, creator: str) -> File:
     with write_file(path, command="a command that draws a figure") as made:
         WRITERS[path.suffix.lower()](figure, made, creator)
     return path
+
+
+def _trace_figure_at(document: Document, place: int) -> FigureMarks:
+    """Return the figure at this place among those of the document as marks."""
+    return trace_figure(document.figures[place].draw(document.writer))
+
+
+def _done(answer: object) -> Future[Any]:
+    done: Future[Any] = Future()
+    done.set_result(answer)
+    return done
+
+
+def _keep(subject: object) -> None:
+    global _kept
+    _kept = subject
+
+
+def _of_kept(function: Callable[..., Any], *arguments: Any) -> Any:
+    return function(_kept, *arguments)

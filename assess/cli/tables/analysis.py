@@ -91,6 +91,67 @@ def run_text(results: Results) -> str:
     )
 
 
+def uncertainty_lines(found: UncertaintyResult | None) -> Iterator[str]:
+    """Yield the number of samples, a line for each answer that decides, and the notes; nothing without samples."""
+    if found is None:
+        return
+    groups = count_noun(len({each.group for each in found.inputs}), "group")
+    numbers = count_noun(len(found.inputs), "uncertain number")
+    yield f"uncertainty: {found.samples} samples of {numbers} in {groups}"
+    yield from (_uncertain_answer(each) for each in found.answers if each.role == "deciding")
+    yield from (f"note: {each.where or 'uncertainty'}: {each.text}" for each in found.notes)
+
+
+def envelopes_table(results: Results) -> str:
+    """Write the critical mechanism by frequency band, and the lower bounds of all mechanisms at some frequencies."""
+    if results.critical is None:
+        return "the project has no mechanisms\n"
+    bands = text_table(["critical mechanism", "from [Hz]", "to [Hz]"], _bands(results.critical))
+    return f"{bands}\n{_bounds(results)}{messages_text(results.warnings)}"
+
+
+def envelopes_csv(results: Results) -> str:
+    """Write a line for each frequency: the critical mechanism, then the least pulse of each [g], empty if none."""
+    mapped = [(each.name, each.envelope) for each in results.mechanisms if each.envelope is not None]
+    rows: list[list[str | float | None]] = [
+        ["frequency [Hz]", "critical", "least [g]", *(f"{name} [g]" for name, _ in mapped)]
+    ]
+    if results.critical is not None:
+        for k, frequency in enumerate(results.critical.frequency_hz):
+            head = [frequency, results.critical.mechanism[k], results.critical.lower_bound_g[k]]
+            rows.append([*head, *(one.lower_bound_g[k] for _, one in mapped)])
+    return csv_lines(rows)
+
+
+def fragility_table(results: FragilityResults) -> str:
+    """Write median and dispersion of each curve, the rates where the hazard is known, and the messages."""
+    rows = [_curve_row(each, curve) for each in results.mechanisms for curve in each.curves]
+    risks = [_risk_row(each, risk) for each in results.mechanisms for risk in each.risks]
+    tables = [text_table(CURVE_HEADER, rows)] if rows else ["no mechanism has a fragility curve\n"]
+    if risks:
+        tables.append(text_table(RISK_HEADER, risks))
+    notes = (each for mechanism in results.mechanisms for each in mechanism.notes)
+    of_curves = (note for each in results.mechanisms for note in _fragility_notes(each))
+    return "\n".join(tables) + messages_text((*results.warnings, *notes, *of_curves))
+
+
+def measure_name(measure: MeasureResult) -> str:
+    """Return a measure as the project names it, with the place where that is not the ground."""
+    periods = f"({measure.periods_s[0]:g} s)" if measure.key == "sa" else ""
+    return f"{measure.key}{periods}" + (" at the base" if measure.at == "base" else "")
+
+
+def fragility_csv(results: FragilityResults) -> str:
+    """Write a line for each curve, at full precision: its lognormals with their intervals, and its rates."""
+    header: list[str | float | None] = ["mechanism", "state", "share", "measure", "at", "period [s]", "unit"]
+    header += ["records", "events", "censored", "median", "median low", "median high", "dispersion"]
+    header += ["dispersion low", "dispersion high", "first median", "first dispersion"]
+    kinds = ("rate", "lognormal rate", "first rate")
+    header += [f"{kind}{which} [1/year]" for which in ("", " with epistemic") for kind in kinds]
+    rows = [_curve_csv_row(each, curve) for each in results.mechanisms for curve in each.curves]
+    return csv_lines([header, *rows])
+
+
 def _remarks(results: Results) -> Iterator[str]:
     """Yield what is remarked on the checks that decide, such as a failure at a lower level than the site's."""
     for one in results.mechanisms:
@@ -186,17 +247,6 @@ def _wrap(line: str) -> str:
     return "\n".join(wrap(escape_text(line), LINE_WIDTH, subsequent_indent="  ") or [""]) + "\n"
 
 
-def uncertainty_lines(found: UncertaintyResult | None) -> Iterator[str]:
-    """Yield the number of samples, a line for each answer that decides, and the notes; nothing without samples."""
-    if found is None:
-        return
-    groups = count_noun(len({each.group for each in found.inputs}), "group")
-    numbers = count_noun(len(found.inputs), "uncertain number")
-    yield f"uncertainty: {found.samples} samples of {numbers} in {groups}"
-    yield from (_uncertain_answer(each) for each in found.answers if each.role == "deciding")
-    yield from (f"note: {each.where or 'uncertainty'}: {each.text}" for each in found.notes)
-
-
 def _uncertain_answer(answer: UncertainAnswer) -> str:
     name = on_one_line(escape_text(answer.mechanism), 40)
     check = f"{name}: {answer.procedure} {answer.limit_state}".strip()
@@ -217,14 +267,6 @@ def _main_influence(answer: UncertainAnswer) -> str:
     return f"; most by {on_one_line(escape_text(group), 40)} (share {share:.2g})"
 
 
-def envelopes_table(results: Results) -> str:
-    """Write the critical mechanism by frequency band, and the lower bounds of all mechanisms at some frequencies."""
-    if results.critical is None:
-        return "the project has no mechanisms\n"
-    bands = text_table(["critical mechanism", "from [Hz]", "to [Hz]"], _bands(results.critical))
-    return f"{bands}\n{_bounds(results)}{messages_text(results.warnings)}"
-
-
 def _bands(critical: CriticalResult) -> list[list[str]]:
     return [[band.mechanism or "none overturns", f"{band.from_hz:.3g}", f"{band.to_hz:.3g}"] for band in critical.bands]
 
@@ -240,31 +282,6 @@ def _bounds(results: Results) -> str:
 def _bound(one: EnvelopeResult, place: int) -> str:
     bound = one.lower_bound_g[place]
     return f"> {one.amplitude_g[-1]:.3g}" if bound is None else f"{bound:.3g}"
-
-
-def envelopes_csv(results: Results) -> str:
-    """Write a line for each frequency: the critical mechanism, then the least pulse of each [g], empty if none."""
-    mapped = [(each.name, each.envelope) for each in results.mechanisms if each.envelope is not None]
-    rows: list[list[str | float | None]] = [
-        ["frequency [Hz]", "critical", "least [g]", *(f"{name} [g]" for name, _ in mapped)]
-    ]
-    if results.critical is not None:
-        for k, frequency in enumerate(results.critical.frequency_hz):
-            head = [frequency, results.critical.mechanism[k], results.critical.lower_bound_g[k]]
-            rows.append([*head, *(one.lower_bound_g[k] for _, one in mapped)])
-    return csv_lines(rows)
-
-
-def fragility_table(results: FragilityResults) -> str:
-    """Write median and dispersion of each curve, the rates where the hazard is known, and the messages."""
-    rows = [_curve_row(each, curve) for each in results.mechanisms for curve in each.curves]
-    risks = [_risk_row(each, risk) for each in results.mechanisms for risk in each.risks]
-    tables = [text_table(CURVE_HEADER, rows)] if rows else ["no mechanism has a fragility curve\n"]
-    if risks:
-        tables.append(text_table(RISK_HEADER, risks))
-    notes = (each for mechanism in results.mechanisms for each in mechanism.notes)
-    of_curves = (note for each in results.mechanisms for note in _fragility_notes(each))
-    return "\n".join(tables) + messages_text((*results.warnings, *notes, *of_curves))
 
 
 def _fragility_notes(mechanism: MechanismFragility) -> Iterator[Message]:
@@ -312,23 +329,6 @@ def _risk_row(mechanism: MechanismFragility, risk: RiskResult) -> list[str]:
 def _state_name(state: StateResult) -> str:
     """Return a state in words of the project file."""
     return state.name if state.share is None else f"{state.share:g} of overturning"
-
-
-def measure_name(measure: MeasureResult) -> str:
-    """Return a measure as the project names it, with the place where that is not the ground."""
-    periods = f"({measure.periods_s[0]:g} s)" if measure.key == "sa" else ""
-    return f"{measure.key}{periods}" + (" at the base" if measure.at == "base" else "")
-
-
-def fragility_csv(results: FragilityResults) -> str:
-    """Write a line for each curve, at full precision: its lognormals with their intervals, and its rates."""
-    header: list[str | float | None] = ["mechanism", "state", "share", "measure", "at", "period [s]", "unit"]
-    header += ["records", "events", "censored", "median", "median low", "median high", "dispersion"]
-    header += ["dispersion low", "dispersion high", "first median", "first dispersion"]
-    kinds = ("rate", "lognormal rate", "first rate")
-    header += [f"{kind}{which} [1/year]" for which in ("", " with epistemic") for kind in kinds]
-    rows = [_curve_csv_row(each, curve) for each in results.mechanisms for curve in each.curves]
-    return csv_lines([header, *rows])
 
 
 def _curve_csv_row(mechanism: MechanismFragility, curve: FragilityCurve) -> list[str | float | None]:

@@ -80,6 +80,71 @@ def sensitivity_text(variables: Sequence[Variable | UnvariedNumber]) -> str:
     return "".join(f"sensitivity of {escape_text(name)}: {'; '.join(each)}\n" for name, each in lines.items())
 
 
+def duration_text(load: LoadResult) -> str:
+    """Describe how long a resisting load lasts, and how far it may move on its seat."""
+    if load.bearing:
+        return "; seat not given" if load.seat_m is None else f"; seat {load.seat_m:.4g} m"
+    end = "" if load.end_m is None else f"when its point has moved {load.end_m:.4g} m, at {load.end_rad:.4g} rad"
+    if load.lasting == "to collapse":
+        return "; lasts to collapse" + (f", ends {end}" if end else "")
+    if load.lasting == "to its end":
+        return f"; ends {end}; ignored in displacements and histories"
+    if load.lasting == "not shown":
+        return (
+            f"; not shown to last where it resists ({', '.join(load.missing)} missing): counts in the multiplier only"
+        )
+    return ""
+
+
+def checklist_lines(content: Content) -> list[str]:
+    """Return the list by what became of its items, and an empty line; nothing without a type of building."""
+    items = checklist(content.report, content.mechanisms)
+    if not items:
+        return []
+    examined = [
+        f"{each.key} by {escape_text(' and '.join(each.mechanisms))}" for each in items if each.outcome == "examined"
+    ]
+    return [
+        f"possible mechanisms of a {content.report.building_type}",
+        *_checklist_line("examined", examined),
+        *_checklist_line("absent", [each.key for each in items if each.outcome == "absent"]),
+        *_checklist_line(
+            "not examined", [each.key for each in items if each.outcome == "not-examined" and each.spoken_for]
+        ),
+        *_checklist_line("not named", [each.key for each in items if not each.spoken_for]),
+        "",
+    ]
+
+
+def parameters_text(mechanisms: tuple[MechanismResult, ...]) -> str:
+    """Write the main parameters of each branch, the constants of its linearised equation, and the hinge forces."""
+    return f"{_branches_table(mechanisms)}\n{_constants_table(mechanisms)}{hinge_forces_table(mechanisms)}"
+
+
+def hinge_forces_table(mechanisms: tuple[MechanismResult, ...]) -> str:
+    """Write the forces at each hinge when rocking starts, and the friction they need; empty where not known."""
+    rows = [[m.name, *_hinge_row(forces)] for m in mechanisms for forces in m.hinge_forces]
+    return f"\n{text_table(HINGE_HEADER, rows)}" if rows else ""
+
+
+def directions_text(mechanisms: tuple[MechanismResult, ...]) -> str:
+    """Write a line for each mechanism whose direction was searched for."""
+    sought = [(m.name, m.direction_sweep) for m in mechanisms if m.direction_sweep is not None]
+    return "".join(f"{escape_text(name)}: {_weakest_text(found)}\n" for name, found in sought)
+
+
+def parameters_csv(mechanisms: tuple[MechanismResult, ...]) -> str:
+    """Write all parameters of each branch at full precision, under their names of results.json."""
+    names = [field.name for field in fields(OscillatorResult) if field.name != "linearised"]
+    constants = [field.name for field in fields(LinearisedResult)]
+    rows = [["name", "label", "kind", "sides", "branch", *names, *(f"linearised_{name}" for name in constants)]]
+    for m in mechanisms:
+        for branch, o in _branches(m):
+            numbers = [getattr(o, name) for name in names] + [getattr(o.linearised, name) for name in constants]
+            rows.append([m.name, m.label, m.kind, m.sides, branch, *numbers])
+    return csv_lines(rows)
+
+
 def _variable_text(variable: Variable) -> str:
     unit = "" if variable.unit == "-" else f" {variable.unit}"
     table, _, rest = variable.key.partition(".")
@@ -178,22 +243,6 @@ def _size(load: LoadResult) -> str:
     return f"{load.kind} {along / 1e3:.4g} kN along the direction, {up / 1e3:.4g} kN up"
 
 
-def duration_text(load: LoadResult) -> str:
-    """Describe how long a resisting load lasts, and how far it may move on its seat."""
-    if load.bearing:
-        return "; seat not given" if load.seat_m is None else f"; seat {load.seat_m:.4g} m"
-    end = "" if load.end_m is None else f"when its point has moved {load.end_m:.4g} m, at {load.end_rad:.4g} rad"
-    if load.lasting == "to collapse":
-        return "; lasts to collapse" + (f", ends {end}" if end else "")
-    if load.lasting == "to its end":
-        return f"; ends {end}; ignored in displacements and histories"
-    if load.lasting == "not shown":
-        return (
-            f"; not shown to last where it resists ({', '.join(load.missing)} missing): counts in the multiplier only"
-        )
-    return ""
-
-
 def _sweep(sweep: Sweep) -> str:
     names = ", ".join(escape_text(mechanism.name) for mechanism in sweep.cases[0].study.mechanisms)
     values = ", ".join(f"{case.value:.6g}" for case in sweep.cases)
@@ -238,26 +287,6 @@ def _point_text(point: tuple[float, float]) -> str:
     return f"x = {metres_text(point[0])} m, z = {metres_text(point[1])} m"
 
 
-def checklist_lines(content: Content) -> list[str]:
-    """Return the list by what became of its items, and an empty line; nothing without a type of building."""
-    items = checklist(content.report, content.mechanisms)
-    if not items:
-        return []
-    examined = [
-        f"{each.key} by {escape_text(' and '.join(each.mechanisms))}" for each in items if each.outcome == "examined"
-    ]
-    return [
-        f"possible mechanisms of a {content.report.building_type}",
-        *_checklist_line("examined", examined),
-        *_checklist_line("absent", [each.key for each in items if each.outcome == "absent"]),
-        *_checklist_line(
-            "not examined", [each.key for each in items if each.outcome == "not-examined" and each.spoken_for]
-        ),
-        *_checklist_line("not named", [each.key for each in items if not each.spoken_for]),
-        "",
-    ]
-
-
 def _checklist_line(what: str, words: Sequence[str]) -> list[str]:
     """Return the items of one outcome, wrapped; nothing where there are none."""
     indent = " " * 16
@@ -268,11 +297,6 @@ def _checklist_line(what: str, words: Sequence[str]) -> list[str]:
         subsequent_indent=indent,
         break_on_hyphens=False,
     )
-
-
-def parameters_text(mechanisms: tuple[MechanismResult, ...]) -> str:
-    """Write the main parameters of each branch, the constants of its linearised equation, and the hinge forces."""
-    return f"{_branches_table(mechanisms)}\n{_constants_table(mechanisms)}{hinge_forces_table(mechanisms)}"
 
 
 def _branches_table(mechanisms: tuple[MechanismResult, ...]) -> str:
@@ -295,12 +319,6 @@ def _constants_table(mechanisms: tuple[MechanismResult, ...]) -> str:
     return text_table(CONSTANTS_HEADER, rows)
 
 
-def hinge_forces_table(mechanisms: tuple[MechanismResult, ...]) -> str:
-    """Write the forces at each hinge when rocking starts, and the friction they need; empty where not known."""
-    rows = [[m.name, *_hinge_row(forces)] for m in mechanisms for forces in m.hinge_forces]
-    return f"\n{text_table(HINGE_HEADER, rows)}" if rows else ""
-
-
 def _hinge_row(f: HingeForceResult) -> list[str]:
     needed = "lifts" if f.needed_friction is None else f"{f.needed_friction:.4f}"
     friction = "not given" if f.friction is None else f"{f.friction:.3f}"
@@ -315,30 +333,12 @@ def _hinge_row(f: HingeForceResult) -> list[str]:
     ]
 
 
-def directions_text(mechanisms: tuple[MechanismResult, ...]) -> str:
-    """Write a line for each mechanism whose direction was searched for."""
-    sought = [(m.name, m.direction_sweep) for m in mechanisms if m.direction_sweep is not None]
-    return "".join(f"{escape_text(name)}: {_weakest_text(found)}\n" for name, found in sought)
-
-
 def _weakest_text(found: DirectionSweep) -> str:
     """Describe the weakest direction and how flat the minimum is."""
     return (
         f"weakest towards {found.weakest_deg:.6g} deg from +x, of {len(found.angle_deg)} directions; the multiplier is "
         f"within 1 % of the least over {found.flat_deg:.3g} deg, the least {found.variation:.2%} below the largest"
     )
-
-
-def parameters_csv(mechanisms: tuple[MechanismResult, ...]) -> str:
-    """Write all parameters of each branch at full precision, under their names of results.json."""
-    names = [field.name for field in fields(OscillatorResult) if field.name != "linearised"]
-    constants = [field.name for field in fields(LinearisedResult)]
-    rows = [["name", "label", "kind", "sides", "branch", *names, *(f"linearised_{name}" for name in constants)]]
-    for m in mechanisms:
-        for branch, o in _branches(m):
-            numbers = [getattr(o, name) for name in names] + [getattr(o.linearised, name) for name in constants]
-            rows.append([m.name, m.label, m.kind, m.sides, branch, *numbers])
-    return csv_lines(rows)
 
 
 def _branches(mechanism: MechanismResult) -> Iterator[tuple[str, OscillatorResult]]:

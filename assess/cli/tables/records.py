@@ -86,82 +86,6 @@ def records_json(records: Sequence[Record]) -> str:
     return json.dumps(listed, ensure_ascii=False, allow_nan=False, indent=1) + "\n"
 
 
-def _row(record: Record, measured: Measures) -> list[str]:
-    names = [record.id, record.event, record.station, record.component]
-    peaks = [
-        measured.pgv,
-        measured.pgd,
-        measured.arias,
-        measured.cav,
-        measured.d5_75,
-        measured.d5_95,
-        measured.mean_period,
-        measured.housner,
-    ]
-    sampling = [f"{record.dt:.6g}", str(record.npts)]
-    return [*names, *sampling, f"{record.pga / g:.4g}", *(f"{each:.4g}" for each in peaks)]
-
-
-def _properties(record: Record) -> dict[str, Any]:
-    """Return the properties of a record, with units in the names."""
-    measured = measures(record)
-    return {
-        "id": record.id,
-        "path": record.path,
-        "event": record.event,
-        "station": record.station,
-        "component": record.component,
-        "dt_s": record.dt,
-        "npts": record.npts,
-        "pga_g": record.pga / g,
-        "scale_factor": 1.0,
-        "mse": None,
-        "vertical": is_vertical(record.component),
-        "azimuth_deg": None if record.azimuth is None else degrees(record.azimuth),
-        "epicentral_distance_km": None if record.distance is None else record.distance / 1000.0,
-        "earthquake": _earthquake(record),
-        "site": _site(record),
-        "measures": {
-            "pgv_m_per_s": measured.pgv,
-            "pgd_m": measured.pgd,
-            "arias_m_per_s": measured.arias,
-            "cav_m_per_s": measured.cav,
-            "d5_75_s": measured.d5_75,
-            "d5_95_s": measured.d5_95,
-            "mean_period_s": measured.mean_period,
-            "housner_m": measured.housner,
-        },
-    }
-
-
-def _earthquake(record: Record) -> dict[str, Any]:
-    found = asdict(record.earthquake)
-    depth = found.pop("depth")
-    return {"origin_time": found.pop("time"), **found, "depth_km": None if depth is None else depth / 1000.0}
-
-
-def _site(record: Record) -> dict[str, Any]:
-    names = {"elevation": "elevation_m", "vs30": "vs30_m_per_s"}
-    return {names.get(key, key): value for key, value in asdict(record.site).items()}
-
-
-def _spectrum(record: Record) -> dict[str, list[float]]:
-    """Return the pseudo-acceleration spectrum at 5 % damping."""
-    ordinates = response_spectrum(record, SPECTRUM_PERIODS) / g
-    return {"period_s": SPECTRUM_PERIODS.tolist(), "acceleration_g": ordinates.tolist()}
-
-
-def _flat(known: dict[str, Any]) -> dict[str, Any]:
-    """Flatten nested tables into columns such as `earthquake_magnitude`; measures keep their own names."""
-    flat: dict[str, Any] = {}
-    for key, value in known.items():
-        if isinstance(value, dict):
-            flat |= {name if key == "measures" else f"{key}_{name}": each for name, each in value.items()}
-        else:
-            flat[key] = str(value) if isinstance(value, bool) else value
-    return flat
-
-
 @dataclass(frozen=True)
 class Spectra:
     """Names of records, their peaks [n] and pseudo-accelerations at PERIODS [n, k], all in m/s2."""
@@ -247,27 +171,6 @@ def index_summary_json(found: IndexSummary, place: Path, *, described: int, merg
     return json.dumps({**summary, "flatfile": _flatfile_json(merged)}, ensure_ascii=False, indent=1) + "\n"
 
 
-def _flatfile_lines(merged: FlatfileMatch) -> list[str]:
-    from assess.study.suites import cell_message
-
-    counts = f"{merged.matched} rows matched, {merged.unmatched} unmatched, {len(merged.bad)} bad cells"
-    bad = [f"flatfile, {cell_message(cell)}" for cell in merged.bad[:MAX_CELLS]]
-    more = (
-        [f"flatfile: {len(merged.bad) - MAX_CELLS} more bad cells; --json lists all"]
-        if len(merged.bad) > MAX_CELLS
-        else []
-    )
-    return [f"flatfile: {counts}; {merged.records} records described", *bad, *more]
-
-
-def _flatfile_json(merged: FlatfileMatch | None) -> dict[str, object] | None:
-    if merged is None:
-        return None
-    bad = [asdict(cell) for cell in merged.bad]
-    counts = {"matched": merged.matched, "unmatched": merged.unmatched, "records": merged.records}
-    return {**counts, "bad_cells": bad, "warning": None if merged.warning is None else merged.warning.text}
-
-
 SUITE_HEADER = ("record", "event", "NGA", "M", "comp.", "misfit", "factor", "PGA [g]")
 
 
@@ -313,6 +216,103 @@ def draw_suite(suite: ScaledSuite, path: Path) -> None:
         path,
         creator=origin("records select", suite_json(suite)),
     )
+
+
+def _row(record: Record, measured: Measures) -> list[str]:
+    names = [record.id, record.event, record.station, record.component]
+    peaks = [
+        measured.pgv,
+        measured.pgd,
+        measured.arias,
+        measured.cav,
+        measured.d5_75,
+        measured.d5_95,
+        measured.mean_period,
+        measured.housner,
+    ]
+    sampling = [f"{record.dt:.6g}", str(record.npts)]
+    return [*names, *sampling, f"{record.pga / g:.4g}", *(f"{each:.4g}" for each in peaks)]
+
+
+def _properties(record: Record) -> dict[str, Any]:
+    """Return the properties of a record, with units in the names."""
+    measured = measures(record)
+    return {
+        "id": record.id,
+        "path": record.path,
+        "event": record.event,
+        "station": record.station,
+        "component": record.component,
+        "dt_s": record.dt,
+        "npts": record.npts,
+        "pga_g": record.pga / g,
+        "scale_factor": 1.0,
+        "mse": None,
+        "vertical": is_vertical(record.component),
+        "azimuth_deg": None if record.azimuth is None else degrees(record.azimuth),
+        "epicentral_distance_km": None if record.distance is None else record.distance / 1000.0,
+        "earthquake": _earthquake(record),
+        "site": _site(record),
+        "measures": {
+            "pgv_m_per_s": measured.pgv,
+            "pgd_m": measured.pgd,
+            "arias_m_per_s": measured.arias,
+            "cav_m_per_s": measured.cav,
+            "d5_75_s": measured.d5_75,
+            "d5_95_s": measured.d5_95,
+            "mean_period_s": measured.mean_period,
+            "housner_m": measured.housner,
+        },
+    }
+
+
+def _earthquake(record: Record) -> dict[str, Any]:
+    found = asdict(record.earthquake)
+    depth = found.pop("depth")
+    return {"origin_time": found.pop("time"), **found, "depth_km": None if depth is None else depth / 1000.0}
+
+
+def _site(record: Record) -> dict[str, Any]:
+    names = {"elevation": "elevation_m", "vs30": "vs30_m_per_s"}
+    return {names.get(key, key): value for key, value in asdict(record.site).items()}
+
+
+def _spectrum(record: Record) -> dict[str, list[float]]:
+    """Return the pseudo-acceleration spectrum at 5 % damping."""
+    ordinates = response_spectrum(record, SPECTRUM_PERIODS) / g
+    return {"period_s": SPECTRUM_PERIODS.tolist(), "acceleration_g": ordinates.tolist()}
+
+
+def _flat(known: dict[str, Any]) -> dict[str, Any]:
+    """Flatten nested tables into columns such as `earthquake_magnitude`; measures keep their own names."""
+    flat: dict[str, Any] = {}
+    for key, value in known.items():
+        if isinstance(value, dict):
+            flat |= {name if key == "measures" else f"{key}_{name}": each for name, each in value.items()}
+        else:
+            flat[key] = str(value) if isinstance(value, bool) else value
+    return flat
+
+
+def _flatfile_lines(merged: FlatfileMatch) -> list[str]:
+    from assess.study.suites import cell_message
+
+    counts = f"{merged.matched} rows matched, {merged.unmatched} unmatched, {len(merged.bad)} bad cells"
+    bad = [f"flatfile, {cell_message(cell)}" for cell in merged.bad[:MAX_CELLS]]
+    more = (
+        [f"flatfile: {len(merged.bad) - MAX_CELLS} more bad cells; --json lists all"]
+        if len(merged.bad) > MAX_CELLS
+        else []
+    )
+    return [f"flatfile: {counts}; {merged.records} records described", *bad, *more]
+
+
+def _flatfile_json(merged: FlatfileMatch | None) -> dict[str, object] | None:
+    if merged is None:
+        return None
+    bad = [asdict(cell) for cell in merged.bad]
+    counts = {"matched": merged.matched, "unmatched": merged.unmatched, "records": merged.records}
+    return {**counts, "bad_cells": bad, "warning": None if merged.warning is None else merged.warning.text}
 
 
 def _record_row(record: RecordResult) -> list[str]:

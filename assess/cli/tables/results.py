@@ -87,6 +87,48 @@ def mechanism_rows(run: str, results: Results) -> Iterator[MechanismRow]:
     yield from (_mechanism_row(run, one, verdicts.get(one.name), pga_g) for one in results.mechanisms)
 
 
+def mechanisms_table(rows: Sequence[MechanismRow]) -> str:
+    """Write the rows rounded; one line where no run has a mechanism."""
+    return text_table((*HEADER, *NUMBERS), [_mechanism_cells(row) for row in rows]) if rows else "no mechanisms\n"
+
+
+def mechanisms_csv(rows: Sequence[MechanismRow]) -> str:
+    """Write the rows at full precision, under their names in JSON, with the missing keys between semicolons."""
+    names = [field.name for field in fields(MechanismRow)]
+    lines = ([*(getattr(row, name) for name in names[:-1]), "; ".join(row.missing)] for row in rows)
+    return csv_lines([names, *lines])
+
+
+def mechanisms_json(rows: Sequence[MechanismRow]) -> str:
+    """Write the rows as a list."""
+    return json.dumps([asdict(row) for row in rows], ensure_ascii=False, allow_nan=False, indent=1) + "\n"
+
+
+def changes_text(changes: Sequence[Difference]) -> str:
+    """Write a table for each kind of change and their number; one line where there are none."""
+    if not changes:
+        return "no differences\n"
+    tables = (
+        TEXTS.get(kind, _changes_table)(kind, list(each)) for kind, each in groupby(changes, key=lambda each: each.kind)
+    )
+    return "\n".join(tables) + f"\n{count_noun(len(changes), 'difference')}\n"
+
+
+def changes_csv(changes: Sequence[Difference]) -> str:
+    """Write all changes as one table at full precision, with lists and tables as JSON."""
+    rows = (
+        (one.kind, one.where, one.what, one.unit, _plain(one.before), _plain(one.after), one.relative)
+        for one in changes
+    )
+    return csv_lines([FIELDS, *rows])
+
+
+def changes_json(changes: Sequence[Difference]) -> str:
+    """Write all changes as a list, with the values before and after as in results.json."""
+    plain = [{field: getattr(change, field) for field in FIELDS} for change in changes]
+    return json.dumps(plain, ensure_ascii=False, allow_nan=False, indent=1) + "\n"
+
+
 def _mechanism_row(
     run: str, mechanism: MechanismResult, verdict: MechanismVerdict | None, pga_g: float | None
 ) -> MechanismRow:
@@ -126,11 +168,6 @@ def _first_to_rock(mechanism: MechanismResult) -> OscillatorResult:
     return min(sides, key=lambda side: math.inf if side.uplift_multiplier is None else side.uplift_multiplier)
 
 
-def mechanisms_table(rows: Sequence[MechanismRow]) -> str:
-    """Write the rows rounded; one line where no run has a mechanism."""
-    return text_table((*HEADER, *NUMBERS), [_mechanism_cells(row) for row in rows]) if rows else "no mechanisms\n"
-
-
 def _mechanism_cells(row: MechanismRow) -> list[str]:
     texts = [row.run, row.mechanism, row.kind, row.verdict.replace("fail", "FAIL"), row.limit_state, row.procedure]
     numbers = (row.capacity_pga_g, row.p_per_s, row.uplift_multiplier)
@@ -142,43 +179,6 @@ def _mechanism_cells(row: MechanismRow) -> list[str]:
 
 def _number(value: float | None) -> str:
     return "" if value is None else f"{value:.3g}"
-
-
-def mechanisms_csv(rows: Sequence[MechanismRow]) -> str:
-    """Write the rows at full precision, under their names in JSON, with the missing keys between semicolons."""
-    names = [field.name for field in fields(MechanismRow)]
-    lines = ([*(getattr(row, name) for name in names[:-1]), "; ".join(row.missing)] for row in rows)
-    return csv_lines([names, *lines])
-
-
-def mechanisms_json(rows: Sequence[MechanismRow]) -> str:
-    """Write the rows as a list."""
-    return json.dumps([asdict(row) for row in rows], ensure_ascii=False, allow_nan=False, indent=1) + "\n"
-
-
-def changes_text(changes: Sequence[Difference]) -> str:
-    """Write a table for each kind of change and their number; one line where there are none."""
-    if not changes:
-        return "no differences\n"
-    tables = (
-        TEXTS.get(kind, _changes_table)(kind, list(each)) for kind, each in groupby(changes, key=lambda each: each.kind)
-    )
-    return "\n".join(tables) + f"\n{count_noun(len(changes), 'difference')}\n"
-
-
-def changes_csv(changes: Sequence[Difference]) -> str:
-    """Write all changes as one table at full precision, with lists and tables as JSON."""
-    rows = (
-        (one.kind, one.where, one.what, one.unit, _plain(one.before), _plain(one.after), one.relative)
-        for one in changes
-    )
-    return csv_lines([FIELDS, *rows])
-
-
-def changes_json(changes: Sequence[Difference]) -> str:
-    """Write all changes as a list, with the values before and after as in results.json."""
-    plain = [{field: getattr(change, field) for field in FIELDS} for change in changes]
-    return json.dumps(plain, ensure_ascii=False, allow_nan=False, indent=1) + "\n"
 
 
 def _changes_table(kind: DifferenceKind, changes: Sequence[Difference]) -> str:

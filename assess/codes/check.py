@@ -269,7 +269,7 @@ class Check(ShortRepr):
         the hazard, and the value is that of the end
     provisional : outcome that the numbers would give, of a check that is not answered because an input is missing
     may_pass : whether its input allows a pass at all
-    informative : whether it may not decide under any basis, as with a confidence factor below the code's
+    informs : whether it may not decide under any basis, as with a confidence factor below the code's
     conditions : what a pass depends on and is not shown; remarks : further messages about the answer
     numerical : numerical spread of an answer by histories, whose `capacity_pga_g` is the PGA up to which p is at least
         0.84; None for other procedures
@@ -304,7 +304,7 @@ class Check(ShortRepr):
     return_period_years: float | None = None
     return_period_bound: Bound = ""
     provisional: Outcome | None = None
-    informative: bool = False
+    informs: bool = False
     may_pass: bool = True
     conditions: tuple[Message, ...] = ()
     remarks: tuple[Message, ...] = ()
@@ -314,7 +314,7 @@ class Check(ShortRepr):
     @property
     def follows_code(self) -> bool:
         """Whether it follows the clause, not a reading of the thesis, and with no input milder than the code's own."""
-        return self.reading == "letter" and not self.informative
+        return self.reading == "letter" and not self.informs
 
     @property
     def unbounded(self) -> Unbounded:

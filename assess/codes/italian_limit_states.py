@@ -238,7 +238,7 @@ def mark_for_comparison(check: Check, confidence: ConfidenceFactor) -> Check:
     if confidence.instead_of is None:
         return check
     values = {"given": Quantity(confidence.factor), "deciding": Quantity(confidence.instead_of)}
-    return replace(check, informative=True, remarks=(*check.remarks, message("lower-confidence-factor", values)))
+    return replace(check, informs=True, remarks=(*check.remarks, message("lower-confidence-factor", values)))
 
 
 @dataclass(frozen=True)

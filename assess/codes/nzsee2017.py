@@ -99,7 +99,7 @@ def assess_face_loaded_wall(
     shown = _checks(oscillator, context, options)
     return (
         *_checks(oscillator, context, replace(options, usable=None)),
-        *(replace(check, informative=True, remarks=(*check.remarks, beyond)) for check in shown),
+        *(replace(check, informs=True, remarks=(*check.remarks, beyond)) for check in shown),
     )
 
 

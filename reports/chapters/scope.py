@@ -339,7 +339,7 @@ def _part_in_verdict(checks: list[Check]) -> Text:
         return say("decides")
     if all(check.reading == "thesis" for check in checks):
         return say("never decides: reading of the thesis")
-    if all(check.informative for check in checks):
+    if all(check.informs for check in checks):
         return say("for information")
     return say("for comparison")
 

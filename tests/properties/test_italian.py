@@ -78,8 +78,8 @@ def test_a_seat_never_raises_and_a_lower_factor_never_changes_what_decides(proce
     (plain,) = procedure(rocker, site(), options=ItalianOptions())
     deciding, informing = procedure(rocker, site(), options=ItalianOptions(confidence_factor=1.0))
     assert replace(deciding) == plain
-    assert informing.informative
-    assert not deciding.informative
+    assert informing.informs
+    assert not deciding.informs
 
 
 @given(slender=SLENDER, radius=RADIUS, T1=st.floats(0.15, 1.2))

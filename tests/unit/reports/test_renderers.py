@@ -15,6 +15,7 @@ RENDERERS = sorted(
     for path in (ROOT / "document.py", *(ROOT / "render").glob("*.py"), *(ROOT / "language").glob("*.py"))
 )
 LETTERS = {
+    "spectra.arrays",  # what counts as a number
     "spectra.formulas",  # which text a spreadsheet would run
     "assess.codes.calculation_sheet",  # the lines of a calculation sheet
     "assess.messages.message",
@@ -24,7 +25,6 @@ FIGURES_AS_FILES = {"assess.outputs.writing", "assess.workers"}
 """Figures are drawn in processes of their own, and written whole or not at all."""
 DATA = {
     *LETTERS,
-    "spectra.arrays",  # the types of arrays
     "assess.geometry.surface",  # fewer faces for a drawing
     "assess.outputs.signals",  # interruptions end the process that writes
     "assess.outputs.writing",  # files whole or not at all
@@ -41,6 +41,7 @@ DATA = {
     "assess.codes.check",
     "assess.codes.checklists",
     "assess.codes.procedures",
+    "assess.codes.sliding",  # the name of its procedure
     "assess.codes.histories",
     "assess.codes.question",
     "assess.codes.verdict",

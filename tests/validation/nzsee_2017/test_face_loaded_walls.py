@@ -215,7 +215,7 @@ def test_options() -> None:
 def test_a_larger_usable_share_is_shown_and_never_decides() -> None:
     (plain,) = assess_face_loaded_wall(wall(), second_storey(), options=Nzsee2017Options())
     deciding, shown = assess_face_loaded_wall(wall(), second_storey(), options=Nzsee2017Options(usable=0.9))
-    assert (deciding, deciding.informative, shown.informative) == (plain, False, True)
+    assert (deciding, deciding.informs, shown.informs) == (plain, False, True)
     assert shown.score["%NBS"] == pytest.approx(plain.score["%NBS"] * 1.5, rel=1e-12)
     assert [each.key for each in shown.remarks] == ["larger-usable-rotation"]
 

@@ -92,8 +92,8 @@ def test_without_crushing_the_suite_of_1_35_times_the_pga_decides_whatever_the_l
     beside = SuiteResponse(1.35 * LEVEL, (0.3,) * 7, "positive")
     at = dataclasses.replace(context(*(0.1,) * 7), crushing=False, extra_suites=(beside,))
     deciding, informing = ntc2018.assess_history(SLENDER, at, options=ItalianOptions(confidence_factor=1.0))
-    assert (deciding.ratio, deciding.informative) == (pytest.approx(displacement(0.3) / D0 / 0.4, rel=1e-9), False)
-    assert (informing.ratio, informing.informative) == (pytest.approx(displacement(0.1) / D0 / 0.4, rel=1e-9), True)
+    assert (deciding.ratio, deciding.informs) == (pytest.approx(displacement(0.3) / D0 / 0.4, rel=1e-9), False)
+    assert (informing.ratio, informing.informs) == (pytest.approx(displacement(0.1) / D0 / 0.4, rel=1e-9), True)
 
 
 def test_mean_is_within_the_seat_or_the_break_where_these_come_before_the_share_of_d0():

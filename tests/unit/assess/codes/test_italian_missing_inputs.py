@@ -38,16 +38,16 @@ def italian_checks(procedure="ntc2018-nonlinear", *, state="SLV", factor=None, s
 @pytest.mark.parametrize("procedure", PROCEDURES)
 def test_without_crushing_the_factor_is_that_of_lc1_whatever_the_level(procedure, level):
     (check,) = italian_checks(procedure, knowledge={} if level is None else {"ntc2018": level})
-    assert (step_values(check)["FC"], check.verdict, check.informative) == (1.35, Outcome.PASS, False)
+    assert (step_values(check)["FC"], check.verdict, check.informs) == (1.35, Outcome.PASS, False)
 
 
 def test_a_lower_factor_is_shown_and_never_decides_and_a_larger_one_does():
     deciding, informing = italian_checks(factor=1.1)
-    assert (step_values(deciding)["FC"], deciding.informative) == (1.35, False)
-    assert (step_values(informing)["FC"], informing.informative) == (1.1, True)
+    assert (step_values(deciding)["FC"], deciding.informs) == (1.35, False)
+    assert (step_values(informing)["FC"], informing.informs) == (1.1, True)
     assert "lower-confidence-factor" in [each.key for each in informing.remarks]
     (larger,) = italian_checks(factor=1.5)
-    assert (step_values(larger)["FC"], larger.informative) == (1.5, False)
+    assert (step_values(larger)["FC"], larger.informs) == (1.5, False)
     assert [step_values(each)["FC"] for each in italian_checks(factor=1.35)] == [1.35]
 
 

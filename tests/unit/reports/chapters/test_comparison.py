@@ -99,7 +99,7 @@ def test_a_method_without_an_answer_passes_nothing(results: Results) -> None:
     """Of two mechanisms on which methods disagree a method may answer one alone."""
     wall, parapet = results.mechanisms
     assert results.verdict is not None
-    first = replace(wall.checks[0], level_pga_g=results.verdict.action.pga_g, reading="letter", informative=False)
+    first = replace(wall.checks[0], level_pga_g=results.verdict.action.pga_g, reading="letter", informs=False)
     one = replace(first, procedure="ntc2018-linear", verdict=Outcome.FAIL)
     two = replace(first, procedure="ntc2018-nonlinear", verdict=Outcome.PASS)
     silent = replace(first, procedure="ntc2018-history", verdict=Outcome.NOT_ANSWERED)
@@ -115,7 +115,7 @@ def test_a_method_is_named_with_every_mechanism_that_it_fails(results: Results) 
     """Methods disagree on M1 alone, but M2 fails as well."""
     wall, parapet = results.mechanisms
     assert results.verdict is not None
-    first = replace(wall.checks[0], level_pga_g=results.verdict.action.pga_g, reading="letter", informative=False)
+    first = replace(wall.checks[0], level_pga_g=results.verdict.action.pga_g, reading="letter", informs=False)
     one = replace(first, procedure="ntc2018-linear", verdict=Outcome.FAIL)
     two = replace(first, procedure="ntc2018-nonlinear", verdict=Outcome.PASS)
     failed = replace(two, verdict=Outcome.FAIL)

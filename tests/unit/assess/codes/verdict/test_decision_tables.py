@@ -285,7 +285,7 @@ def test_what_the_project_lacks_as_a_whole_leaves_nothing_to_show():
 
 def test_what_informs_other_levels_and_thesis_readings_never_decide():
     others = [
-        check(NONLINEAR, FAIL, informative=True),
+        check(NONLINEAR, FAIL, informs=True),
         check(NONLINEAR, FAIL, level_pga_g=0.3),
         check(NONLINEAR, FAIL, reading="thesis"),
     ]

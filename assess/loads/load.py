@@ -9,14 +9,32 @@ the displacement of its point [m] at which it ends; None where it is not shown t
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass, replace
 from math import hypot
-from typing import Any, ClassVar, Literal
+from typing import Annotated, Any, ClassVar, Literal, get_args
 
 import numpy as np
 from scipy.constants import g
 
+from assess.declaration import (
+    UNCERTAIN,
+    Evidence,
+    Fault,
+    FileDefault,
+    Length,
+    Name,
+    NotAKey,
+    Number,
+    PositiveAreaMass,
+    PositiveForce,
+    PositiveLength,
+    PositiveMass,
+    PositiveRatio,
+    Share,
+    StatedDirection,
+    StatedPlace,
+)
 from assess.geometry.contact import CONTACT_TOLERANCE
 from assess.messages.message import Message, Term
 
@@ -25,118 +43,225 @@ Point = tuple[float, float]
 Until = float | Literal["collapse"] | None
 Through = Literal["joint", "fixed"] | None
 SourceParts = tuple[Term | Message, ...]
+LoadFault = tuple[int, str, str]
+"""The number of a load, from 0, its key, and what is wrong; remedy."""
+
+
+StatedUntil = Annotated[
+    float | Literal["collapse"],
+    Number(
+        "length",
+        above=0,
+        beyond='must be greater than 0; write the displacement of its point at which it ends, or "collapse"',
+        form='not a displacement; write that of its point at which it ends, or "collapse"',
+    ),
+]
+StatedForce = Annotated[
+    tuple[float, float] | float,
+    Number(
+        "force",
+        above=0,
+        beyond="must be greater than 0; turn its direction instead",
+        form="not a force; write [along the direction, up], or a size with direction",
+    ),
+]
+BlockNumber = Annotated[int, Number(least=0, most=2)]
+WHERE_DRAWN = Evidence("drawn", "either", "as drawn; an unknown eccentricity is a sixth of the thickness outwards")
+ITS_BLOCK = Evidence("drawn", "either", "the block that it touches")
+ITS_SEAT = Evidence("measured", "up", "the shortest seat that the drawing allows")
+WHERE_IT_HURTS = Evidence(
+    "loads",
+    "either",
+    "variable loads only where they hurt",
+    why="a weight holds a wall down or drives it over, by where it rests",
+)
+ITS_WAY = Evidence("drawn", "either", "as drawn")
+ITS_END = Evidence("measured", "up", "absent: it counts in the multiplier alone")
 
 
 @dataclass(frozen=True, kw_only=True)
 class MassLoad:
-    """A point mass: a floor, a roof, a wall that moves with the block.
+    """A point mass: a floor, a roof, a wall that moves with the block."""
 
-    mass [kg]; bearing : the block carries its weight, else only its horizontal inertia acts on the block
-    seat : how far its point can move along the direction before it falls off [m]; block : from 0 at the base
-    """
+    kind: ClassVar[Literal["mass"]] = "mass"
+    mass: Annotated[PositiveMass, UNCERTAIN, WHERE_IT_HURTS]
+    """like "1200 kg\""""
+    at: Annotated[StatedPlace, WHERE_DRAWN]
+    """[x, y, z], or [distance along the direction, elevation]"""
+    bearing: Annotated[
+        bool,
+        Evidence("drawn", "up", "false where the drawing shows no support", why="its weight rights the block"),
+    ] = True
+    """true: weight and inertia; false: its weight is carried elsewhere, horizontal inertia only"""
+    seat: Annotated[PositiveLength | None, ITS_SEAT] = None
+    """of a bearing mass: how far its point can move along the direction before it falls off, like "0.12 m\""""
+    block: Annotated[BlockNumber, ITS_BLOCK] = 0
+    """which block it acts on, from 0 at the base"""
 
-    kind: ClassVar = "mass"
-    mass: float
-    at: Place
-    bearing: bool = True
-    seat: float | None = None
-    block: int = 0
+    def faults(self) -> Iterator[Fault]:
+        """Yield the keys that do not go together."""
+        if self.seat is not None and not self.bearing:
+            yield "seat", "only what bears on the block has a seat; remove it, or write bearing = true"
 
 
 @dataclass(frozen=True, kw_only=True)
 class ForceLoad:
-    """A dead force: the thrust of a vault or roof.
+    """A dead force: the thrust of a vault or roof."""
 
-    force : (along the direction, up) [N], or its size with a direction
-    until : "collapse" where it is shown to be there up to collapse, with evidence; or the displacement of its point at
-    which it ends [m]; None where it counts in the multiplier alone
-    """
+    kind: ClassVar[Literal["force"]] = "force"
+    force: Annotated[StatedForce, UNCERTAIN, Evidence("loads", "either", "none where it holds the wall")]
+    """[along the direction, up], or a size with `direction`"""
+    at: Annotated[StatedPlace, WHERE_DRAWN]
+    """[x, y, z], or [distance along the direction, elevation]"""
+    direction: Annotated[StatedDirection | None, ITS_WAY] = None
+    """where a force given by its size points: [x, y, z], or [along the direction, up]"""
+    until: Annotated[StatedUntil | None, ITS_END] = None
+    """where it resists: "collapse" if it is shown to be there up to collapse, with a source in [report.sources]; or the
+    displacement of its point at which it ends; if absent it counts in the multiplier alone"""
+    block: Annotated[BlockNumber, ITS_BLOCK] = 0
+    """which block it acts on, from 0 at the base"""
+    evidence: Annotated[str, NotAKey()] = ""
+    """where it is shown that it lasts as `until` says; empty where it is not"""
 
-    kind: ClassVar = "force"
-    force: tuple[float, float] | float
-    at: Place
-    direction: Place | None = None
-    until: Until = None
-    block: int = 0
-    evidence: str = ""
+    def faults(self) -> Iterator[Fault]:
+        """Yield the keys that do not go together."""
+        if not isinstance(self.force, tuple) and self.direction is None:
+            yield "direction", "missing; a force given by its size needs one, or write force = [x, z]"
+        if isinstance(self.force, tuple) and self.direction is not None:
+            yield "direction", "beside components of the force; remove one of them"
 
 
 @dataclass(frozen=True, kw_only=True)
 class TieLoad:
-    """A tie of constant pretension [N], slack on the branch where it shortens.
+    """A tie of constant pretension; slack on the branch where it shortens.
 
-    direction : the way it pulls, or anchor : its fixed end; both : taut on both branches
-    It counts up to collapse only with until = "collapse", strength [N], length [m], fracture strain [-] and evidence.
+    It counts up to collapse only with until = "collapse", strength, length, fracture_strain and a source.
     """
 
-    kind: ClassVar = "tie"
-    force: float
-    at: Place
-    direction: Place | None = None
-    anchor: Place | None = None
-    both: bool = False
-    until: Until = None
-    strength: float | None = None
-    length: float | None = None
-    fracture_strain: float | None = None
-    block: int = 0
-    evidence: str = ""
+    kind: ClassVar[Literal["tie"]] = "tie"
+    force: Annotated[PositiveForce, UNCERTAIN, Evidence("measured", "up", "the wall without the tie")]
+    """pretension, like "30 kN\""""
+    at: Annotated[StatedPlace, WHERE_DRAWN]
+    """where it holds the block: [x, y, z], or [distance along the direction, elevation]"""
+    direction: Annotated[StatedDirection | None, ITS_WAY] = None
+    """the way it pulls: [x, y, z], or [along the direction, up]; or give anchor"""
+    anchor: Annotated[StatedPlace | None, ITS_WAY] = None
+    """the fixed end: [x, y, z], or [distance along the direction, elevation]"""
+    both: Annotated[bool, Evidence("measured", "up", "false: slack on the branch where it shortens")] = False
+    """true: taut on both branches"""
+    until: Annotated[StatedUntil | None, ITS_END] = None
+    """"collapse" if it is shown to be there up to collapse; or the displacement of its point at which it breaks; if
+    absent it counts in the multiplier alone"""
+    strength: Annotated[PositiveForce | None, UNCERTAIN, Evidence("measured", "up", "the wall without the tie")] = None
+    """least of bar, plate, masonry and far wall; it never pulls with more"""
+    length: Annotated[PositiveLength | None, Evidence("drawn", "up", "absent: it does not last to collapse")] = None
+    """of the bar, over which it stretches"""
+    fracture_strain: Annotated[
+        PositiveRatio | None, Evidence("measured", "up", "absent: it does not last to collapse")
+    ] = None
+    """of the bar; it breaks where it has lengthened by more than this times its length"""
+    block: Annotated[BlockNumber, ITS_BLOCK] = 0
+    """which block it acts on, from 0 at the base"""
+    evidence: Annotated[str, NotAKey()] = ""
+    """where it is shown that it lasts as `until` says; empty where it is not"""
+
+    def faults(self) -> Iterator[Fault]:
+        """Yield the keys that do not go together."""
+        if (self.direction is None) == (self.anchor is None):
+            yield "anchor", "give either anchor or direction, the way the tie pulls"
 
 
 @dataclass(frozen=True, kw_only=True)
 class OverburdenLoad:
-    """What presses on the top of a wall of two blocks: a dead vertical load, without mass of its own.
+    """What presses on the top of a wall of two blocks: a dead vertical load, without mass of its own."""
 
-    force [N], or the names of the bodies that stand on the wall
-    eccentricity : from mid-thickness of the top towards the direction [m]
-    through : "joint" where it presses where the top does, "fixed" where it stays in its place on the wall
-    """
+    kind: ClassVar[Literal["overburden"]] = "overburden"
+    force: Annotated[PositiveForce | None, UNCERTAIN, WHERE_IT_HURTS] = None
+    """vertical load, like "40 kN\""""
+    bodies: Annotated[tuple[Name, ...], Evidence("drawn", "either", "as drawn")] = ()
+    """or what stands on the wall: its weight, by its share, where it touches"""
+    eccentricity: Annotated[Length | None, Evidence("loads", "either", "a sixth of the thickness outwards")] = None
+    """of the load from mid-thickness of the top towards `direction`; 0, or where the bodies touch, if absent"""
+    through: Annotated[
+        Through,
+        Evidence("measured", "up", "fixed", why="a load that moves to the edge that closes rights the wall"),
+    ] = None
+    """"joint": it presses where the top does, from mid-thickness to the edge as the wall turns (rigid: at hinge C);
+    "fixed": it stays in its place on the wall; if absent "joint" on the middle of a joint at C, else "fixed\""""
 
-    kind: ClassVar = "overburden"
-    force: float | None = None
-    bodies: tuple[str, ...] = ()
-    eccentricity: float | None = None
-    through: Through = None
+    def faults(self) -> Iterator[Fault]:
+        """Yield the keys that do not go together."""
+        if (self.force is None) == (not self.bodies):
+            yield "force", "give either force, or the bodies that press"
+        if self.through == "joint" and self.eccentricity:
+            reason = 'a load through the joint presses where the joint does; remove eccentricity, or write "fixed"'
+            yield "through", reason
 
 
 @dataclass(frozen=True, kw_only=True)
 class BodyLoad:
-    """A floor, roof or vault given as a body: what it puts on the block is found where it touches it.
+    """A floor, roof or vault given as a body: what it puts on the block is found where it touches it."""
 
-    tolerance : faces this near each other touch [m]; share : part of the body that this block carries, in (0, 1]
-    bearing : whether the block carries weight; seat : how far the contact can move before the body falls off [m]
-    mass : of the whole body [kg]; thrust [N], span [m], rise [m] : of a roof or vault; from its shape where None
-    construction : weight of a vault by Ungewitter's case 1 to 5; fill : over the plan of a vault [kg/m2]
-    block : which it acts on, from 0 at the base; None for the one that it touches, or all that it bears on
-    """
+    kind: ClassVar[Literal["body"]] = "body"
+    body: Annotated[Name, Evidence("drawn", "either", "as drawn")]
+    """the name of a table [bodies.NAME] that is not part of the block"""
+    role: Annotated[Literal["floor", "roof", "vault"], Evidence("drawn", "either", "as its faces show")] = "floor"
+    """"floor" (weight), or "roof" or "vault" (weight and thrust)"""
+    tolerance: Annotated[PositiveLength, Evidence("clamped", "either", "the default")] = CONTACT_TOLERANCE
+    """faces this near each other touch"""
+    share: Annotated[Share | None, Evidence("loads", "either", "by statics from what else carries it")] = None
+    """part of the body that this block carries, in (0, 1]; by statics from what else carries it if absent"""
+    bearing: Annotated[bool | None, Evidence("drawn", "up", "as the contact shows")] = None
+    """true: the block carries weight; false: it is only pushed; as the contact shows if absent"""
+    seat: Annotated[PositiveLength | None, ITS_SEAT] = None
+    """how far the contact can move along the direction before the body falls off the block, like "0.12 m\""""
+    at: Annotated[StatedPlace | None, WHERE_DRAWN] = None
+    """where it acts: [x, y, z], or [distance along the direction, elevation]; centroid of the contact if absent"""
+    mass: Annotated[PositiveMass | None, UNCERTAIN, WHERE_IT_HURTS] = None
+    """of the whole body; its volume times the density of its material if absent"""
+    thrust: Annotated[
+        PositiveForce | None, UNCERTAIN, Evidence("loads", "down", "from its shape, where that is more")
+    ] = None
+    """of a roof or vault on this block, along the direction of motion, outwards; from its shape if absent"""
+    span: Annotated[PositiveLength | None, Evidence("drawn", "down", "from its bounding box")] = None
+    """of a roof or vault along its thrust; from its bounding box if absent"""
+    rise: Annotated[PositiveLength | None, Evidence("drawn", "up", "from its bounding box")] = None
+    """of the ridge or crown above the springing; from the bounding box if absent"""
+    tied: Annotated[bool | None, FileDefault(False), Evidence("loads", "up", "false: its thrust acts")] = None
+    """true: ties or tie-beams take the thrust"""
+    vault: Annotated[
+        Literal["barrel", "quadripartite"] | None, Evidence("drawn", "either", "as the faces of the mesh show")
+    ] = None
+    """as the faces of the mesh show if absent"""
+    construction: Annotated[int | None, Number(least=1, most=5), WHERE_IT_HURTS] = None
+    """weight of a vault by Ungewitter's case 1 to 5 over its intrados, in place of the mesh's volume"""
+    fill: Annotated[PositiveAreaMass | None, UNCERTAIN, WHERE_IT_HURTS] = None
+    """fill and plaster over the plan of a vault, beside its own weight, like "80 kg/m^2\""""
+    block: Annotated[BlockNumber | None, ITS_BLOCK] = None
+    """which block it acts on, from 0 at the base; if absent the one that it touches, or all that it bears on"""
 
-    kind: ClassVar = "body"
-    body: str
-    role: Literal["floor", "roof", "vault"] = "floor"
-    tolerance: float = CONTACT_TOLERANCE
-    share: float | None = None
-    bearing: bool | None = None
-    seat: float | None = None
-    at: Place | None = None
-    mass: float | None = None
-    thrust: float | None = None
-    span: float | None = None
-    rise: float | None = None
-    tied: bool = False
-    vault: Literal["barrel", "quadripartite"] | None = None
-    construction: int | None = None
-    fill: float | None = None
-    block: int | None = None
+    def faults(self) -> Iterator[Fault]:
+        """Yield the keys that do not go together."""
+        for key in ("thrust", "span", "rise", "tied"):
+            if self.role == "floor" and getattr(self, key) is not None:
+                yield key, 'only a roof or a vault has a thrust; write role = "roof" or "vault", or remove it'
+        for key in ("vault", "construction", "fill"):
+            if self.role != "vault" and getattr(self, key) is not None:
+                yield key, 'only of a vault; write role = "vault", or remove it'
+        instead = {"thrust": ("tied", "span", "rise"), "mass": ("construction", "fill")}
+        for number, keys in instead.items():
+            for key in keys:
+                if getattr(self, key) and getattr(self, number) is not None:
+                    yield key, f"beside {number}, which leaves nothing for it to say; remove one of them"
 
 
 LoadDefinition = MassLoad | ForceLoad | TieLoad | OverburdenLoad | BodyLoad
+LOADS: dict[str, type[LoadDefinition]] = {kind.kind: kind for kind in get_args(LoadDefinition)}
+"""The loads by their kinds, as project files write them. What follows reads them and their tables alike."""
 
 
 def direction_keys(load: Any) -> Iterator[str]:
-    """Name what of a load is measured along the direction of motion: points of two numbers, eccentricities.
-
-    load : one of these, or the table of a project file that has the same names
-    """
+    """Name what of a load is measured along the direction of motion: points of two numbers, eccentricities."""
     for key in ("force", "at", "direction", "anchor"):
         value = getattr(load, key, None)
         if isinstance(value, tuple) and len(value) == 2:
@@ -147,9 +272,53 @@ def direction_keys(load: Any) -> Iterator[str]:
 
 def bodies_of(load: LoadDefinition) -> tuple[str, ...]:
     """Return the names of the bodies that a load stands for."""
-    if isinstance(load, OverburdenLoad):
+    if load.kind == "overburden":
         return load.bodies
-    return (load.body,) if isinstance(load, BodyLoad) else ()
+    return (load.body,) if load.kind == "body" else ()
+
+
+def block_faults(loads: Sequence[LoadDefinition], kind: str, *, number_of_blocks: int) -> Iterator[LoadFault]:
+    """Yield the loads that no block of a mechanism carries.
+
+    Parameters
+    ----------
+    loads : as they stand in the mechanism
+    kind, number_of_blocks : of the mechanism
+    """
+    last = number_of_blocks - 1
+    for number, load in enumerate(loads):
+        if load.kind == "overburden":
+            if kind != "two-block":
+                yield number, "kind", "is for two-block mechanisms; use a mass or a force"
+        elif load.block is not None and load.block > last:
+            yield number, "block", f"must be {last} or less, counted from 0 at the base"
+
+
+def body_faults(
+    loads: Sequence[LoadDefinition], bodies: Collection[str], *, moving: Collection[str], known: str
+) -> Iterator[LoadFault]:
+    """Yield the loads whose bodies do not exist, are part of the mechanism, or load the same block already.
+
+    Parameters
+    ----------
+    loads : as they stand in the mechanism
+    bodies : the names of all bodies; moving : of those that are part of the mechanism
+    known : what an error says of the bodies that could be named
+    """
+    taken: dict[str, set[int | None]] = {}
+    for number, load in enumerate(loads):
+        if load.kind == "overburden" and not set(load.bodies) <= set(bodies) - set(moving):
+            yield number, "bodies", f"no body beside the wall; {known}"
+        if load.kind != "body":
+            continue
+        if load.body not in bodies:
+            yield number, "body", f"no such body; {known}"
+        blocks = taken.setdefault(load.body, set())
+        if load.body in moving or load.block in blocks:
+            yield number, "body", "it is part of a block, or a load of this block already; name another body"
+        if blocks and (load.block is None or None in blocks):
+            yield number, "body", "it is listed twice; give each of the entries its block, or keep one without"
+        blocks.add(load.block)
 
 
 def source_phrase(parts: SourceParts) -> str:

@@ -13,6 +13,7 @@ from typing import Any, ClassVar, Literal
 
 import numpy as np
 
+from assess.declaration import Inclination
 from assess.geometry.planar import Outline
 from assess.interfaces.contact import Interface
 from assess.loads.load import LoadDefinition, Place, PointMass, SourceParts, Tie, direction_keys, lasts, source_phrase
@@ -108,7 +109,7 @@ class CutAngle:
     """A crack inclined in the plane of motion by an angle [rad]; a positive one falls towards the direction."""
 
     point: Vector
-    angle: float
+    angle: Inclination
 
 
 def keys_along_direction(
@@ -127,6 +128,16 @@ def keys_along_direction(
         yield from ((key, hinge_name) for hinge_name, at in zip("ABCD", given or (), strict=False) if len(at) == 2)
     if getattr(chained, "joints", None) is not None:
         yield ("joints",)
+
+
+def sweep_faults(
+    chained: Any, *, hinges: Mapping[str, Sequence[Place] | None]
+) -> Iterator[tuple[tuple[str | int, ...], str]]:
+    """Yield what is measured along a direction that is sought all around; arguments are those of the keys."""
+    if chained.direction == "sweep":
+        for key in keys_along_direction(chained, hinges=hinges):
+            of = "an eccentricity depends" if key[-1] == "eccentricity" else "two numbers depend"
+            yield key, f'{of} on the direction, which is "sweep"; give three numbers, or the direction'
 
 
 @dataclass(frozen=True, eq=False, repr=False)

@@ -15,26 +15,26 @@ from difflib import get_close_matches
 from functools import cache, reduce
 from math import inf, isfinite, sqrt
 from pathlib import Path
-from typing import Any, get_args
+from typing import Any
 
 import numpy as np
 from pydantic import ValidationError
 from pydantic.fields import FieldInfo
 from pydantic_core import ErrorDetails
 
+from assess.declaration import BOUNDS, Scatters, marks_of
 from assess.errors import ProjectError
+from assess.loads.load import bodies_of as loading_bodies
 from assess.messages.message import escape_text
 from assess.project.section import (
     KeyPath,
     ProjectSection,
-    UncertainMark,
     UncertainNumber,
     key_text,
     look_up,
     value_text,
 )
 from assess.project.sections.analysis import SweepSection
-from assess.project.sections.bodies_and_loads import BodyLoadSection, OverburdenLoadSection
 from assess.project.sections.content import Content
 from assess.project.sections.mechanisms import RestitutionSection
 from assess.project.units import KINDS, QuantityError, QuantityKind, key_value, number_and_unit
@@ -43,7 +43,7 @@ from spectra.arrays import is_number
 
 _NOT_SWEPT = (("analysis", "sweep"), ("analysis", "sensitivity"), ("analysis", "uncertainty"), ("format",), ("report",))
 WrittenNumber = int | float | str
-Marks = tuple[QuantityKind | None, UncertainMark | None]
+Marks = tuple[QuantityKind | None, Scatters | None]
 NO_MARKS: Marks = (None, None)
 
 WITHOUT_UNCERTAIN_NUMBERS = ("analysis", "report", "format")
@@ -63,7 +63,7 @@ class KeyedValue:
     path: KeyPath
     value: Any
     kind: QuantityKind | None
-    uncertain: UncertainMark | None = None
+    uncertain: Scatters | None = None
 
     @property
     def is_number(self) -> bool:
@@ -283,16 +283,10 @@ def _marks_of(table: type[ProjectSection]) -> Mapping[str, Marks]:
 
 def _marks(field: FieldInfo) -> Marks:
     """Return the quantity that a key holds and whether it may scatter, from its type; None if that is not unique."""
-    found = (*field.metadata, *_metadata(field.annotation))
+    found = (*field.metadata, *marks_of(field.annotation))
     kinds = {each for each in found if isinstance(each, QuantityKind)}
-    uncertain = next((each for each in found if isinstance(each, UncertainMark)), None)
+    uncertain = next((each for each in found if isinstance(each, Scatters)), None)
     return (kinds.pop() if len(kinds) == 1 else None), uncertain
-
-
-def _metadata(annotation: Any) -> Iterator[Any]:
-    yield from getattr(annotation, "__metadata__", ())
-    for part in get_args(annotation):
-        yield from _metadata(part)
 
 
 def _remedy(key: str, by_key: Mapping[str, KeyedValue]) -> str:
@@ -332,10 +326,7 @@ def _bodies_of_mechanism(mechanism: ProjectSection, content: Content) -> set[str
 
 def _carries_bodies(mechanism: ProjectSection) -> bool:
     """Whether bodies load the mechanism: what they rest on besides may be any other body of the project."""
-    loads = getattr(mechanism, "loads", ())
-    return any(
-        isinstance(load, BodyLoadSection) or (isinstance(load, OverburdenLoadSection) and load.bodies) for load in loads
-    )
+    return any(map(loading_bodies, getattr(mechanism, "loads", ())))
 
 
 def _texts_in(value: Any) -> Iterator[str]:
@@ -457,10 +448,10 @@ _SENTENCES: dict[str, Callable[[Mapping[str, Any]], str]] = {
     "literal_error": lambda c: "not allowed; write " + c["expected"].replace("'", '"'),
     "string_type": lambda c: "not a text; write it in quotes",
     "int_type": lambda c: "not a whole number; write one without decimal point",
-    "greater_than": lambda c: f"must be greater than {c['gt']:.6g}",
-    "greater_than_equal": lambda c: f"must be {c['ge']:.6g} or more",
-    "less_than": lambda c: f"must be less than {c['lt']:.6g}",
-    "less_than_equal": lambda c: f"must be {c['le']:.6g} or less",
+    "greater_than": lambda c: BOUNDS["above"][1].format(c["gt"]),
+    "greater_than_equal": lambda c: BOUNDS["least"][1].format(c["ge"]),
+    "less_than": lambda c: BOUNDS["below"][1].format(c["lt"]),
+    "less_than_equal": lambda c: BOUNDS["most"][1].format(c["le"]),
     "model_type": lambda c: "not a table; write [KEY] with its keys below, or { key = value }",
     "dict_type": lambda c: "not a table; write [KEY.NAME] with its keys below",
     "tuple_type": lambda c: "not a list; write [ … ]",

@@ -174,7 +174,7 @@ def _conditions(content: sections.Content, name: str, premises: Sequence[Premise
     own = tuple(message(key, severity=Severity.WARNING) for key in keys)
     section = content.mechanisms[name]
     loads = section.loads if isinstance(section, sections.ChainSection) else ()
-    tied = (load.body for load in loads if isinstance(load, sections.BodyLoadSection) and load.tied)
+    tied = (load.body for load in loads if load.kind == "body" and load.tied)
     return (*own, *(message("thrust-is-tied", {"what": body}, severity=Severity.WARNING) for body in tied))
 
 

@@ -6,20 +6,18 @@ quantities in SI, uncertain numbers, points, names, paths, texts.
 
 from __future__ import annotations
 
-import ast
-import inspect
 import json
 import math
 import unicodedata
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 from datetime import date
 from difflib import get_close_matches
-from functools import cache
-from itertools import pairwise
+from functools import reduce
+from inspect import get_annotations
+from operator import or_
 from pathlib import Path
-from textwrap import dedent
-from typing import Annotated, Any, ClassVar, Literal, TypeVar
+from types import NoneType, UnionType
+from typing import Annotated, Any, ClassVar, Literal, TypeVar, Union, get_args, get_origin
 
 from pydantic import (
     AfterValidator,
@@ -30,7 +28,8 @@ from pydantic import (
     Field,
     GetJsonSchemaHandler,
     PlainValidator,
-    StrictInt,
+    Strict,
+    StrictBool,
     StrictStr,
     Tag,
     ValidationInfo,
@@ -41,6 +40,18 @@ from pydantic.fields import FieldInfo
 from pydantic.json_schema import JsonSchemaValue
 from pydantic_core import CoreSchema, PydanticCustomError
 
+from assess.declaration import (
+    FileDefault,
+    IsDirection,
+    IsName,
+    IsPlace,
+    Mark,
+    Name,
+    Number,
+    Ratio,
+    Scatters,
+    descriptions,
+)
 from assess.messages.message import escape_text
 from assess.project.units import INFINITE, KINDS, QuantityForm, key_value, si_value
 from assess.results.run import Distribution
@@ -52,7 +63,7 @@ _LONGEST = 60  # characters of a value in an error
 
 
 class ProjectSection(BaseModel):
-    """One table of the project file.
+    """One table of the project file, its keys annotated as in a declaration (`assess.declaration`).
 
     `elsewhere` are keys of another form of the same table, each with what is wrong about it here.
     """
@@ -61,6 +72,12 @@ class ProjectSection(BaseModel):
         frozen=True, extra="forbid", model_title_generator=lambda table: table.__name__.removesuffix("Section")
     )
     elsewhere: ClassVar[Mapping[str, str]] = {}
+
+    def __init_subclass__(cls, **more: Any) -> None:
+        """Read what the keys are annotated with as a project file writes it, before pydantic does."""
+        super().__init_subclass__(**more)
+        found = get_annotations(cls, eval_str=True)
+        cls.__annotations__ = {key: file_type(annotation) for key, annotation in found.items()}
 
     @classmethod
     def table_keys(cls) -> dict[str, FieldInfo]:
@@ -72,9 +89,14 @@ class ProjectSection(BaseModel):
         """Return what each key means: the field's description, or the sentence below it."""
         below: dict[str, str] = {}
         for table in reversed(cls.__mro__):
-            below |= descriptions(table) if issubclass(table, ProjectSection) else {}
+            below |= table.own_meanings() if issubclass(table, ProjectSection) else {}
         meanings = {name: field.description or below.get(name) for name, field in cls.model_fields.items()}
         return {cls.model_fields[name].alias or name: text for name, text in meanings.items() if text}
+
+    @classmethod
+    def own_meanings(cls) -> dict[str, str]:
+        """Return the sentences below the keys that the class itself declares."""
+        return descriptions(cls)
 
     @classmethod
     def __get_pydantic_json_schema__(cls, schema: CoreSchema, handler: GetJsonSchemaHandler) -> JsonSchemaValue:
@@ -114,22 +136,6 @@ class ProjectSection(BaseModel):
     def has_key(self, key: str) -> bool:
         """Return whether the user wrote `key`, so that its default is not used."""
         return key in self.model_fields_set
-
-
-@cache
-def descriptions(table: type) -> dict[str, str]:
-    """Return the sentence below each attribute that the class `table` itself declares.
-
-    It is read from the source when needed; pydantic would read it at every import (0.1 s).
-    """
-    found = {}
-    (body,) = ast.parse(dedent(inspect.getsource(table))).body
-    assert isinstance(body, ast.ClassDef)
-    for attribute, below in pairwise(body.body):
-        match attribute, below:
-            case ast.AnnAssign(target=ast.Name(name)), ast.Expr(value=ast.Constant(value=str(sentence))):
-                found[name] = inspect.cleandoc(sentence)
-    return found
 
 
 def error_at(key: str | tuple[str | int, ...], reason: str) -> PydanticCustomError:
@@ -178,10 +184,6 @@ REORDERING = frozenset("\u202a\u202b\u202c\u202d\u202e\u2066\u2067\u2068\u2069")
 """Characters that show a text in another order than it is written."""
 
 
-def _read(kind: str) -> BeforeValidator:
-    return BeforeValidator(lambda value: key_value(value, KINDS[kind]))
-
-
 def quantity_schema(kind: str) -> dict[str, Any]:
     """Return the schema of a key that holds a quantity of a kind in KINDS."""
     return {"type": ["number", "string"], PATTERN_MARK: [kind, "quantity"]}
@@ -194,58 +196,115 @@ def _described(kind: str, form: QuantityForm = "quantity") -> WithJsonSchema:
     return WithJsonSchema({**quantity_schema(kind), "description": words, PATTERN_MARK: [kind, form]})
 
 
-# the kind stands beside its reader, so that the unit of a key can be told from the type of the key
-Length = Annotated[float, _read("length"), _described("length"), KINDS["length"]]
-Mass = Annotated[float, _read("mass"), _described("mass"), KINDS["mass"]]
-Time = Annotated[float, _read("time"), _described("time"), KINDS["time"]]
-Speed = Annotated[float, _read("speed"), _described("speed"), KINDS["speed"]]
-Acceleration = Annotated[float, _read("acceleration"), _described("acceleration"), KINDS["acceleration"]]
-Force = Annotated[float, _read("force"), _described("force"), KINDS["force"]]
-Stress = Annotated[float, _read("stress"), _described("stress"), KINDS["stress"]]
-Density = Annotated[float, _read("density"), _described("density"), KINDS["density"]]
-Inertia = Annotated[float, _read("inertia"), _described("inertia"), KINDS["inertia"]]
-AreaMass = Annotated[float, _read("mass per area"), _described("mass per area"), KINDS["mass per area"]]
-Rate = Annotated[float, _read("rate"), _described("rate"), KINDS["rate"]]
-Frequency = Annotated[float, _read("frequency"), _described("frequency"), KINDS["frequency"]]
-Angle = Annotated[float, _read("angle"), _described("angle"), KINDS["angle"]]
-Ratio = Annotated[float, _read("ratio"), _described("ratio"), KINDS["ratio"]]
-Years = Annotated[float, _read("duration"), _described("duration"), KINDS["duration"]]
-PositiveLength = Annotated[Length, Field(gt=0)]
-NotNegativeLength = Annotated[Length, Field(ge=0)]
-PositiveMass = Annotated[Mass, Field(gt=0)]
-PositiveTime = Annotated[Time, Field(gt=0)]
-PositiveYears = Annotated[Years, Field(gt=0)]
-PositiveAcceleration = Annotated[Acceleration, Field(gt=0)]
-PositiveForce = Annotated[Force, Field(gt=0)]
-PositiveStress = Annotated[Stress, Field(gt=0)]
-NotNegativeStress = Annotated[Stress, Field(ge=0)]
-PositiveDensity = Annotated[Density, Field(gt=0)]
-PositiveInertia = Annotated[Inertia, Field(gt=0)]
-PositiveAreaMass = Annotated[AreaMass, Field(gt=0)]
-PositiveFrequency = Annotated[Frequency, Field(gt=0)]
-PositiveRate = Annotated[Rate, Field(gt=0)]
-PositiveRatio = Annotated[Ratio, Field(gt=0)]
-NotNegativeRatio = Annotated[Ratio, Field(ge=0)]
-RatioToOne = Annotated[Ratio, Field(ge=0, le=1)]
-Share = Annotated[Ratio, Field(gt=0, le=1)]
-Damping = Annotated[Ratio, Field(gt=0, lt=1)]
-Uplift = Annotated[Ratio, Field(gt=0, lt=math.pi / 2)]
+def file_type(annotation: Any) -> Any:
+    """Return how a project file reads what is annotated: each mark of a declaration as pydantic knows it.
+
+    Truth values are true or false and nothing like them. Marks around what may be absent bear on what is there.
+    """
+    origin, parts = get_origin(annotation), get_args(annotation)
+    if annotation is bool:
+        return StrictBool
+    if origin is Annotated:
+        value, marks = annotation.__origin__, annotation.__metadata__
+        if NoneType in get_args(value) and all(isinstance(each, Mark) for each in marks):
+            there = reduce(or_, (each for each in get_args(value) if each is not NoneType))
+            found = file_type(Annotated[there, *marks])
+            return found if any(isinstance(each, FileDefault) for each in marks) else found | None
+        return reduce(_with_mark, marks, file_type(value))
+    if origin not in (Union, UnionType, tuple, dict):
+        return annotation
+    read = tuple(map(file_type, parts))
+    if all(one is other for one, other in zip(read, parts, strict=True)):
+        return annotation
+    return reduce(or_, read) if origin in (Union, UnionType) else origin[read]
 
 
-def _or_infinite(kind: str) -> BeforeValidator:
-    def read(value: Any) -> float:
-        endless = value == math.inf or (isinstance(value, str) and value.strip().lower() in INFINITE)
-        return math.inf if endless else key_value(value, KINDS[kind])
+def _with_mark(value: Any, mark: Any) -> Any:
+    match mark:
+        case Number(dimension=""):
+            return Annotated[value, Strict(), _bounds(mark)]
+        case Number():
+            return _number_type(value, mark)
+        case IsPlace():
+            return Annotated[tuple[Coordinate, ...], row_of(mark), Field(min_length=2, max_length=3)]
+        case IsDirection():
+            return file_type(Annotated[tuple[Ratio, ...], row_of(mark), Field(min_length=2, max_length=3)])
+        case IsName():
+            return Annotated[StrictStr, AfterValidator(lambda text: _faultless(mark, text))]
+        case Scatters():
+            return Annotated[value, mark, _SCATTERS]
+    return Annotated[value, mark]
 
-    return BeforeValidator(read)
+
+def _number_type(value: Any, number: Number) -> Any:
+    """Return how a file reads a quantity; its kind stands beside, so that the type of a key tells its unit."""
+    kind = KINDS[number.dimension]
+    if value is float and not number.beyond:
+        form: QuantityForm = "quantity or infinite" if number.infinite else "quantity"
+        read = BeforeValidator(lambda given: _quantity(given, number))
+        found = Annotated[float, read, _described(number.dimension, form), kind]
+        return found if _bounds(number) is None else Annotated[found, _bounds(number)]
+    words = tuple(each for part in get_args(value) if get_origin(part) is Literal for each in get_args(part))
+    count = next((len(get_args(part)) for part in get_args(value) if get_origin(part) is tuple), 0)
+
+    def read_any(given: Any) -> Any:
+        if isinstance(given, str) and words and not any(each.isdigit() for each in given):
+            if given.strip() in words:
+                return given.strip()
+            raise ValueError(number.form)
+        if isinstance(given, list | tuple) and count:
+            if len(given) != count:
+                raise ValueError(number.form)
+            return tuple(_quantity(each, number) for each in given)
+        return _faultless(number, _quantity(given, number))
+
+    quantity = quantity_schema(number.dimension)
+    forms: list[dict[str, Any]] = [quantity]
+    if count:
+        forms.append({"type": "array", "items": quantity, "minItems": count, "maxItems": count})
+    forms += [{"type": "string", "pattern": rf"^\s*{word}\s*$"} for word in words]
+    schema = WithJsonSchema({"anyOf": forms}) if len(forms) > 1 else _described(number.dimension)
+    return Annotated[value, BeforeValidator(read_any), schema, kind]
 
 
-Strength = Annotated[
-    float, Field(gt=0), _or_infinite("stress"), _described("stress", "quantity or infinite"), KINDS["stress"]
-]
-JointStiffness = Annotated[
-    float, Field(gt=0), _or_infinite("stiffness"), _described("stiffness", "quantity or infinite"), KINDS["stiffness"]
-]
+def _quantity(value: Any, number: Number) -> float:
+    endless = value == math.inf or (isinstance(value, str) and value.strip().lower() in INFINITE)
+    return math.inf if number.infinite and endless else key_value(value, KINDS[number.dimension])
+
+
+def _bounds(number: Number) -> Any:
+    """Return the bounds of a number for pydantic; None if it has none."""
+    bounds = {"gt": number.above, "ge": number.least, "lt": number.below, "le": number.most}
+    given: dict[str, Any] = {word: bound for word, bound in bounds.items() if bound is not None}
+    return Field(**given) if given else None
+
+
+def _faultless(mark: Mark, value: T) -> T:
+    """Return a value in which a mark finds no fault; raise ValueError with the fault else."""
+    if fault := mark.fault(value):
+        raise ValueError(fault)
+    return value
+
+
+def row_of(mark: Mark) -> BeforeValidator:
+    """Return a check that a value is a list, of the form that a mark asks for."""
+
+    def check(value: Any) -> Any:
+        if not isinstance(value, list | tuple):
+            raise ValueError(mark.form)
+        return _faultless(mark, value)
+
+    return BeforeValidator(check)
+
+
+class _ScatterSchema:
+    """Stands behind the mark of a key whose number may be `{ mean, cov }`, for the schema."""
+
+    def __get_pydantic_json_schema__(self, schema: CoreSchema, handler: GetJsonSchemaHandler) -> JsonSchemaValue:
+        return {**handler(schema), UNCERTAIN_MARK: True}
+
+
+_SCATTERS = _ScatterSchema()
 
 
 def _coordinate(value: Any) -> float:
@@ -256,28 +315,9 @@ def _coordinate(value: Any) -> float:
 
 
 Coordinate = Annotated[float, BeforeValidator(_coordinate), _described("length"), KINDS["length"]]
+A_POINT = row_of(IsPlace())
 PlanePoint = tuple[Coordinate, Coordinate]
 SpacePoint = tuple[Coordinate, Coordinate, Coordinate]
-Count = Annotated[StrictInt, Field(ge=1)]
-
-
-def a_point(value: Any) -> Any:
-    """Return what has the form of a point; raise ValueError else."""
-    if isinstance(value, list | tuple) and len(value) in (2, 3):
-        return value
-    raise ValueError("not a point; write [x, y, z], or [distance along the direction, elevation]")
-
-
-def _a_direction(value: Any) -> Any:
-    if not (isinstance(value, list | tuple) and len(value) in (2, 3)):
-        raise ValueError("not a direction; write [x, y, z], or [along the direction of motion, up]")
-    if all(part == 0 for part in value):
-        raise ValueError("no direction; write [-1, 0, 0] for a pull towards -x")
-    return value
-
-
-AnyDirection = Annotated[tuple[Ratio, ...], BeforeValidator(_a_direction), Field(min_length=2, max_length=3)]
-Point = Annotated[tuple[Coordinate, ...], BeforeValidator(a_point), Field(min_length=2, max_length=3)]
 
 
 def _horizontal(direction: tuple[float, ...]) -> tuple[float, ...]:
@@ -301,24 +341,6 @@ SoughtDirection = Annotated[
     Annotated[Direction, Tag("<given>")] | Annotated[Literal["sweep"], BeforeValidator(_sweep), Tag("<sought>")],
     Discriminator(lambda value: "<sought>" if isinstance(value, str) else "<given>"),
 ]
-
-
-def _less_than_upright(angle: float) -> float:
-    if not abs(angle) < math.pi / 2:
-        raise ValueError("not between -90 deg and 90 deg; measure the crack from the horizontal")
-    return angle
-
-
-Inclination = Annotated[Angle, AfterValidator(_less_than_upright)]
-
-
-def _named(text: str) -> str:
-    if not text.strip():
-        raise ValueError("an empty name; write a name")
-    return text
-
-
-Name = Annotated[StrictStr, AfterValidator(_named)]
 
 
 def unique(what: str) -> Callable[[tuple[T, ...]], tuple[T, ...]]:
@@ -525,26 +547,6 @@ ItemKeys = Annotated[
     WithJsonSchema({"anyOf": [_AN_ITEM, {"type": "array", "items": _AN_ITEM}]}),
 ]
 """Items of the list of possible mechanisms: one or several, by key, or by number for churches."""
-
-
-@dataclass(frozen=True)
-class UncertainMark:
-    """The mark of a key whose number may be `{ mean, cov }`.
-
-    most : the largest size that it can have [SI]; crosses_zero : whether its values may change sign, as coordinates
-    """
-
-    most: float = math.inf
-    crosses_zero: bool = False
-
-    def __get_pydantic_json_schema__(self, schema: CoreSchema, handler: GetJsonSchemaHandler) -> JsonSchemaValue:
-        return {**handler(schema), UNCERTAIN_MARK: True}
-
-
-UNCERTAIN = UncertainMark()
-UNCERTAIN_COORDINATE = UncertainMark(crosses_zero=True)
-UNCERTAIN_RESTITUTION = UncertainMark(most=1.0)
-UNCERTAIN_UPLIFT = UncertainMark(most=math.pi / 2.0)
 
 
 def number_or_text(remedy: str) -> PlainValidator:

@@ -21,7 +21,7 @@ from assess.geometry.mesh import MeshesBySelection, read_selected_meshes
 from assess.geometry.solid import Solid, Solids, box, profile
 from assess.interfaces.contact import Interface
 from assess.interfaces.section import Shape
-from assess.loads.load import BodyLoad, ForceLoad, LoadDefinition, MassLoad, OverburdenLoad, TieLoad
+from assess.loads.load import ForceLoad, LoadDefinition, TieLoad
 from assess.mechanisms.four_hinge import RadialJoints
 from assess.mechanisms.kinds import MECHANISM_KINDS, Definition
 from assess.mechanisms.mechanism import CutAngle, CutPlane, Mechanism
@@ -49,17 +49,6 @@ from spectra.spectrum import Spectrum, plausibility_warnings, scale_to_pga
 from spectra.table import read_table
 
 D = TypeVar("D")
-
-LOADS: dict[type[ProjectSection], type[LoadDefinition]] = {
-    sections.MassLoadSection: MassLoad,
-    sections.ForceLoadSection: ForceLoad,
-    sections.TieLoadSection: TieLoad,
-    sections.OverburdenLoadSection: OverburdenLoad,
-    sections.BodyLoadSection: BodyLoad,
-}
-
-LOADS_WITH_EVIDENCE = (ForceLoad, TieLoad)
-"""The loads that count up to collapse only with evidence that they last."""
 
 
 def definitions_of(content: sections.Content) -> dict[str, Definition]:
@@ -100,10 +89,10 @@ def fill(kind: type[D], section: ProjectSection, **given: Any) -> D:
     return kind(**{name: getattr(section, name) for name in own if hasattr(section, name)}, **given)
 
 
-def load_of(load: ProjectSection, *, evidence: str = "") -> LoadDefinition:
-    """Return one entry of `loads`."""
-    kind = LOADS[type(load)]
-    return fill(kind, load, **({"evidence": evidence} if kind in LOADS_WITH_EVIDENCE else {}))
+def load_of(table: Any, *, evidence: str = "") -> LoadDefinition:
+    """Return one entry of `loads`; what must be shown to last gets the evidence that it does."""
+    load: LoadDefinition = table.plain
+    return replace(load, evidence=evidence) if isinstance(load, ForceLoad | TieLoad) else load
 
 
 def restitution_of(section: sections.ChainSection | sections.EquivalentBlockSection) -> Restitution:

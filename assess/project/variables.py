@@ -298,13 +298,13 @@ def _load_numbers(subject: VariedMechanism, section: sections.ChainSection) -> I
     """Yield the loads given as numbers; a force given by two components is two of them."""
     for place, load in enumerate(section.loads):
         path = ("mechanisms", subject.name, "loads", place)
-        if isinstance(load, sections.TieLoadSection):
+        if load.kind == "tie":
             yield VariedNumber("tie_force", (*path, "force"), "N")
-        elif isinstance(load, sections.MassLoadSection | sections.BodyLoadSection) and load.mass is not None:
+        elif (load.kind == "mass" or load.kind == "body") and load.mass is not None:
             yield VariedNumber("loads", (*path, "mass"), "kg")
-        elif isinstance(load, sections.ForceLoadSection) and isinstance(load.force, tuple):
+        elif load.kind == "force" and isinstance(load.force, tuple):
             yield from (VariedNumber("loads", (*path, "force", i), "N") for i in (0, 1) if load.force[i])
-        elif isinstance(load, sections.ForceLoadSection | sections.OverburdenLoadSection) and load.force is not None:
+        elif (load.kind == "force" or load.kind == "overburden") and load.force is not None:
             yield VariedNumber("loads", (*path, "force"), "N")
 
 

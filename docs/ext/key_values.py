@@ -12,7 +12,7 @@ from pydantic import WithJsonSchema
 from pydantic.fields import FieldInfo
 from pydantic_core import PydanticUndefined
 
-from assess.project.section import UncertainMark
+from assess.declaration import Scatters
 from assess.project.units import QuantityKind
 from docs.ext.schema_tables import form, is_table, target, title
 
@@ -31,7 +31,7 @@ def value_words(field: FieldInfo) -> str:
     """Return what a key may hold, as Markdown."""
     words = _words(field.annotation, tuple(field.metadata))
     marks = _flat((*field.metadata, *_nested(field.annotation)))
-    return f"{words}; or `{{ mean, cov }}`" if any(isinstance(mark, UncertainMark) for mark in marks) else words
+    return f"{words}; or `{{ mean, cov }}`" if any(isinstance(mark, Scatters) for mark in marks) else words
 
 
 def default_words(field: FieldInfo) -> str:

@@ -21,19 +21,21 @@ from pydantic import (
 )
 from scipy.constants import g
 
-from assess.project.section import (
-    PATTERN_MARK,
-    WRITTEN_QUANTITY_SCHEMA,
+from assess.declaration import (
     Acceleration,
     Angle,
-    InputFile,
     Name,
     PositiveAcceleration,
     PositiveFrequency,
     PositiveRatio,
     PositiveYears,
-    ProjectSection,
     Ratio,
+)
+from assess.project.section import (
+    PATTERN_MARK,
+    WRITTEN_QUANTITY_SCHEMA,
+    InputFile,
+    ProjectSection,
     error_at,
     number_or_text,
     quote_names,

@@ -15,13 +15,16 @@ from pydantic_core import PydanticCustomError
 
 from assess.codes.checklists import CHECKLISTS, BuildingType, PossibleMechanism, possible_mechanism
 from assess.codes.procedures import procedures_of_site
+from assess.declaration import (
+    Name,
+)
+from assess.loads.load import body_faults
 from assess.project.section import (
     DateText,
     GeographicCoordinates,
     InputFile,
     ItemKeys,
     KeyPath,
-    Name,
     NumberText,
     Paragraph,
     ProjectSection,
@@ -33,11 +36,9 @@ from assess.project.section import (
 )
 from assess.project.sections.analysis import Analysis
 from assess.project.sections.bodies_and_loads import (
-    BodyLoadSection,
     BodySection,
     DirectBody,
     MaterialSection,
-    OverburdenLoadSection,
 )
 from assess.project.sections.ground_motion import BuildingSection, Records, SiteSection
 from assess.project.sections.mechanisms import (
@@ -226,7 +227,9 @@ class Content(ProjectSection):
                     ("mechanisms", name, "blocks"), f"{quote_names(tuple(twice))} named twice; a body moves once"
                 )
             if isinstance(mechanism, ChainSection):
-                self._bodies_are_loads(name, mechanism, set(used))
+                known = _known_names("bodies", self.bodies)
+                for place, key, reason in body_faults(mechanism.loads, self.bodies, moving=used, known=known):
+                    raise error_at(("mechanisms", name, "loads", place, key), reason)
         return self
 
     @model_validator(mode="after")
@@ -241,25 +244,6 @@ class Content(ProjectSection):
     def _checklist_agrees(self) -> Content:
         checklist(self.report, self.mechanisms)
         return self
-
-    def _bodies_are_loads(self, name: str, mechanism: ChainSection, moving: set[str]) -> None:
-        """Refuse a body as load that does not exist, is part of the mechanism, or loads the same block already."""
-        taken: dict[str, set[int | None]] = {}
-        for place, load in enumerate(mechanism.loads):
-            if isinstance(load, OverburdenLoadSection) and not set(load.bodies) <= set(self.bodies) - moving:
-                known = _known_names("bodies", self.bodies)
-                raise error_at(("mechanisms", name, "loads", place, "bodies"), f"no body beside the wall; {known}")
-            if not isinstance(load, BodyLoadSection):
-                continue
-            key = ("mechanisms", name, "loads", place, "body")
-            if load.body not in self.bodies:
-                raise error_at(key, f"no such body; {_known_names('bodies', self.bodies)}")
-            blocks = taken.setdefault(load.body, set())
-            if load.body in moving or load.block in blocks:
-                raise error_at(key, "it is part of a block, or a load of this block already; name another body")
-            if blocks and (load.block is None or None in blocks):
-                raise error_at(key, "it is listed twice; give each of the entries its block, or keep one without")
-            blocks.add(load.block)
 
 
 def _known_names(table: str, names: Mapping[str, Any]) -> str:

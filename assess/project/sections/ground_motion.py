@@ -12,15 +12,11 @@ from typing import Annotated, Any, ClassVar, Literal, TypeVar
 from pydantic import AfterValidator, Discriminator, Field, StrictBool, StrictInt, StrictStr, Tag, model_validator
 
 from assess.codes.context import default_period
-from assess.project.section import (
+from assess.declaration import (
     UNCERTAIN,
     Acceleration,
-    AccelerationUnit,
     Count,
     Damping,
-    FilePlace,
-    InputFile,
-    InputFiles,
     Length,
     NotNegativeLength,
     NotNegativeRatio,
@@ -30,11 +26,17 @@ from assess.project.section import (
     PositiveRatio,
     PositiveTime,
     PositiveYears,
-    ProjectSection,
     Ratio,
     RatioToOne,
     Speed,
     Time,
+)
+from assess.project.section import (
+    AccelerationUnit,
+    FilePlace,
+    InputFile,
+    InputFiles,
+    ProjectSection,
     error_at,
     quote_names,
 )

@@ -21,45 +21,48 @@ from pydantic.json_schema import JsonSchemaValue
 from pydantic_core import CoreSchema
 from scipy.constants import g
 
-from assess.mechanisms.chain import HINGES
-from assess.mechanisms.four_hinge import MOST_VOUSSOIRS
-from assess.mechanisms.kinds import MECHANISM_KINDS
-from assess.mechanisms.mechanism import keys_along_direction
-from assess.mechanisms.restitution import RESTITUTIONS
-from assess.mechanisms.single_block import INERTIA_RATIOS
-from assess.mechanisms.two_block import CRACKS
-from assess.project.section import (
+from assess.declaration import (
     UNCERTAIN,
     UNCERTAIN_COORDINATE,
     UNCERTAIN_RESTITUTION,
     UNCERTAIN_UPLIFT,
     Angle,
-    Coordinate,
     Inclination,
-    ItemKeys,
     JointStiffness,
     Length,
     Name,
     NotNegativeLength,
-    PlanePoint,
     PositiveFrequency,
     PositiveLength,
     PositiveMass,
     PositiveRate,
     PositiveRatio,
-    ProjectSection,
     Ratio,
-    SoughtDirection,
-    SpacePoint,
     Strength,
     Uplift,
-    a_point,
+)
+from assess.loads.load import block_faults
+from assess.mechanisms.chain import HINGES
+from assess.mechanisms.four_hinge import MOST_VOUSSOIRS
+from assess.mechanisms.kinds import MECHANISM_KINDS
+from assess.mechanisms.mechanism import sweep_faults
+from assess.mechanisms.restitution import RESTITUTIONS
+from assess.mechanisms.single_block import INERTIA_RATIOS
+from assess.mechanisms.two_block import CRACKS
+from assess.project.section import (
+    A_POINT,
+    Coordinate,
+    ItemKeys,
+    PlanePoint,
+    ProjectSection,
+    SoughtDirection,
+    SpacePoint,
     error_at,
     quantity_schema,
     quote_names,
     unique,
 )
-from assess.project.sections.bodies_and_loads import Corners, LoadSection, OverburdenLoadSection
+from assess.project.sections.bodies_and_loads import Corners, LoadSection
 from assess.project.units import KINDS, key_value
 
 
@@ -136,7 +139,7 @@ CrackElevation = Annotated[
     KINDS["length"],
 ]
 HingeCoordinate = Annotated[Coordinate, UNCERTAIN_COORDINATE]
-UncertainPoint = Annotated[tuple[HingeCoordinate, ...], BeforeValidator(a_point), Field(min_length=2, max_length=3)]
+UncertainPoint = Annotated[tuple[HingeCoordinate, ...], A_POINT, Field(min_length=2, max_length=3)]
 
 
 class HingesSection(ProjectSection):
@@ -448,22 +451,15 @@ class ChainSection(ProjectSection):
 
     @model_validator(mode="after")
     def _nothing_turns_with_a_sought_direction(self) -> Self:
-        if self.direction != "sweep":
-            return self
-        for key in keys_along_direction(self, hinges=self.points()):
-            of = "an eccentricity depends" if key[-1] == "eccentricity" else "two numbers depend"
-            raise error_at(key, f'{of} on the direction, which is "sweep"; give three numbers, or the direction')
+        for key, reason in sweep_faults(self, hinges=self.points()):
+            raise error_at(key, reason)
         return self
 
     @model_validator(mode="after")
     def _loads_find_their_block(self) -> Self:
-        last = self.number_of_blocks - 1
-        for number, load in enumerate(self.loads):
-            if isinstance(load, OverburdenLoadSection):
-                if not isinstance(self, TwoBlockSection):
-                    raise error_at(("loads", number, "kind"), "is for two-block mechanisms; use a mass or a force")
-            elif load.block is not None and load.block > last:
-                raise error_at(("loads", number, "block"), f"must be {last} or less, counted from 0 at the base")
+        kind = getattr(self, "kind", "")
+        for number, key, reason in block_faults(self.loads, kind, number_of_blocks=self.number_of_blocks):
+            raise error_at(("loads", number, key), reason)
         return self
 
 

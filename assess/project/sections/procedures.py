@@ -16,7 +16,7 @@ from pydantic import (
 from assess.codes.asce41_13 import Masonry, Position, Seismicity
 from assess.codes.bases import BASES
 from assess.codes.procedures import THESIS_READINGS
-from assess.project.section import (
+from assess.declaration import (
     Name,
     NotNegativeLength,
     PositiveAcceleration,
@@ -25,9 +25,11 @@ from assess.project.section import (
     PositiveRatio,
     PositiveStress,
     PositiveTime,
-    ProjectSection,
     Ratio,
     Share,
+)
+from assess.project.section import (
+    ProjectSection,
     error_at,
     quote_names,
     unique,

@@ -92,9 +92,7 @@ def test_without_crushing_the_factor_of_lc1_decides_and_a_lower_one_informs(tmp_
     checks = [
         c for c in run_study(study_of(tmp_path, tail=tail)).mechanisms[0].checks if c.procedure == "ntc2018-linear"
     ]
-    factors = {
-        c.informs: next(s.value for s in c.steps if s.symbol == "FC") for c in checks if c.limit_state == "SLV"
-    }
+    factors = {c.informs: next(s.value for s in c.steps if s.symbol == "FC") for c in checks if c.limit_state == "SLV"}
     assert factors == {False: 1.35, True: 1.0}
     assert {c.role for c in checks if c.informs} == {"comparison"}
 

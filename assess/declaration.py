@@ -1,0 +1,229 @@
+"""What an input is, written once beside the class that holds it: its dimension, bounds and words, who vouches for it.
+
+The fields of a frozen class are annotated with marks, and the sentence below each says what it means. By these the
+project file gets a table (`assess.project.tables`), and data of Python are checked (`assess.model.check`). What keys
+must be to one another is a method `faults` of the class, which both ask:
+
+    def faults(self) -> Iterator[Fault]: ...      # the key at fault, and what is wrong; remedy
+
+Words are those of the project file, which is written more often. Nothing here knows of units, of files or of a room.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, fields
+from functools import cache
+from itertools import pairwise
+from math import inf, isfinite, pi
+from operator import ge, gt, le, lt
+from typing import Annotated, Any, ClassVar, Literal, get_args, get_type_hints
+
+Fault = tuple[str, str]
+"""A key, and what is wrong with its value; the remedy follows behind a semicolon."""
+BOUNDS = {
+    "above": (gt, "must be greater than {:.6g}"),
+    "least": (ge, "must be {:.6g} or more"),
+    "below": (lt, "must be less than {:.6g}"),
+    "most": (le, "must be {:.6g} or less"),
+}
+"""The bounds of a number: what it must be to each of them, and the words where it is not."""
+
+
+class Mark:
+    """What `Annotated` says of an input.
+
+    form : what is wrong with a value of another form, and the remedy; "" for the words of its type
+    """
+
+    form: str = ""
+
+    def fault(self, value: Any) -> str:
+        """Return what is wrong with a value of the right form; empty if nothing is."""
+        return ""
+
+
+@dataclass(frozen=True)
+class Number(Mark):
+    """A number, or some of one dimension, or a word in its place, as the annotated type says.
+
+    dimension : a name of `assess.project.units.KINDS`; "" for a count
+    above, below : bounds that it does not reach; least, most : bounds that it may reach; not of several
+    infinite : it may be infinite, where it has no limit
+    beyond : what is wrong beyond its bounds and the remedy, where the bound's own words would not do
+    form : what is wrong with what is neither a number nor a known word, and the remedy
+    """
+
+    dimension: str = ""
+    above: float | None = None
+    least: float | None = None
+    below: float | None = None
+    most: float | None = None
+    infinite: bool = False
+    beyond: str = ""
+    form: str = ""
+
+    def fault(self, value: Any) -> str:
+        """Return what is wrong with a number or several; empty if nothing is, and of a word."""
+        if isinstance(value, str):
+            return ""
+        several = value if isinstance(value, tuple) else (value,)
+        if not all(isfinite(each) or (self.infinite and each > 0.0) for each in several):
+            return "not a finite number"
+        if several is value:
+            return ""
+        for bound, (holds, words) in BOUNDS.items():
+            limit = getattr(self, bound)
+            if limit is not None and not holds(value, limit):
+                return self.beyond or words.format(limit)
+        return ""
+
+
+@dataclass(frozen=True)
+class IsPlace(Mark):
+    """A place: [x, y, z], or (distance along the direction, elevation) [m]."""
+
+    form: ClassVar[str] = "not a point; write [x, y, z], or [distance along the direction, elevation]"
+
+    def fault(self, value: Any) -> str:
+        """Return what is wrong with a row of numbers; empty if it is a place."""
+        return "" if len(value) in (2, 3) else self.form
+
+
+@dataclass(frozen=True)
+class IsDirection(Mark):
+    """A direction: [x, y, z], or (along the direction of motion, up), of any length but none."""
+
+    form: ClassVar[str] = "not a direction; write [x, y, z], or [along the direction of motion, up]"
+
+    def fault(self, value: Any) -> str:
+        """Return what is wrong with a row of numbers; empty if it is a direction."""
+        if len(value) not in (2, 3):
+            return self.form
+        return "" if any(value) else "no direction; write [-1, 0, 0] for a pull towards -x"
+
+
+@dataclass(frozen=True)
+class IsName(Mark):
+    """The name of what is described elsewhere, such as a body."""
+
+    def fault(self, value: Any) -> str:
+        """Return what is wrong with a text; empty if it is a name."""
+        return "" if value.strip() else "an empty name; write a name"
+
+
+@dataclass(frozen=True)
+class Scatters(Mark):
+    """A number that a project file may give as { mean, cov }.
+
+    most : the largest size that it can have [SI]; crosses_zero : whether its values may change sign, as coordinates
+    """
+
+    most: float = inf
+    crosses_zero: bool = False
+
+
+@dataclass(frozen=True)
+class Evidence(Mark):
+    """Who vouches for an input, and which way it helps the wall.
+
+    kind : by whom its value comes about
+    helps : whether more of it makes the wall safer (for a choice: whether it does), less safe, either, or neither
+    instead : what counts where no source vouches for it
+    why : the kind and the sense, where they are a judgement
+    """
+
+    kind: Literal["defines", "drawn", "chosen", "loads", "code", "measured", "action", "clamped", "free"]
+    helps: Literal["up", "down", "either", "none"]
+    instead: str
+    why: str = ""
+
+
+@dataclass(frozen=True)
+class NotAKey(Mark):
+    """What no table of a project file holds under this name."""
+
+
+@dataclass(frozen=True)
+class FileDefault(Mark):
+    """What a project file counts as given where a key is absent; the class has None there, to know that it is."""
+
+    value: Any
+
+
+Length = Annotated[float, Number("length")]
+PositiveLength = Annotated[float, Number("length", above=0)]
+NotNegativeLength = Annotated[float, Number("length", least=0)]
+PositiveMass = Annotated[float, Number("mass", above=0)]
+Time = Annotated[float, Number("time")]
+PositiveTime = Annotated[float, Number("time", above=0)]
+PositiveYears = Annotated[float, Number("duration", above=0)]
+Speed = Annotated[float, Number("speed")]
+Acceleration = Annotated[float, Number("acceleration")]
+PositiveAcceleration = Annotated[float, Number("acceleration", above=0)]
+PositiveForce = Annotated[float, Number("force", above=0)]
+PositiveStress = Annotated[float, Number("stress", above=0)]
+NotNegativeStress = Annotated[float, Number("stress", least=0)]
+Strength = Annotated[float, Number("stress", above=0, infinite=True)]
+JointStiffness = Annotated[float, Number("stiffness", above=0, infinite=True)]
+PositiveDensity = Annotated[float, Number("density", above=0)]
+PositiveInertia = Annotated[float, Number("inertia", above=0)]
+PositiveAreaMass = Annotated[float, Number("mass per area", above=0)]
+PositiveFrequency = Annotated[float, Number("frequency", above=0)]
+PositiveRate = Annotated[float, Number("rate", above=0)]
+Angle = Annotated[float, Number("angle")]
+OUT_OF_UPRIGHT = "not between -90 deg and 90 deg; measure the crack from the horizontal"
+Inclination = Annotated[float, Number("angle", above=-pi / 2, below=pi / 2, beyond=OUT_OF_UPRIGHT)]
+Ratio = Annotated[float, Number("ratio")]
+PositiveRatio = Annotated[float, Number("ratio", above=0)]
+NotNegativeRatio = Annotated[float, Number("ratio", least=0)]
+RatioToOne = Annotated[float, Number("ratio", least=0, most=1)]
+Share = Annotated[float, Number("ratio", above=0, most=1)]
+Damping = Annotated[float, Number("ratio", above=0, below=1)]
+Uplift = Annotated[float, Number("ratio", above=0, below=pi / 2)]
+Count = Annotated[int, Number(least=1)]
+Name = Annotated[str, IsName()]
+StatedPlace = Annotated[tuple[float, ...], IsPlace()]
+StatedDirection = Annotated[tuple[float, ...], IsDirection()]
+
+UNCERTAIN = Scatters()
+UNCERTAIN_COORDINATE = Scatters(crosses_zero=True)
+UNCERTAIN_RESTITUTION = Scatters(most=1.0)
+UNCERTAIN_UPLIFT = Scatters(most=pi / 2)
+
+
+@cache
+def annotations_of(kind: type) -> dict[str, Any]:
+    """Return the annotation of each field of a class, with its marks."""
+    hints = get_type_hints(kind, include_extras=True)
+    return {field.name: hints[field.name] for field in fields(kind)}
+
+
+def marks_of(annotation: Any) -> Iterator[Any]:
+    """Yield what `Annotated` says anywhere in an annotation."""
+    yield from getattr(annotation, "__metadata__", ())
+    for part in get_args(annotation):
+        yield from marks_of(part)
+
+
+@cache
+def descriptions(kind: type) -> dict[str, str]:
+    """Return the sentence below each attribute that a class itself declares; it is read from the source when needed."""
+    import ast
+    import inspect
+    from textwrap import dedent
+
+    found = {}
+    (body,) = ast.parse(dedent(inspect.getsource(kind))).body
+    assert isinstance(body, ast.ClassDef)
+    for attribute, below in pairwise(body.body):
+        match attribute, below:
+            case ast.AnnAssign(target=ast.Name(name)), ast.Expr(value=ast.Constant(value=str(sentence))):
+                found[name] = inspect.cleandoc(sentence)
+    return found
+
+
+def one_of(words: tuple[object, ...]) -> str:
+    """Write the words that a key takes, for a sentence: "a", "b" or "c"."""
+    *first, last = (f'"{each}"' for each in words)
+    return f"{', '.join(first)} or {last}" if first else last

@@ -17,7 +17,7 @@ from functools import cache
 from itertools import pairwise
 from math import inf, isfinite, pi
 from operator import ge, gt, le, lt
-from typing import Annotated, Any, ClassVar, Literal, get_args, get_type_hints
+from typing import Annotated, Any, Literal, get_args, get_type_hints
 
 Fault = tuple[str, str]
 """A key, and what is wrong with its value; the remedy follows behind a semicolon."""
@@ -83,7 +83,7 @@ class Number(Mark):
 class IsPlace(Mark):
     """A place: [x, y, z], or (distance along the direction, elevation) [m]."""
 
-    form: ClassVar[str] = "not a point; write [x, y, z], or [distance along the direction, elevation]"
+    form: str = "not a point; write [x, y, z], or [distance along the direction, elevation]"
 
     def fault(self, value: Any) -> str:
         """Return what is wrong with a row of numbers; empty if it is a place."""
@@ -94,7 +94,7 @@ class IsPlace(Mark):
 class IsDirection(Mark):
     """A direction: [x, y, z], or (along the direction of motion, up), of any length but none."""
 
-    form: ClassVar[str] = "not a direction; write [x, y, z], or [along the direction of motion, up]"
+    form: str = "not a direction; write [x, y, z], or [along the direction of motion, up]"
 
     def fault(self, value: Any) -> str:
         """Return what is wrong with a row of numbers; empty if it is a direction."""

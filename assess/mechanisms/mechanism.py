@@ -91,9 +91,15 @@ class BlockMechanism:
 
     def keys_along(self) -> Iterator[tuple[str | int, ...]]:
         """Name what is given in the plane of motion: two numbers of loads and hinges, and the joints of an arch."""
-        yield from keys_along_direction(
-            self, hinges={"hinges": self.hinge_points, "hinges_negative": self.hinges_negative}
-        )
+        yield from keys_along_direction(self, hinges=self._given_hinges)
+
+    def sweep_faults(self) -> Iterator[tuple[tuple[str | int, ...], str]]:
+        """Yield what is given in the plane of motion though the direction is sought all around, with the reason."""
+        yield from sweep_faults(self, hinges=self._given_hinges)
+
+    @property
+    def _given_hinges(self) -> Mapping[str, Sequence[Place] | None]:
+        return {"hinges": self.hinge_points, "hinges_negative": self.hinges_negative}
 
 
 @dataclass(frozen=True)

@@ -2,50 +2,33 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import fields, is_dataclass, replace
 from math import inf, isfinite, pi, sqrt
 from numbers import Integral, Real
 from types import NoneType, UnionType
-from typing import Any, Literal, TypeVar, Union, get_args, get_origin, get_type_hints
+from typing import Annotated, Any, Literal, TypeVar, Union, get_args, get_origin
 
 import numpy as np
 from scipy.constants import g
 
+from assess.declaration import Mark, StatedPlace, annotations_of, one_of
 from assess.errors import MechanismError
-from assess.interfaces.contact import Interface, JointModel
+from assess.interfaces.contact import Interface
 from assess.interfaces.section import Shape
-from assess.loads.load import BodyLoad, ForceLoad, LoadDefinition, MassLoad, OverburdenLoad, TieLoad, bodies_of
+from assess.loads.load import block_faults, body_faults
 from assess.mechanisms.chain import HINGES
 from assess.mechanisms.four_hinge import MOST_VOUSSOIRS, FourHinge, RadialJoints
 from assess.mechanisms.kinds import Definition
-from assess.mechanisms.mechanism import BlockMechanism, CutAngle, CutPlane
+from assess.mechanisms.mechanism import BlockMechanism
 from assess.mechanisms.restitution import RESTITUTIONS, Restitution
 from assess.mechanisms.single_block import INERTIA_RATIOS, EquivalentBlock
-from assess.mechanisms.two_block import CRACKS, TwoBlock
+from assess.mechanisms.two_block import TwoBlock
 from assess.model.bodies import Bodies
 from spectra.arrays import is_number
 
-POSITIVE = frozenset(
-    [
-        "p",
-        "uplift",
-        "radius",
-        "mass",
-        "stiffness",
-        "course_thickness",
-        "strength",
-        "length",
-        "fracture_strain",
-        "seat",
-        "tolerance",
-        "share",
-        "thrust",
-        "span",
-        "rise",
-        "fill",
-    ]
-)
+POSITIVE = frozenset(["p", "uplift", "radius", "mass", "stiffness", "course_thickness", "strength"])
+HINGE_KEYS = ("hinges", "hinges_negative")
 TINY = 5e-324  # the least number above 0
 TINIEST = 1e-150  # of a frequency parameter: its square is a number
 LEVEL = 1e-9  # of a direction: one that rises by less is horizontal
@@ -66,18 +49,18 @@ def check_definition(name: str, definition: Definition, bodies: Bodies) -> None:
 
 
 def _problems(definition: Definition, bodies: Bodies) -> Iterator[str]:
-    yield from type_problems(definition)
+    by_kind: dict[str, str] = {}
+    if isinstance(definition, BlockMechanism):
+        by_kind = dict.fromkeys(HINGE_KEYS, _hinge_form(definition))
+    yield from declared_problems(definition, forms=FORMS | by_kind)
     yield from _number_problems(definition, "")
     yield from _restitution_problems(definition.restitution)
-    if definition.sides not in ("one", "two", None):
-        yield f'sides = {definition.sides!r}: write "one" or "two"'
     if isinstance(definition, EquivalentBlock):
         yield from _parameter_problems(definition)
         return
     yield from _block_problems(definition, bodies)
     yield from _material_problems(bodies)
     yield from _direction_problems(definition)
-    yield from _cut_problems(definition)
     yield from _hinge_problems(definition)
     if isinstance(definition, TwoBlock):
         yield from _crack_problems(definition)
@@ -88,8 +71,7 @@ def _problems(definition: Definition, bodies: Bodies) -> Iterator[str]:
         yield f"interfaces.{hinge_name}: no such hinge; known: {', '.join(hinge_names)}"
     for interface in (definition.interface, *definition.interfaces.values()):
         yield from _interface_problems(interface)
-    for number, load in enumerate(definition.loads, start=1):
-        yield from (f"loads[{number}]: {problem}" for problem in load_problems(load, definition, bodies))
+    yield from _load_problems(definition, bodies)
 
 
 def _parameter_problems(block: EquivalentBlock) -> Iterator[str]:
@@ -128,32 +110,28 @@ def _material_problems(bodies: Bodies) -> Iterator[str]:
                 yield f'body "{name}": {key} = {shown}: give a finite number, {bound}'
 
 
-def _cut_problems(definition: BlockMechanism) -> Iterator[str]:
-    cut = definition.cut
-    if cut is not None and not isinstance(cut, Real | CutPlane | CutAngle):
-        yield f"cut = {cut!r}: give an elevation [m], a CutPlane or a CutAngle"
-
-
 def _hinge_problems(definition: BlockMechanism) -> Iterator[str]:
     """Yield what is wrong with given hinges: their number, and places that are none."""
-    count = HINGES[definition.number_of_blocks]
-    for key in ("hinges", "hinges_negative"):
+    for key in HINGE_KEYS:
         hinges = getattr(definition, key)
         if hinges is None or (hinges == "minimum" and key == "hinges" and isinstance(definition, FourHinge)):
             continue
-        if isinstance(hinges, str) or len(hinges) != count:
-            yield f"{key} = {hinges!r}: give {', '.join('ABCD'[:count])}, each a place"
+        if isinstance(hinges, str) or len(hinges) != HINGES[definition.number_of_blocks]:
+            yield f"{key} = {hinges!r}: {_hinge_form(definition)}"
             continue
         for hinge_name, place in zip("ABCD", hinges, strict=False):
-            yield from place_problems(f"{key}.{hinge_name}", place)
+            if reason := _fault(place, StatedPlace):
+                yield f"{key}.{hinge_name} = {_value_text(place)}: {reason}"
+
+
+def _hinge_form(definition: BlockMechanism) -> str:
+    return f"give {', '.join('ABCD'[: HINGES[definition.number_of_blocks]])}, each a place"
 
 
 def _crack_problems(definition: TwoBlock) -> Iterator[str]:
     crack = definition.crack
     if len(definition.blocks) == 2 and crack is not None:
         yield "crack: is for one body; two bodies part at their joint, so remove one of them"
-    if crack not in (None, *CRACKS) and not isinstance(crack, Real):
-        yield f"crack = {crack!r}: give an elevation, or one of {', '.join(CRACKS)}"
 
 
 def _arch_problems(definition: FourHinge) -> Iterator[str]:
@@ -193,7 +171,7 @@ def _number_problems(data: Any, where: str) -> Iterator[str]:
             yield from _entry_problems(value, key)
         elif isinstance(value, float | int) and not isinstance(value, bool):
             if not isfinite(value) and not (field.name in ("strength", "stiffness") and value > 0.0):
-                yield f"{key} = {value}: give a finite number"
+                yield f"{key} = {value}: not a finite number"
             elif field.name in POSITIVE and value <= 0.0:
                 yield f"{key} = {value:g}: must be greater than 0"
 
@@ -205,7 +183,7 @@ def _entry_problems(values: tuple[Any, ...], key: str) -> Iterator[str]:
         elif isinstance(value, tuple):
             yield from _entry_problems(value, f"{key}[{number}]")
         elif isinstance(value, float) and not isfinite(value):
-            yield f"{key}[{number}] = {value}: give a finite number"
+            yield f"{key}[{number}] = {value}: not a finite number"
 
 
 def _restitution_problems(restitution: Restitution) -> Iterator[str]:
@@ -218,198 +196,116 @@ def _restitution_problems(restitution: Restitution) -> Iterator[str]:
 
 def _direction_problems(definition: BlockMechanism) -> Iterator[str]:
     direction = definition.direction
-    if direction is None or direction == "sweep":
-        return
-    if isinstance(direction, str) or len(direction) != 3:
-        yield f'direction = {direction!r}: give (x, y, 0), "weakest" or "sweep"'
-    elif abs(direction[2]) > LEVEL * max(map(abs, direction)) or not any(direction[:2]):
+    if direction == "sweep":
+        yield from (f"{_path_text(path)}: {reason}" for path, reason in definition.sweep_faults())
+    elif direction and (abs(direction[2]) > LEVEL * max(map(abs, direction)) or not any(direction[:2])):
         yield f"direction = {direction}: must be horizontal and not zero; give (x, y, 0)"
 
 
+def _path_text(path: tuple[str | int, ...]) -> str:
+    return "".join(f"[{step + 1}]" if isinstance(step, int) else f".{step}" for step in path).lstrip(".")
+
+
 def _interface_problems(interface: Interface) -> Iterator[str]:
-    if interface.model not in get_args(JointModel):
-        yield f"interface.model = {interface.model!r}: write one of {', '.join(get_args(JointModel))}"
     given = [key for key in ("stiffness", "course_thickness") if getattr(interface, key) is not None]
     if interface.model == "rigid" and given:
         yield f'interface.{given[0]}: is for flexible interfaces; give model = "flexible", or remove it'
     if interface.model != "rigid" and len(given) != 1:
         yield "interface.stiffness: give either stiffness or course_thickness"
-    if interface.shape != "outline" and not isinstance(interface.shape, Shape):
-        yield f'interface.shape = {interface.shape!r}: give "outline" or a Shape'
     if isinstance(interface.shape, Shape):
         sizes = [field.name for field in fields(Shape) if getattr(interface.shape, field.name) is not None]
         if len(sizes) != 1:
             yield f"interface.shape: one size is needed, not {len(sizes)}"
 
 
-ROLES = ("floor", "roof", "vault")
-VAULTS = ("barrel", "quadripartite", None)
-CONSTRUCTIONS = (1, 2, 3, 4, 5, None)  # Ungewitter's cases
-OF_THRUST = ("thrust", "span", "rise", "tied")
-OF_VAULTS = ("vault", "construction", "fill")
-LEAVES_OUT = {"thrust": ("tied", "span", "rise"), "mass": ("construction", "fill")}  # a number, and what it replaces
+def _load_problems(definition: BlockMechanism, bodies: Bodies) -> Iterator[str]:
+    """Yield the loads that no block carries, and those whose bodies cannot load it."""
+    loads, known = definition.loads, ", ".join(f'"{name}"' for name in bodies)
+    known = f"known: {known}; give it in `around`"
+    for number, key, reason in (
+        *block_faults(loads, definition.kind, number_of_blocks=definition.number_of_blocks),
+        *body_faults(loads, bodies, moving=definition.bodies, known=known),
+    ):
+        yield f"loads[{number + 1}].{key} = {_value_text(getattr(loads[number], key))}: {reason}"
 
 
-def load_problems(load: LoadDefinition, definition: BlockMechanism, bodies: Bodies) -> Iterator[str]:
-    """Yield what is wrong with a load, each with what to give.
-
-    Parameters
-    ----------
-    load : as stated
-    definition : the mechanism that it is a load of
-    bodies : the bodies that it may name
-    """
-    if not isinstance(load, LoadDefinition):
-        yield f"{load!r} is no load; give {', '.join(kind.__name__ for kind in get_args(LoadDefinition))}"
-        return
-    unknown = [body for body in bodies_of(load) if body not in bodies]
-    if unknown:
-        yield f'"{unknown[0]}" is no body here; give it in `around`'
-    if not isinstance(load, OverburdenLoad):
-        if load.block is not None and load.block not in range(definition.number_of_blocks):
-            yield f"block = {load.block}: must be from 0 to {definition.number_of_blocks - 1}, counted from the base"
-        if load.at is not None:
-            yield from place_problems("at", load.at)
-    yield from PROBLEMS_BY_KIND[type(load)](load, definition)
-
-
-def place_problems(key: str, place: Any) -> Iterator[str]:
-    """Yield what is wrong with a place or a direction: it has two or three numbers."""
-    if not isinstance(place, tuple) or len(place) not in (2, 3) or not all(isinstance(each, Real) for each in place):
-        yield f"{key} = {place!r}: give (x, y, z), or (along the direction, up)"
-
-
-def _mass_problems(load: MassLoad, definition: BlockMechanism) -> Iterator[str]:
-    if load.seat is not None and not load.bearing:
-        yield "seat: only what bears on the block has a seat; remove it, or give bearing = True"
-
-
-def _force_problems(load: ForceLoad, definition: BlockMechanism) -> Iterator[str]:
-    if isinstance(load.force, tuple) != (load.direction is None):
-        yield "give the force by its two components, or its size with a direction"
-    elif isinstance(load.force, tuple):
-        if len(load.force) != 2:
-            yield f"force = {load.force}: give (along the direction, up), or a size with a direction"
-    elif not load.force > 0.0:
-        yield f"force = {load.force:g}: must be greater than 0; turn its direction instead"
-    yield from _pull_problems(load)
-
-
-def _tie_problems(load: TieLoad, definition: BlockMechanism) -> Iterator[str]:
-    if (load.direction is None) == (load.anchor is None):
-        yield "give either anchor or direction, the way the tie pulls"
-    if not load.force > 0.0:
-        yield f"force = {load.force:g}: must be greater than 0; it is the pretension"
-    if load.anchor is not None:
-        yield from place_problems("anchor", load.anchor)
-    yield from _pull_problems(load)
-
-
-def _pull_problems(load: ForceLoad | TieLoad) -> Iterator[str]:
-    """Yield what is wrong with the direction and the end of a force or a tie."""
-    if load.direction is not None:
-        yield from place_problems("direction", load.direction)
-        if not any(load.direction):
-            yield f"direction = {load.direction}: must not be zero"
-    until = load.until
-    if until not in (None, "collapse") and not (isinstance(until, Real) and until > 0.0):
-        yield f'until = {until!r}: give the displacement of its point at which it ends, above 0, or "collapse"'
-
-
-def _overburden_problems(load: OverburdenLoad, definition: BlockMechanism) -> Iterator[str]:
-    if not isinstance(definition, TwoBlock):
-        yield "an overburden is for two-block mechanisms; use a mass or a force"
-    if (load.force is None) == (not load.bodies):
-        yield "give either force, or the bodies that press"
-    if load.force is not None and not load.force > 0.0:
-        yield f"force = {load.force:g}: must be greater than 0; it presses down"
-    if load.through not in ("joint", "fixed", None):
-        yield f'through = {load.through!r}: write "joint" or "fixed"'
-    if load.through == "joint" and load.eccentricity:
-        yield 'eccentricity: a load through the joint presses where that does; remove it, or give through = "fixed"'
-
-
-def _body_problems(load: BodyLoad, definition: BlockMechanism) -> Iterator[str]:
-    if load.body in definition.bodies:
-        yield f'"{load.body}" is part of a block; name another body'
-    for key, known in (("role", ROLES), ("vault", VAULTS), ("construction", CONSTRUCTIONS)):
-        if getattr(load, key) not in known:
-            yield f"{key} = {getattr(load, key)!r}: choose one of {', '.join(str(each) for each in known if each)}"
-    if load.share is not None and load.share > 1.0:
-        yield f"share = {load.share:g}: outside (0, 1]; it is the part of the body that this block carries"
-    for key in OF_THRUST:
-        if load.role == "floor" and getattr(load, key):
-            yield f'{key}: only a roof or a vault has a thrust; give role = "roof" or "vault", or remove it'
-    for key in OF_VAULTS:
-        if load.role != "vault" and getattr(load, key) is not None:
-            yield f'{key}: only of a vault; give role = "vault", or remove it'
-    for number, keys in LEAVES_OUT.items():
-        for key in keys:
-            if getattr(load, key) and getattr(load, number) is not None:
-                yield f"{key}: has no effect beside {number}; remove one of them"
-
-
-PROBLEMS_BY_KIND: dict[type[Any], Callable[[Any, BlockMechanism], Iterator[str]]] = {
-    MassLoad: _mass_problems,
-    ForceLoad: _force_problems,
-    TieLoad: _tie_problems,
-    OverburdenLoad: _overburden_problems,
-    BodyLoad: _body_problems,
-}
 KIND_TEXTS = {float: "a number", int: "a whole number", str: "a text", bool: "True or False"}
-PLACE = "(x, y, z), or (along the direction, up)"
-
-REMEDIES = {
-    "at": PLACE,
-    "anchor": PLACE,
-    "direction": '(x, y, 0), "weakest" or "sweep"',
-    "cut": "an elevation [m], a CutPlane or a CutAngle",
-    "crack": 'an elevation [m], "sorrentino" or "minimum"',
-    "hinges": f"the hinges from A on, each {PLACE}",
-    "hinges_negative": f"the hinges from A on, each {PLACE}",
-    "restitution": "a number in [0, 1], or the name of a rule",
+FORMS = {
+    "direction": 'give (x, y, 0), "weakest" or "sweep"',
+    "cut": "give an elevation [m], a CutPlane or a CutAngle",
+    "crack": 'give an elevation [m], "sorrentino" or "minimum"',
+    "restitution": "give a number in [0, 1], or the name of a rule",
 }
 LONGEST = 60  # characters of a value in a message
 
 
-def type_problems(data: Any, where: str = "") -> Iterator[str]:
-    """Yield each field whose value is of another kind than its annotation says, with what to give.
+def declared_problems(data: Any, where: str = "", *, forms: Mapping[str, str] = FORMS) -> Iterator[str]:
+    """Yield each field whose value is not what is declared, with what to give, and then those that do not go together.
 
     Parameters
     ----------
     data : a definition, a load, an interface: any frozen dataclass
     where : what stands before the names of its fields
+    forms : what to give in place of a value of another form, by field, where neither a mark nor the type says it well
     """
-    for name, kind in _annotations(type(data)).items():
+    kind: type = type(data)
+    for name, annotation in annotations_of(kind).items():
         value, key = getattr(data, name), f"{where}{name}"
-        if _fits(value, kind):
-            yield from _nested_type_problems(value, key)
+        if reason := _fault(value, annotation, forms.get(name, "")):
+            yield f"{key} = {_value_text(value)}: {reason}"
         else:
-            remedy = PLACE if where and name == "direction" else REMEDIES.get(name)
-            yield f"{key} = {repr(value)[:LONGEST]}: give {remedy or _kind_text(kind)}"
+            yield from _nested_problems(value, key)
+    for name, reason in data.faults() if hasattr(data, "faults") else ():
+        value = getattr(data, name)
+        yield f"{where}{name}: {reason}" if value is None else f"{where}{name} = {_value_text(value)}: {reason}"
 
 
-def _nested_type_problems(value: Any, key: str) -> Iterator[str]:
+def _nested_problems(value: Any, key: str) -> Iterator[str]:
     """Look into what a field holds: other data, and rows of them."""
     if is_dataclass(value) and not isinstance(value, type):
-        yield from type_problems(value, f"{key}.")
+        yield from declared_problems(value, f"{key}.")
     elif isinstance(value, tuple):
         for number, each in enumerate(value, start=1):
-            yield from _nested_type_problems(each, f"{key}[{number}]")
+            yield from _nested_problems(each, f"{key}[{number}]")
     elif isinstance(value, Mapping):
         for name, each in value.items():
-            yield from _nested_type_problems(each, f"{key}.{name}")
+            yield from _nested_problems(each, f"{key}.{name}")
 
 
-def _annotations(of: Any) -> dict[str, Any]:
-    """Return the annotation of each field of a class."""
-    hints = get_type_hints(of)
-    return {field.name: hints[field.name] for field in fields(of)}
+def _value_text(value: Any) -> str:
+    return f"{value:g}" if is_number(value) else repr(value)[:LONGEST]
+
+
+def _fault(value: Any, annotation: Any, form: str = "") -> str:
+    """Return what is wrong with a value by its annotation, and what to give; empty if nothing is.
+
+    form : the words for a value of another form; "" for those of its type
+    """
+    origin, inner = get_origin(annotation), get_args(annotation)
+    if origin is Annotated:
+        marks = [mark for mark in inner[1:] if isinstance(mark, Mark)]
+        form = next((mark.form for mark in marks if mark.form), form)
+        own = () if value is None else (mark.fault(value) for mark in marks)
+        return _fault(value, inner[0], form) or next(filter(None, own), "")
+    if not _fits(value, annotation):
+        return form or f"give {_kind_text(annotation)}"
+    if origin in (Union, UnionType):
+        only_words = all(each is NoneType or get_origin(each) is Literal for each in inner)
+        fitting = next(each for each in inner if _fits(value, each))
+        return _fault(value, fitting, form or ("" if only_words else f"give {_kind_text(annotation)}"))
+    if origin is Literal and value not in inner:
+        return form or f"not allowed; write {one_of(inner)}"
+    if origin is tuple:
+        kinds = inner[:1] * len(value) if inner[-1] is Ellipsis else inner
+        return next(filter(None, map(_fault, value, kinds)), "")
+    return ""
 
 
 def _fits(value: Any, kind: Any) -> bool:
     """Tell whether a value is of a kind; which texts are known is left to the checks of values."""
     origin, inner = get_origin(kind), get_args(kind)
+    if origin is Annotated:
+        return _fits(value, inner[0])
     if origin in (Union, UnionType):
         return any(_fits(value, each) for each in inner)
     if origin is Literal:
@@ -432,6 +328,8 @@ def _row_fits(values: tuple[Any, ...], kinds: tuple[Any, ...]) -> bool:
 def _kind_text(kind: Any) -> str:
     """Say what a kind of value is, without the None that leaves it out."""
     origin, inner = get_origin(kind), get_args(kind)
+    if origin is Annotated:
+        return _kind_text(inner[0])
     if origin in (Union, UnionType):
         return " or ".join(dict.fromkeys(_kind_text(each) for each in inner if each is not NoneType))
     if origin is Literal:

@@ -37,20 +37,18 @@ class DeclaredSection(ProjectSection):
         return self
 
 
-def table_of(kind: type[Any]) -> type[DeclaredSection]:
+def table_of(declared: type[Any]) -> type[DeclaredSection]:
     """Return the table of a project file with the keys of a frozen class, by what they declare."""
-    annotations, keys = annotations_of(kind), {}
-    if hasattr(kind, "kind"):
-        keys["kind"] = (Literal[kind.kind], ...)
-    for field in fields(kind):
-        marks = {type(mark): mark for mark in marks_of(annotations[field.name])}
+    kind: type = declared
+    keys: dict[str, Any] = {"kind": (Literal[declared.kind], ...)} if hasattr(declared, "kind") else {}
+    for field, annotation in zip(fields(declared), annotations_of(kind).values(), strict=True):
+        marks = {type(mark): mark for mark in marks_of(annotation)}
         if NotAKey not in marks:
             default = ... if field.default is MISSING else field.default
-            in_file = marks.get(FileDefault)
-            keys[field.name] = (annotations[field.name], in_file.value if in_file else default)
-    name = f"{kind.__name__}Section"
-    table = create_model(name, __base__=DeclaredSection, __doc__=kind.__doc__, __module__=__name__, **keys)
-    table.declares = kind
+            keys[field.name] = (annotation, marks[FileDefault].value if FileDefault in marks else default)
+    name = f"{declared.__name__}Section"
+    table = create_model(name, __base__=DeclaredSection, __doc__=declared.__doc__, __module__=__name__, **keys)
+    table.declares = declared
     return table
 
 
@@ -63,7 +61,7 @@ def table_by_kind(kinds: Mapping[str, type[Any]], *, what: str) -> Any:
         return f"<{kind}>" if isinstance(kind, str) and kind in kinds else None
 
     reason = f"not a supported {what}; write one of {quote_names(tuple(kinds))}"
-    context = {"key": ("kind",), "reason": reason}
+    context: dict[str, Any] = {"key": ("kind",), "reason": reason}
     discriminator = Discriminator(
         tag, custom_error_type="project", custom_error_message="{reason}", custom_error_context=context
     )

@@ -12,7 +12,7 @@ import unicodedata
 from collections.abc import Callable, Mapping
 from datetime import date
 from difflib import get_close_matches
-from functools import reduce
+from functools import cache, reduce
 from inspect import get_annotations
 from operator import or_
 from pathlib import Path
@@ -210,7 +210,11 @@ def file_type(annotation: Any) -> Any:
             there = reduce(or_, (each for each in get_args(value) if each is not NoneType))
             found = file_type(Annotated[there, *marks])
             return found if any(isinstance(each, FileDefault) for each in marks) else found | None
-        return reduce(_with_mark, marks, file_type(value))
+        read_by = next((each for each in marks if isinstance(each, Number | IsPlace | IsDirection | IsName)), None)
+        beside = [each for each in marks if each is not read_by]
+        beside += [_SCATTERS] * any(isinstance(each, Scatters) for each in marks)
+        found = file_type(value) if read_by is None else _read_by(read_by, value)
+        return Annotated[found, *beside] if beside else found
     if origin not in (Union, UnionType, tuple, dict):
         return annotation
     read = tuple(map(file_type, parts))
@@ -219,7 +223,9 @@ def file_type(annotation: Any) -> Any:
     return reduce(or_, read) if origin in (Union, UnionType) else origin[read]
 
 
-def _with_mark(value: Any, mark: Any) -> Any:
+@cache
+def _read_by(mark: Mark, value: Any) -> Any:
+    """Return how a file reads a value of a type by a mark that says what it is."""
     match mark:
         case Number(dimension=""):
             return Annotated[value, Strict(), _bounds(mark)]
@@ -229,11 +235,7 @@ def _with_mark(value: Any, mark: Any) -> Any:
             return Annotated[tuple[Coordinate, ...], row_of(mark), Field(min_length=2, max_length=3)]
         case IsDirection():
             return file_type(Annotated[tuple[Ratio, ...], row_of(mark), Field(min_length=2, max_length=3)])
-        case IsName():
-            return Annotated[StrictStr, AfterValidator(lambda text: _faultless(mark, text))]
-        case Scatters():
-            return Annotated[value, mark, _SCATTERS]
-    return Annotated[value, mark]
+    return Annotated[StrictStr, AfterValidator(lambda text: _faultless(mark, text))]
 
 
 def _number_type(value: Any, number: Number) -> Any:
@@ -242,8 +244,9 @@ def _number_type(value: Any, number: Number) -> Any:
     if value is float and not number.beyond:
         form: QuantityForm = "quantity or infinite" if number.infinite else "quantity"
         read = BeforeValidator(lambda given: _quantity(given, number))
+        bounds = _bounds(number)
         found = Annotated[float, read, _described(number.dimension, form), kind]
-        return found if _bounds(number) is None else Annotated[found, _bounds(number)]
+        return found if bounds is None else Annotated[found, bounds]
     words = tuple(each for part in get_args(value) if get_origin(part) is Literal for each in get_args(part))
     count = next((len(get_args(part)) for part in get_args(value) if get_origin(part) is tuple), 0)
 

@@ -1,6 +1,7 @@
 """What a block carries or is pulled by besides itself: as an engineer states it, and in the plane of motion.
 
-A place that is stated is [x, y, z], or (distance along the direction, elevation) [m]; so is a direction. In the plane
+What is stated is declared: numbers are in the SI unit of their dimension, a sentence like "1200 kg" shows how a project
+file writes them. A place that is stated is [x, y, z], or (distance along the direction, elevation) [m]; so is a direction. In the plane
 of motion places and forces are (distance along the direction, elevation), and a load is fixed to its block.
 
 A force or tie may end before the mechanism collapses. `until` says when: "collapse" where it is still there then, or
@@ -45,8 +46,6 @@ Through = Literal["joint", "fixed"] | None
 SourceParts = tuple[Term | Message, ...]
 LoadFault = tuple[int, str, str]
 """The number of a load, from 0, its key, and what is wrong; remedy."""
-
-
 StatedUntil = Annotated[
     float | Literal["collapse"],
     Number(

@@ -112,10 +112,12 @@ class CutPlane:
 
 @dataclass(frozen=True)
 class CutAngle:
-    """A crack inclined in the plane of motion by an angle [rad]; a positive one falls towards the direction."""
+    """A crack inclined in the plane of motion."""
 
     point: Vector
+    """a point of its plane [m]"""
     angle: Inclination
+    """from the horizontal; where positive, the crack falls towards the direction"""
 
 
 def keys_along_direction(

@@ -3,10 +3,14 @@
 from __future__ import annotations
 
 import inspect
-from collections.abc import Iterator
-from typing import Any
+from collections.abc import Iterator, Mapping
+from dataclasses import is_dataclass
+from types import NoneType, UnionType
+from typing import Annotated, Any, Literal, Union, get_args, get_origin
 
 import assess
+from assess.declaration import IsPlace, Number, annotations_of, descriptions, marks_of
+from assess.project.units import KINDS
 from docs.ext.docstring import DocstringSection, split
 from docs.ext.markdown import cell, escape
 
@@ -33,29 +37,29 @@ def _page(name: str, value: Any) -> str:
     for part in split(inspect.getdoc(value) or ""):
         lines += _part(part)
     if inspect.isclass(value):
-        lines += _members(value)
+        lines += [*_fields(value), *_members(value)]
     return "\n".join((*lines, ""))
 
 
 def signature(name: str, value: Any) -> str:
     """Return how a name is called, one argument to a line where one line is too short."""
     found = inspect.signature(value)
-    result = found.return_annotation
+    result, declared = found.return_annotation, annotations_of(value) if _is_declared(value) else {}
     end = "" if result in (inspect.Signature.empty, None, "None") else f" -> {_type(result)}"
-    words = list(_arguments(found))
+    words = list(_arguments(found, {key: _plain(annotation) for key, annotation in declared.items()}))
     line = f"assess.{name}({', '.join(words)}){end}"
     if len(line) <= WIDEST:
         return line
     return f"assess.{name}(\n" + "".join(f"    {word},\n" for word in words) + f"){end}"
 
 
-def _arguments(found: inspect.Signature) -> Iterator[str]:
+def _arguments(found: inspect.Signature, declared: Mapping[str, str]) -> Iterator[str]:
     starred = False
     for each in found.parameters.values():
         if each.kind is each.KEYWORD_ONLY and not starred:
             starred = True
             yield "*"
-        kind = f": {_type(each.annotation)}" if each.annotation is not each.empty else ""
+        kind = f": {declared.get(each.name) or _type(each.annotation)}" if each.annotation is not each.empty else ""
         default = repr(each.default)
         given = "" if each.default is each.empty else f" = {default if len(default) <= LONGEST_DEFAULT else '...'}"
         yield f"{each.name}{kind}{given}"
@@ -63,6 +67,45 @@ def _arguments(found: inspect.Signature) -> Iterator[str]:
 
 def _type(annotation: Any) -> str:
     return annotation if isinstance(annotation, str) else getattr(annotation, "__name__", str(annotation))
+
+
+def _is_declared(value: Any) -> bool:
+    """Return whether a class declares its fields, with a sentence below each."""
+    return inspect.isclass(value) and is_dataclass(value) and bool(descriptions(value))
+
+
+def _plain(annotation: Any) -> str:
+    """Return a type without its marks, as Python writes it."""
+    origin, parts = get_origin(annotation), get_args(annotation)
+    if origin is Annotated:
+        return _plain(parts[0])
+    if origin in (Union, UnionType):
+        return " | ".join(map(_plain, parts))
+    if origin is not None:
+        name = getattr(origin, "__name__", "Literal")
+        return f"{name}[{', '.join(repr(each) if origin is Literal else _plain(each) for each in parts)}]"
+    return {NoneType: "None", Ellipsis: "..."}.get(annotation) or _type(annotation)
+
+
+def _fields(value: type) -> list[str]:
+    """Return a table of the fields that a class declares, each with its SI unit and the sentence below it."""
+    if not _is_declared(value):
+        return []
+    sentences = descriptions(value)
+    rows = [
+        f"| `{key}` | {_unit(annotation)} | {cell(escape(' '.join(sentences.get(key, '').split())))} |"
+        for key, annotation in annotations_of(value).items()
+    ]
+    return ["| name | unit | what it is |", "|---|---|---|", *rows, ""]
+
+
+def _unit(annotation: Any) -> str:
+    """Return the SI unit of a number or a place; a project file has units of its own."""
+    marks = list(marks_of(annotation))
+    if any(isinstance(mark, IsPlace) for mark in marks):
+        return "m"
+    dimension = next((mark.dimension for mark in marks if isinstance(mark, Number)), "")
+    return KINDS[dimension].symbol.replace("no unit", "").replace("^2", "²") if dimension else ""
 
 
 def _part(part: DocstringSection) -> list[str]:

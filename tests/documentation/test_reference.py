@@ -63,6 +63,8 @@ def test_every_public_name_has_a_page_with_its_arguments():
     assert len(pages) == len(assess.__all__)
     assert "`thickness` | size along x" in pages["names/box.md"]
     assert pages["names/box.md"].count("# ") >= 3
+    assert "    mass: float,\n" in pages["names/class-massload.md"]
+    assert "| `seat` | m | of a bearing mass: how far its point" in pages["names/class-massload.md"]
 
 
 def test_a_docstring_is_split_into_sentences_and_names():

@@ -1,8 +1,9 @@
 """What a block carries or is pulled by besides itself: as an engineer states it, and in the plane of motion.
 
 What is stated is declared: numbers are in the SI unit of their dimension, a sentence like "1200 kg" shows how a project
-file writes them. A place that is stated is [x, y, z], or (distance along the direction, elevation) [m]; so is a direction. In the plane
-of motion places and forces are (distance along the direction, elevation), and a load is fixed to its block.
+file writes them. A place that is stated is [x, y, z], or (distance along the direction, elevation) [m]; so is a
+direction. In the plane of motion places and forces are (distance along the direction, elevation), and a load is fixed
+to its block.
 
 A force or tie may end before the mechanism collapses. `until` says when: "collapse" where it is still there then, or
 the displacement of its point [m] at which it ends; None where it is not shown to last.

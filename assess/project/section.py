@@ -110,10 +110,11 @@ class ProjectSection(BaseModel):
     @classmethod
     def _keys_are_known(cls, values: Any) -> Any:
         if isinstance(values, dict):
+            known = cls.table_keys()
             for key in values:
-                if key not in cls.table_keys():
+                if key not in known:
                     raise error_at(key, cls._unknown(key))
-            for key, field in cls.table_keys().items():
+            for key, field in known.items():
                 if field.is_required() and key not in values:
                     raise error_at(key, f"missing; {cls.meanings()[key]}")
         return values
@@ -271,8 +272,9 @@ def _number_type(value: Any, number: Number) -> Any:
 
 
 def _quantity(value: Any, number: Number) -> float:
-    endless = value == math.inf or (isinstance(value, str) and value.strip().lower() in INFINITE)
-    return math.inf if number.infinite and endless else key_value(value, KINDS[number.dimension])
+    if number.infinite and (value == math.inf or (isinstance(value, str) and value.strip().lower() in INFINITE)):
+        return math.inf
+    return key_value(value, KINDS[number.dimension])
 
 
 def _bounds(number: Number) -> Any:

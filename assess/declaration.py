@@ -130,13 +130,13 @@ class Evidence(Mark):
     kind : by whom its value comes about
     helps : whether more of it makes the wall safer (for a choice: whether it does), less safe, either, or neither
     instead : what counts where no source vouches for it
-    why : the kind and the sense, where they are a judgement
+    judged : why this kind and this sense, where that is a judgement
     """
 
     kind: Literal["defines", "drawn", "chosen", "loads", "code", "measured", "action", "clamped", "free"]
     helps: Literal["up", "down", "either", "none"]
     instead: str
-    why: str = ""
+    judged: str = ""
 
 
 @dataclass(frozen=True)

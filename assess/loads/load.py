@@ -73,7 +73,7 @@ WHERE_IT_HURTS = Evidence(
     "loads",
     "either",
     "variable loads only where they hurt",
-    why="a weight holds a wall down or drives it over, by where it rests",
+    judged="a weight holds a wall down or drives it over, by where it rests",
 )
 ITS_WAY = Evidence("drawn", "either", "as drawn")
 ITS_END = Evidence("measured", "up", "absent: it counts in the multiplier alone")
@@ -90,7 +90,7 @@ class MassLoad:
     """[x, y, z], or [distance along the direction, elevation]"""
     bearing: Annotated[
         bool,
-        Evidence("drawn", "up", "false where the drawing shows no support", why="its weight rights the block"),
+        Evidence("drawn", "up", "false where the drawing shows no support", judged="its weight rights the block"),
     ] = True
     """true: weight and inertia; false: its weight is carried elsewhere, horizontal inertia only"""
     seat: Annotated[PositiveLength | None, ITS_SEAT] = None
@@ -184,7 +184,7 @@ class OverburdenLoad:
     """of the load from mid-thickness of the top towards `direction`; 0, or where the bodies touch, if absent"""
     through: Annotated[
         Through,
-        Evidence("measured", "up", "fixed", why="a load that moves to the edge that closes rights the wall"),
+        Evidence("measured", "up", "fixed", judged="a load that moves to the edge that closes rights the wall"),
     ] = None
     """"joint": it presses where the top does, from mid-thickness to the edge as the wall turns (rigid: at hinge C);
     "fixed": it stays in its place on the wall; if absent "joint" on the middle of a joint at C, else "fixed\""""

@@ -52,7 +52,7 @@ def _problems(definition: Definition, bodies: Bodies) -> Iterator[str]:
     by_kind: dict[str, str] = {}
     if isinstance(definition, BlockMechanism):
         by_kind = dict.fromkeys(HINGE_KEYS, _hinge_form(definition))
-    yield from declared_problems(definition, forms=FORMS | by_kind)
+    yield from _declared_problems(definition, forms=FORMS | by_kind)
     yield from _number_problems(definition, "")
     yield from _restitution_problems(definition.restitution)
     if isinstance(definition, EquivalentBlock):
@@ -239,7 +239,7 @@ FORMS = {
 LONGEST = 60  # characters of a value in a message
 
 
-def declared_problems(data: Any, where: str = "", *, forms: Mapping[str, str] = FORMS) -> Iterator[str]:
+def _declared_problems(data: Any, where: str = "", *, forms: Mapping[str, str] = FORMS) -> Iterator[str]:
     """Yield each field whose value is not what is declared, with what to give, and then those that do not go together.
 
     Parameters
@@ -263,7 +263,7 @@ def declared_problems(data: Any, where: str = "", *, forms: Mapping[str, str] = 
 def _nested_problems(value: Any, key: str) -> Iterator[str]:
     """Look into what a field holds: other data, and rows of them."""
     if is_dataclass(value) and not isinstance(value, type):
-        yield from declared_problems(value, f"{key}.")
+        yield from _declared_problems(value, f"{key}.")
     elif isinstance(value, tuple):
         for number, each in enumerate(value, start=1):
             yield from _nested_problems(each, f"{key}[{number}]")

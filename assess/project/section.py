@@ -77,7 +77,7 @@ class ProjectSection(BaseModel):
         """Read what the keys are annotated with as a project file writes it, before pydantic does."""
         super().__init_subclass__(**more)
         found = get_annotations(cls, eval_str=True)
-        cls.__annotations__ = {key: file_type(annotation) for key, annotation in found.items()}
+        cls.__annotations__ = {key: _file_type(annotation) for key, annotation in found.items()}
 
     @classmethod
     def table_keys(cls) -> dict[str, FieldInfo]:
@@ -197,7 +197,7 @@ def _described(kind: str, form: QuantityForm = "quantity") -> WithJsonSchema:
     return WithJsonSchema({**quantity_schema(kind), "description": words, PATTERN_MARK: [kind, form]})
 
 
-def file_type(annotation: Any) -> Any:
+def _file_type(annotation: Any) -> Any:
     """Return how a project file reads what is annotated: each mark of a declaration as pydantic knows it.
 
     Truth values are true or false and nothing like them. Marks around what may be absent bear on what is there.
@@ -209,16 +209,16 @@ def file_type(annotation: Any) -> Any:
         value, marks = annotation.__origin__, annotation.__metadata__
         if NoneType in get_args(value) and all(isinstance(each, Mark) for each in marks):
             there = reduce(or_, (each for each in get_args(value) if each is not NoneType))
-            found = file_type(Annotated[there, *marks])
+            found = _file_type(Annotated[there, *marks])
             return found if any(isinstance(each, FileDefault) for each in marks) else found | None
         read_by = next((each for each in marks if isinstance(each, Number | IsPlace | IsDirection | IsName)), None)
         beside = [each for each in marks if each is not read_by]
         beside += [_SCATTERS] * any(isinstance(each, Scatters) for each in marks)
-        found = file_type(value) if read_by is None else _read_by(read_by, value)
+        found = _file_type(value) if read_by is None else _read_by(read_by, value)
         return Annotated[found, *beside] if beside else found
     if origin not in (Union, UnionType, tuple, dict):
         return annotation
-    read = tuple(map(file_type, parts))
+    read = tuple(map(_file_type, parts))
     if all(one is other for one, other in zip(read, parts, strict=True)):
         return annotation
     return reduce(or_, read) if origin in (Union, UnionType) else origin[read]
@@ -233,9 +233,9 @@ def _read_by(mark: Mark, value: Any) -> Any:
         case Number():
             return _number_type(value, mark)
         case IsPlace():
-            return Annotated[tuple[Coordinate, ...], row_of(mark), Field(min_length=2, max_length=3)]
+            return Annotated[tuple[Coordinate, ...], _row_of(mark), Field(min_length=2, max_length=3)]
         case IsDirection():
-            return file_type(Annotated[tuple[Ratio, ...], row_of(mark), Field(min_length=2, max_length=3)])
+            return _file_type(Annotated[tuple[Ratio, ...], _row_of(mark), Field(min_length=2, max_length=3)])
     return Annotated[StrictStr, AfterValidator(lambda text: _faultless(mark, text))]
 
 
@@ -291,7 +291,7 @@ def _faultless(mark: Mark, value: T) -> T:
     return value
 
 
-def row_of(mark: Mark) -> BeforeValidator:
+def _row_of(mark: Mark) -> BeforeValidator:
     """Return a check that a value is a list, of the form that a mark asks for."""
 
     def check(value: Any) -> Any:
@@ -320,7 +320,7 @@ def _coordinate(value: Any) -> float:
 
 
 Coordinate = Annotated[float, BeforeValidator(_coordinate), _described("length"), KINDS["length"]]
-A_POINT = row_of(IsPlace())
+A_POINT = _row_of(IsPlace())
 PlanePoint = tuple[Coordinate, Coordinate]
 SpacePoint = tuple[Coordinate, Coordinate, Coordinate]
 

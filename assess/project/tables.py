@@ -37,7 +37,7 @@ class DeclaredSection(ProjectSection):
         return self
 
 
-def table_of(declared: type[Any]) -> type[DeclaredSection]:
+def _table_of(declared: type[Any]) -> type[DeclaredSection]:
     """Return the table of a project file with the keys of a frozen class, by what they declare."""
     kind: type = declared
     keys: dict[str, Any] = {"kind": (Literal[declared.kind], ...)} if hasattr(declared, "kind") else {}
@@ -54,7 +54,7 @@ def table_of(declared: type[Any]) -> type[DeclaredSection]:
 
 def table_by_kind(kinds: Mapping[str, type[Any]], *, what: str) -> Any:
     """Return what reads one of several tables, told apart by their key `kind`; what : they are, for an error."""
-    tables = [Annotated[table_of(kind), Tag(f"<{name}>")] for name, kind in kinds.items()]
+    tables = [Annotated[_table_of(kind), Tag(f"<{name}>")] for name, kind in kinds.items()]
 
     def tag(values: Any) -> str | None:
         kind = values.get("kind") if isinstance(values, dict) else None

@@ -141,7 +141,13 @@ def keys_along_direction(
 def sweep_faults(
     chained: Any, *, hinges: Mapping[str, Sequence[Place] | None]
 ) -> Iterator[tuple[tuple[str | int, ...], str]]:
-    """Yield what is measured along a direction that is sought all around; arguments are those of the keys."""
+    """Yield what is measured along a direction that is sought all around, and what is wrong with that.
+
+    Parameters
+    ----------
+    chained : a definition, or the table of a project file that has the same names
+    hinges : its lists of hinges by their keys; None where one is not given
+    """
     if chained.direction == "sweep":
         for key in keys_along_direction(chained, hinges=hinges):
             of = "an eccentricity depends" if key[-1] == "eccentricity" else "two numbers depend"

@@ -62,7 +62,8 @@ SHORTEST_RANGE = 3  # numbers in a row that become a range
 
 def mechanism_list(results: Results, names: Iterable[str]) -> Text:
     """Return mechanisms, by their names, as numbers in order, rows of them as ranges; all of several as such."""
-    places = [place for place, each in enumerate(results.mechanisms) if each.name in set(names)]
+    listed = set(names)
+    places = [place for place, each in enumerate(results.mechanisms) if each.name in listed]
     if len(places) == len(results.mechanisms) > 1:
         return say("all mechanisms")
     numbers = [mechanism_number(results, results.mechanisms[place].name) for place in places]

@@ -2,18 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from dataclasses import fields, is_dataclass, replace
 from math import inf, isfinite, pi, sqrt
-from numbers import Integral, Real
-from types import NoneType, UnionType
-from typing import Annotated, Any, Literal, TypeVar, Union, get_args, get_origin
+from numbers import Real
+from typing import Any, TypeVar
 
 import numpy as np
 from scipy.constants import g
 
-from assess.declaration import Mark, StatedPlace, annotations_of, one_of
+from assess.declaration import StatedPlace
 from assess.errors import MechanismError
+from assess.faults import declared_problems, text_of_value, value_fault
 from assess.interfaces.contact import Interface
 from assess.interfaces.section import Shape
 from assess.loads.load import block_faults, body_faults
@@ -52,7 +52,7 @@ def _problems(definition: Definition, bodies: Bodies) -> Iterator[str]:
     by_kind: dict[str, str] = {}
     if isinstance(definition, BlockMechanism):
         by_kind = dict.fromkeys(HINGE_KEYS, _hinge_form(definition))
-    yield from _declared_problems(definition, forms=FORMS | by_kind)
+    yield from declared_problems(definition, forms=FORMS | by_kind)
     yield from _number_problems(definition, "")
     yield from _restitution_problems(definition.restitution)
     if isinstance(definition, EquivalentBlock):
@@ -120,8 +120,8 @@ def _hinge_problems(definition: BlockMechanism) -> Iterator[str]:
             yield f"{key} = {hinges!r}: {_hinge_form(definition)}"
             continue
         for hinge_name, place in zip("ABCD", hinges, strict=False):
-            if reason := _fault(place, StatedPlace):
-                yield f"{key}.{hinge_name} = {_value_text(place)}: {reason}"
+            if reason := value_fault(place, StatedPlace):
+                yield f"{key}.{hinge_name} = {text_of_value(place)}: {reason}"
 
 
 def _hinge_form(definition: BlockMechanism) -> str:
@@ -226,122 +226,15 @@ def _load_problems(definition: BlockMechanism, bodies: Bodies) -> Iterator[str]:
         *block_faults(loads, definition.kind, number_of_blocks=definition.number_of_blocks),
         *body_faults(loads, bodies, moving=definition.bodies, known=known),
     ):
-        yield f"loads[{number + 1}].{key} = {_value_text(getattr(loads[number], key))}: {reason}"
+        yield f"loads[{number + 1}].{key} = {text_of_value(getattr(loads[number], key))}: {reason}"
 
 
-KIND_TEXTS = {float: "a number", int: "a whole number", str: "a text", bool: "True or False"}
 FORMS = {
     "direction": 'give (x, y, 0), "weakest" or "sweep"',
     "cut": "give an elevation [m], a CutPlane or a CutAngle",
     "crack": 'give an elevation [m], "sorrentino" or "minimum"',
     "restitution": "give a number in [0, 1], or the name of a rule",
 }
-LONGEST = 60  # characters of a value in a message
-
-
-def _declared_problems(data: Any, where: str = "", *, forms: Mapping[str, str] = FORMS) -> Iterator[str]:
-    """Yield each field whose value is not what is declared, with what to give, and then those that do not go together.
-
-    Parameters
-    ----------
-    data : a definition, a load, an interface: any frozen dataclass
-    where : what stands before the names of its fields
-    forms : what to give in place of a value of another form, by field, where neither a mark nor the type says it well
-    """
-    kind: type = type(data)
-    for name, annotation in annotations_of(kind).items():
-        value, key = getattr(data, name), f"{where}{name}"
-        if reason := _fault(value, annotation, forms.get(name, "")):
-            yield f"{key} = {_value_text(value)}: {reason}"
-        else:
-            yield from _nested_problems(value, key)
-    for name, reason in data.faults() if hasattr(data, "faults") else ():
-        value = getattr(data, name)
-        yield f"{where}{name}: {reason}" if value is None else f"{where}{name} = {_value_text(value)}: {reason}"
-
-
-def _nested_problems(value: Any, key: str) -> Iterator[str]:
-    """Look into what a field holds: other data, and rows of them."""
-    if is_dataclass(value) and not isinstance(value, type):
-        yield from _declared_problems(value, f"{key}.")
-    elif isinstance(value, tuple):
-        for number, each in enumerate(value, start=1):
-            yield from _nested_problems(each, f"{key}[{number}]")
-    elif isinstance(value, Mapping):
-        for name, each in value.items():
-            yield from _nested_problems(each, f"{key}.{name}")
-
-
-def _value_text(value: Any) -> str:
-    return f"{value:g}" if is_number(value) else repr(value)[:LONGEST]
-
-
-def _fault(value: Any, annotation: Any, form: str = "") -> str:
-    """Return what is wrong with a value by its annotation, and what to give; empty if nothing is.
-
-    form : the words for a value of another form; "" for those of its type
-    """
-    origin, inner = get_origin(annotation), get_args(annotation)
-    if origin is Annotated:
-        marks = [mark for mark in inner[1:] if isinstance(mark, Mark)]
-        form = next((mark.form for mark in marks if mark.form), form)
-        own = () if value is None else (mark.fault(value) for mark in marks)
-        return _fault(value, inner[0], form) or next(filter(None, own), "")
-    if not _fits(value, annotation):
-        return form or f"give {_kind_text(annotation)}"
-    if origin in (Union, UnionType):
-        only_words = all(each is NoneType or get_origin(each) is Literal for each in inner)
-        fitting = next(each for each in inner if _fits(value, each))
-        return _fault(value, fitting, form or ("" if only_words else f"give {_kind_text(annotation)}"))
-    if origin is Literal and value not in inner:
-        return form or f"not allowed; write {one_of(inner)}"
-    if origin is tuple:
-        kinds = inner[:1] * len(value) if inner[-1] is Ellipsis else inner
-        return next(filter(None, map(_fault, value, kinds)), "")
-    return ""
-
-
-def _fits(value: Any, kind: Any) -> bool:
-    """Tell whether a value is of a kind; which texts are known is left to the checks of values."""
-    origin, inner = get_origin(kind), get_args(kind)
-    if origin is Annotated:
-        return _fits(value, inner[0])
-    if origin in (Union, UnionType):
-        return any(_fits(value, each) for each in inner)
-    if origin is Literal:
-        return isinstance(value, tuple({type(each) for each in inner}))
-    if origin is tuple:
-        return isinstance(value, tuple) and _row_fits(value, inner)
-    if origin is not None:
-        return isinstance(value, origin) and all(_fits(each, inner[1]) for each in value.values())
-    if kind in (float, int):
-        return is_number(value) and (kind is float or isinstance(value, Integral))
-    return kind is Any or isinstance(value, (bool, np.bool_) if kind is bool else kind)
-
-
-def _row_fits(values: tuple[Any, ...], kinds: tuple[Any, ...]) -> bool:
-    if kinds[-1] is Ellipsis:
-        return all(_fits(each, kinds[0]) for each in values)
-    return len(values) == len(kinds) and all(map(_fits, values, kinds))
-
-
-def _kind_text(kind: Any) -> str:
-    """Say what a kind of value is, without the None that leaves it out."""
-    origin, inner = get_origin(kind), get_args(kind)
-    if origin is Annotated:
-        return _kind_text(inner[0])
-    if origin in (Union, UnionType):
-        return " or ".join(dict.fromkeys(_kind_text(each) for each in inner if each is not NoneType))
-    if origin is Literal:
-        return " or ".join(f'"{each}"' for each in inner)
-    if origin is tuple and inner[-1] is Ellipsis:
-        return f"a list, each {_kind_text(inner[0])}"
-    if origin is tuple:
-        return f"({', '.join(_kind_text(each).removeprefix('a ') for each in inner)})"
-    if origin is not None:
-        return f"a table of names, each {_kind_text(inner[1])}"
-    name: str = kind.__name__
-    return KIND_TEXTS.get(kind, f"{'an' if name[0] in 'AEIOU' else 'a'} {name}")
 
 
 Data = TypeVar("Data")

@@ -1,0 +1,123 @@
+"""What is wrong with data of Python by what their classes declare (`assess.declaration`), in the words of the files."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import is_dataclass
+from numbers import Integral
+from types import NoneType, UnionType
+from typing import Annotated, Any, Literal, Union, get_args, get_origin
+
+import numpy as np
+
+from assess.declaration import Mark, annotations_of, one_of
+from spectra.arrays import is_number
+
+KIND_TEXTS = {float: "a number", int: "a whole number", str: "a text", bool: "True or False"}
+LONGEST = 60  # characters of a value in a message
+
+
+def declared_problems(data: Any, where: str = "", *, forms: Mapping[str, str] | None = None) -> Iterator[str]:
+    """Yield each field whose value is not what is declared, with what to give, and then those that do not go together.
+
+    Parameters
+    ----------
+    data : a definition, a load, an interface: any frozen dataclass
+    where : what stands before the names of its fields
+    forms : what to give in place of a value of another form, by field, where neither a mark nor the type says it well
+    """
+    kind: type = type(data)
+    for name, annotation in annotations_of(kind).items():
+        value, key = getattr(data, name), f"{where}{name}"
+        if reason := value_fault(value, annotation, (forms or {}).get(name, "")):
+            yield f"{key} = {text_of_value(value)}: {reason}"
+        else:
+            yield from _nested_problems(value, key, forms)
+    for name, reason in data.faults() if hasattr(data, "faults") else ():
+        value = getattr(data, name)
+        yield f"{where}{name}: {reason}" if value is None else f"{where}{name} = {text_of_value(value)}: {reason}"
+
+
+def value_fault(value: Any, annotation: Any, form: str = "") -> str:
+    """Return what is wrong with a value by its annotation, and what to give; empty if nothing is.
+
+    form : the words for a value of another form; "" for those of its type
+    """
+    origin, inner = get_origin(annotation), get_args(annotation)
+    if origin is Annotated:
+        marks = [mark for mark in inner[1:] if isinstance(mark, Mark)]
+        form = next((mark.form for mark in marks if mark.form), form)
+        own = () if value is None else (mark.fault(value) for mark in marks)
+        return value_fault(value, inner[0], form) or next(filter(None, own), "")
+    if not _fits(value, annotation):
+        return form or f"give {_kind_text(annotation)}"
+    if origin in (Union, UnionType):
+        only_words = all(each is NoneType or get_origin(each) is Literal for each in inner)
+        fitting = next(each for each in inner if _fits(value, each))
+        return value_fault(value, fitting, form or ("" if only_words else f"give {_kind_text(annotation)}"))
+    if origin is Literal and value not in inner:
+        return form or f"not allowed; write {one_of(inner)}"
+    if origin is tuple:
+        kinds = inner[:1] * len(value) if inner[-1] is Ellipsis else inner
+        return next(filter(None, map(value_fault, value, kinds)), "")
+    return ""
+
+
+def text_of_value(value: Any) -> str:
+    """Write a value of Python on one line, shortened if it is long."""
+    return f"{value:g}" if is_number(value) else repr(value)[:LONGEST]
+
+
+def _nested_problems(value: Any, key: str, forms: Mapping[str, str] | None) -> Iterator[str]:
+    """Look into what a field holds: other data, and rows of them."""
+    if is_dataclass(value) and not isinstance(value, type):
+        yield from declared_problems(value, f"{key}.", forms=forms)
+    elif isinstance(value, tuple):
+        for number, each in enumerate(value, start=1):
+            yield from _nested_problems(each, f"{key}[{number}]", forms)
+    elif isinstance(value, Mapping):
+        for name, each in value.items():
+            yield from _nested_problems(each, f"{key}.{name}", forms)
+
+
+def _fits(value: Any, kind: Any) -> bool:
+    """Tell whether a value is of a kind; which texts are known is left to the checks of values."""
+    origin, inner = get_origin(kind), get_args(kind)
+    if origin is Annotated:
+        return _fits(value, inner[0])
+    if origin in (Union, UnionType):
+        return any(_fits(value, each) for each in inner)
+    if origin is Literal:
+        return isinstance(value, tuple({type(each) for each in inner}))
+    if origin is tuple:
+        return isinstance(value, tuple) and _row_fits(value, inner)
+    if origin is not None:
+        return isinstance(value, origin) and all(_fits(each, inner[1]) for each in value.values())
+    if kind in (float, int):
+        return is_number(value) and (kind is float or isinstance(value, Integral))
+    return kind is Any or isinstance(value, (bool, np.bool_) if kind is bool else kind)
+
+
+def _row_fits(values: tuple[Any, ...], kinds: tuple[Any, ...]) -> bool:
+    if kinds[-1] is Ellipsis:
+        return all(_fits(each, kinds[0]) for each in values)
+    return len(values) == len(kinds) and all(map(_fits, values, kinds))
+
+
+def _kind_text(kind: Any) -> str:
+    """Say what a kind of value is, without the None that leaves it out."""
+    origin, inner = get_origin(kind), get_args(kind)
+    if origin is Annotated:
+        return _kind_text(inner[0])
+    if origin in (Union, UnionType):
+        return " or ".join(dict.fromkeys(_kind_text(each) for each in inner if each is not NoneType))
+    if origin is Literal:
+        return " or ".join(f'"{each}"' for each in inner)
+    if origin is tuple and inner[-1] is Ellipsis:
+        return f"a list, each {_kind_text(inner[0])}"
+    if origin is tuple:
+        return f"({', '.join(_kind_text(each).removeprefix('a ') for each in inner)})"
+    if origin is not None:
+        return f"a table of names, each {_kind_text(inner[1])}"
+    name: str = kind.__name__
+    return KIND_TEXTS.get(kind, f"{'an' if name[0] in 'AEIOU' else 'a'} {name}")

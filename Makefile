@@ -17,7 +17,7 @@ OLD_IS_NO_FAULT := -W ignore::DeprecationWarning -W ignore::PendingDeprecationWa
 RECORDS ?= $(CURDIR)/../shared/records
 NO_BROWSER := chromium and chromium-driver do not install here; tests that open the HTML report in them will be skipped
 
-.PHONY: help demo test test-wheel check dist wheel lowest costs bench study peers fuzz kill faults mutate figures docs docs-links same catalogue lock
+.PHONY: help demo test test-wheel check dist wheel lowest costs bench study peers fuzz kill faults mutate figures pages docs docs-links same catalogue lock
 
 help:                      ## the verbs, and what each does
 	@$(PYTHON) -c 'import re; print(*(f"make {v:12} {t}" for v, t in re.findall(r"(?m)^([a-z-]+):[^#\n]*## *(.*)", open("Makefile").read())), sep="\n")'
@@ -102,6 +102,9 @@ figures: .venv/tests       ## pictures and the notebook of docs/, with those of 
 
 mutate: .venv/mutate       ## MUTANTS of physics and codes drawn by SEED, 95 % of them to be killed: docs/robustness.md
 	$(BIN)/python -m tools.mutate --mutants $(MUTANTS) --seed $(SEED) $(if $(AGAIN),--again)
+
+pages: .venv/tests         ## the pages of the manual that are made from the program and committed: docs/evidence.md
+	$(BIN)/python -m docs.ext.evidence_page
 
 docs: .venv/docs           ## the manual in build/docs/html: spelling first; a warning is an error, and nothing is read from the network
 	$(BIN)/codespell -D - -D docs/spelling.txt README.md CONTRIBUTING.md CHANGELOG.md docs assess spectra records reports

@@ -139,6 +139,10 @@ class Evidence(Mark):
     judged: str = ""
 
 
+FREE = Evidence("free", "none", "nothing")
+"""What can change no outcome: labels, texts, figures."""
+
+
 @dataclass(frozen=True)
 class NotAKey(Mark):
     """What no table of a project file holds under this name."""

@@ -39,6 +39,7 @@ from assess.project.keys import (
     uncertain_values,
 )
 from assess.project.section import (
+    EVIDENCE,
     PATTERN_MARK,
     UNCERTAIN_MARK,
     KeyPath,
@@ -206,7 +207,7 @@ def with_uncertain_numbers(schema: dict[str, Any]) -> dict[str, Any]:
         plain = {key: allow(each) for key, each in node.items() if key != UNCERTAIN_MARK}
         if UNCERTAIN_MARK not in node:
             return plain
-        kept = {key: plain.pop(key) for key in ("description", "title", "default") if key in plain}
+        kept = {key: plain.pop(key) for key in ("description", "title", "default", EVIDENCE) if key in plain}
         kind = _quantity_kind(plain)
         name = f"{UncertainNumber.__name__}-of-{kind}".replace(" ", "-")
         defined[name] = _uncertain_number_schema(kind)

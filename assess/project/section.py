@@ -9,7 +9,8 @@ from __future__ import annotations
 import json
 import math
 import unicodedata
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import asdict
 from datetime import date
 from difflib import get_close_matches
 from functools import cache, reduce
@@ -41,6 +42,7 @@ from pydantic.json_schema import JsonSchemaValue
 from pydantic_core import CoreSchema, PydanticCustomError
 
 from assess.declaration import (
+    Evidence,
     FileDefault,
     IsDirection,
     IsName,
@@ -51,6 +53,7 @@ from assess.declaration import (
     Ratio,
     Scatters,
     descriptions,
+    marks_of,
 )
 from assess.messages.message import escape_text
 from assess.project.units import INFINITE, KINDS, QuantityForm, key_value, si_value
@@ -65,13 +68,15 @@ _LONGEST = 60  # characters of a value in an error
 class ProjectSection(BaseModel):
     """One table of the project file, its keys annotated as in a declaration (`assess.declaration`).
 
-    `elsewhere` are keys of another form of the same table, each with what is wrong about it here.
+    `elsewhere` are keys of another form of the same table, each with what is wrong about it here; `evidence` says who
+    vouches for those of its keys that are not marked themselves.
     """
 
     model_config = ConfigDict(
         frozen=True, extra="forbid", model_title_generator=lambda table: table.__name__.removesuffix("Section")
     )
     elsewhere: ClassVar[Mapping[str, str]] = {}
+    evidence: ClassVar[Evidence | None] = None
 
     def __init_subclass__(cls, **more: Any) -> None:
         """Read what the keys are annotated with as a project file writes it, before pydantic does."""
@@ -99,11 +104,23 @@ class ProjectSection(BaseModel):
         return descriptions(cls)
 
     @classmethod
+    def evidence_of_keys(cls) -> dict[str, Evidence]:
+        """Return who vouches for each key, as it is marked or else as its table says."""
+        found: dict[str, Evidence] = {}
+        for key, field in cls.table_keys().items():
+            said = (mark for mark in (*field_marks(field), cls.evidence) if isinstance(mark, Evidence))
+            if evidence := next(said, None):
+                found[key] = evidence
+        return found
+
+    @classmethod
     def __get_pydantic_json_schema__(cls, schema: CoreSchema, handler: GetJsonSchemaHandler) -> JsonSchemaValue:
         found = handler(schema)
         properties = handler.resolve_ref_schema(found)["properties"]
         for key, text in cls.meanings().items():
             properties[key]["description"] = text
+        for key, evidence in cls.evidence_of_keys().items():
+            properties[key][EVIDENCE] = {name: text for name, text in asdict(evidence).items() if text}
         return found
 
     @model_validator(mode="before")
@@ -137,6 +154,12 @@ class ProjectSection(BaseModel):
     def has_key(self, key: str) -> bool:
         """Return whether the user wrote `key`, so that its default is not used."""
         return key in self.model_fields_set
+
+
+def field_marks(field: FieldInfo) -> Iterator[Any]:
+    """Yield what a key is annotated with, at whatever depth of its type."""
+    for mark in (*field.metadata, *marks_of(field.annotation)):
+        yield from field_marks(mark) if isinstance(mark, FieldInfo) else (mark,)
 
 
 def error_at(key: str | tuple[str | int, ...], reason: str) -> PydanticCustomError:
@@ -177,6 +200,8 @@ def look_up(raw: Mapping[str, Any], key: KeyPath) -> tuple[bool, Any]:
 T = TypeVar("T")
 PATTERN_MARK = "pattern of"
 """Stands in the schema of a marked key, with its kind and form, until `with_quantity_patterns` has replaced it."""
+EVIDENCE = "x-evidence"
+"""The keyword of the schema that says who vouches for a key, and which way it helps a wall."""
 UNCERTAIN_MARK = "or { mean, cov }"
 """Stands in the schema of a marked key until `with_uncertain_numbers` has replaced it."""
 LONGEST_LINE = 200  # characters
@@ -268,7 +293,7 @@ def _number_type(value: Any, number: Number) -> Any:
         forms.append({"type": "array", "items": quantity, "minItems": count, "maxItems": count})
     forms += [{"type": "string", "pattern": rf"^\s*{word}\s*$"} for word in words]
     schema = WithJsonSchema({"anyOf": forms}) if len(forms) > 1 else _described(number.dimension)
-    return Annotated[value, BeforeValidator(read_any), schema, kind]
+    return Annotated[value, BeforeValidator(read_any), schema, kind, number]
 
 
 def _quantity(value: Any, number: Number) -> float:
@@ -572,7 +597,13 @@ WrittenQuantity = Annotated[int | float | str, number_or_text("write it as witho
 class UncertainNumber(ProjectSection):
     """A number that is not well known; without [analysis.uncertainty] its mean is used."""
 
-    mean: WrittenQuantity
+    evidence = Evidence(
+        "measured", "none", "nothing", judged="the verdict takes the mean; the scatter stands beside it"
+    )
+
+    mean: Annotated[
+        WrittenQuantity, Evidence("defines", "either", "as at its key", judged="it is the value of its key")
+    ]
     """its mean, written as at any key, like "0.60 m\""""
     cov: Annotated[Ratio, Field(gt=0, lt=1)] | None = None
     """coefficient of variation, standard deviation over mean, like 0.05; or give sd"""

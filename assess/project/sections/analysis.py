@@ -22,8 +22,10 @@ from pydantic import (
 from scipy.constants import g
 
 from assess.declaration import (
+    FREE,
     Acceleration,
     Angle,
+    Evidence,
     Name,
     PositiveAcceleration,
     PositiveFrequency,
@@ -41,7 +43,7 @@ from assess.project.section import (
     quote_names,
     unique,
 )
-from assess.project.sections.procedures import Procedure
+from assess.project.sections.procedures import ProcedureNames
 from assess.project.units import KINDS, SHARE_UNITS, QuantityError, key_value, number_and_unit
 
 MOST_PULSES = 1000  # frequencies or amplitudes
@@ -50,6 +52,8 @@ WITH_GAMMA = "mavroeidis-papageorgiou"
 
 class Frequencies(ProjectSection):
     """The frequencies of the pulses: { from, to, count }."""
+
+    evidence = FREE
 
     start: PositiveFrequency = Field(0.2, alias="from")
     """the first"""
@@ -70,6 +74,8 @@ class Frequencies(ProjectSection):
 class Amplitudes(ProjectSection):
     """The peak accelerations of the pulses: { from, to, count }."""
 
+    evidence = FREE
+
     start: Annotated[Acceleration, Field(ge=0)] = Field(0.0, alias="from")
     """the first"""
     to: Annotated[Acceleration, Field(gt=0)] = 3 * g
@@ -86,6 +92,8 @@ class Amplitudes(ProjectSection):
 
 class Pulses(ProjectSection):
     """Overturning envelopes: pulses of the ground by frequency and amplitude; without this table `run` makes none."""
+
+    evidence = FREE
 
     shape: Literal["sine", "cosine", "half-sine", "ricker", "ricker-antisymmetric", "mavroeidis-papageorgiou"] = "sine"
     """shape of the acceleration"""
@@ -116,6 +124,8 @@ SweptQuantity = Annotated[
 
 class SweepSection(ProjectSection):
     """A parametric study: the mechanisms that one number of the project changes, for each of several values of it."""
+
+    evidence = FREE
 
     key: StrictStr
     """a number of this file by its key: "mechanisms.spire.cut.angle"; loads.0 or loads[1] is the first of a list"""
@@ -228,6 +238,8 @@ ForceChange = Annotated[Change | None, BeforeValidator(_change("force")), _descr
 class Sensitivity(ProjectSection):
     """How the verdicts move with numbers that are not well known, each varied alone to either side; `true` for all."""
 
+    evidence = FREE
+
     vary: VaryingShare | None = None
     """share by which everything below is varied that has none of its own; each its own default if absent"""
     thickness: LengthChange = _default_share("thickness")
@@ -272,8 +284,15 @@ def _power_of_two(number: int) -> int:
     return number
 
 
+SAMPLING = Evidence(
+    "clamped", "none", "the default", judged="the verdict takes the means; their scatter stands beside it"
+)
+
+
 class Uncertainty(ProjectSection):
     """How the answers spread when the numbers given as { mean, cov } vary together; a table, empty for the defaults."""
+
+    evidence = SAMPLING
 
     samples: Annotated[StrictInt, Field(ge=FEWEST_SAMPLES, le=MOST_SAMPLES), AfterValidator(_power_of_two)] = 128
     """values of each number, a power of two"""
@@ -335,19 +354,35 @@ StateValue = Annotated[
 ]
 
 
+ON_RATES = "no verdict hangs on it, but the annual rate that a target is compared with does"
+RUNS_OF_CURVES = Evidence("clamped", "either", "the default", judged=ON_RATES)
+FORM_OF_CURVES = Evidence("chosen", "either", "the default", judged=ON_RATES)
+EPISTEMIC = Evidence(
+    "measured",
+    "down",
+    "absent: no rate is shown to be within its target",
+    judged="the wider a curve, the larger its rate",
+)
+
+
 class Fragility(ProjectSection):
     """Fragility curves of `assess fragility`: measures of intensity, states, and how records are run."""
 
-    measures: Annotated[tuple[MeasureText, ...], Field(min_length=1), AfterValidator(unique("measure"))] | None = None
+    evidence = RUNS_OF_CURVES
+
+    measures: (
+        Annotated[tuple[MeasureText, ...], Field(min_length=1), AfterValidator(unique("measure")), FORM_OF_CURVES]
+        | None
+    ) = None
     """measures of intensity, the one that records are scaled by first: "pga", "pgv", "sa(0.5 s)", "sa-average",
     "sa-average(0.2 s, 0.5 s, 1 s)", "pga/(g tan alpha)", "p pgv/(g tan alpha)"; all that apply if absent"""
-    states: Annotated[tuple[StateValue, ...], Field(min_length=1), AfterValidator(unique("state"))] = (
+    states: Annotated[tuple[StateValue, ...], Field(min_length=1), AfterValidator(unique("state")), FORM_OF_CURVES] = (
         "rocking",
         0.5,
         "overturning",
     )
     """states to be reached: "rocking", shares of the overturning rotation like 0.5, "overturning\""""
-    method: Literal["ida", "stripes", "cloud"] = "ida"
+    method: Annotated[Literal["ida", "stripes", "cloud"], FORM_OF_CURVES] = "ida"
     """"ida": every record at many rising scales; "stripes": all records at few intensities; "cloud": every record once,
     as it is, times [records] factor"""
     samples: Annotated[StrictInt, Field(ge=3, le=1000)] | None = None
@@ -361,7 +396,7 @@ class Fragility(ProjectSection):
     """of the bootstrap: the same seed gives the same intervals"""
     draws: Annotated[StrictInt, Field(ge=100, le=10_000)] = 500
     """draws of the bootstrap, by earthquake"""
-    epistemic: dict[Name, Annotated[Ratio, Field(ge=0, le=2)]] = Field(default_factory=dict)
+    epistemic: Annotated[dict[Name, Annotated[Ratio, Field(ge=0, le=2)]], EPISTEMIC] = Field(default_factory=dict)
     """dispersions of what is not known, by name, like { model = 0.2 }; kept apart from that of the records. A target is
     met only with them: without any, no rate is shown to be within it"""
 
@@ -393,11 +428,11 @@ class Fragility(ProjectSection):
 class HazardPoint(ProjectSection):
     """One row of the hazard of the site."""
 
-    pga: PositiveAcceleration
+    pga: Annotated[PositiveAcceleration, Evidence("defines", "down", "as stated")]
     """peak ground acceleration, like "0.2 g\""""
-    return_period: PositiveYears | None = None
+    return_period: Annotated[PositiveYears | None, Evidence("defines", "up", "as stated")] = None
     """mean return period, like 475; or give rate"""
-    rate: PositiveRatio | None = None
+    rate: Annotated[PositiveRatio | None, Evidence("defines", "down", "as stated")] = None
     """annual rate of exceedance; or give return_period"""
 
     @model_validator(mode="after")
@@ -418,10 +453,15 @@ class HazardPoint(ProjectSection):
 class PlaceSection(ProjectSection):
     """A place on the earth."""
 
+    evidence = Evidence("defines", "either", "as stated")
+
     longitude: Annotated[Ratio, Field(ge=-180, le=360)]
     """degrees east, like 13.40"""
     latitude: Annotated[Ratio, Field(ge=-90, le=90)]
     """degrees north, like 42.35"""
+
+
+TARGET = Evidence("chosen", "up", "absent: the rate is compared with nothing", judged="a larger rate is met sooner")
 
 
 class Risk(ProjectSection):
@@ -429,12 +469,12 @@ class Risk(ProjectSection):
 
     hazard: Annotated[tuple[HazardPoint, ...], Field(min_length=2)] | None = None
     """rows [{ return_period | rate, pga }, …], of falling rate; those of [site.spectrum] if absent"""
-    curve: InputFile | None = None
+    curve: Annotated[InputFile | None, Evidence("defines", "either", "as stated")] = None
     """hazard curves of OpenQuake as CSV, like "hazard_curve-mean-PGA.csv", in place of hazard"""
     site: PlaceSection | None = None
     """{ longitude, latitude } in degrees: which site of `curve`, the nearest, at most 50 km away; needed where it holds
     several"""
-    target: PositiveRatio | None = None
+    target: Annotated[PositiveRatio | None, TARGET] = None
     """annual rate that the risk is compared with, like 2e-4"""
 
     @model_validator(mode="after")
@@ -450,18 +490,30 @@ class Risk(ProjectSection):
         return self
 
 
+Levels = Annotated[tuple[PositiveAcceleration, ...], Field(min_length=1), AfterValidator(unique("level"))]
+STUDIED_LEVELS = Evidence("free", "none", "nothing", judged="the action of the site decides whatever stands here")
+FURTHER_PROCEDURES = Evidence("free", "none", "nothing", judged="the methods that decide run whatever stands here")
+EQUATION = Evidence("chosen", "either", '"exact", "linearised" of equivalent blocks; the other stands beside it')
+SCAN = Evidence(
+    "clamped", "down", "true", judged="without it no lower PGA is seen to be worse, which is then a condition of a pass"
+)
+
+
 class Analysis(ProjectSection):
     """What is asked."""
 
-    levels: Annotated[tuple[PositiveAcceleration, ...], Field(min_length=1), AfterValidator(unique("level"))] | None = (
-        None
-    )
+    levels: (
+        Annotated[
+            tuple[PositiveAcceleration, ...], Field(min_length=1), AfterValidator(unique("level")), STUDIED_LEVELS
+        ]
+        | None
+    ) = None
     """peak ground accelerations at which demands are compared; the site's own if absent"""
-    procedures: Annotated[tuple[Procedure, ...], Field(min_length=1), AfterValidator(unique("procedure"))] | None = None
+    procedures: Annotated[ProcedureNames | None, FURTHER_PROCEDURES] = None
     """code procedures to apply; if absent all that apply at the site"""
-    equation: Literal["exact", "linearised"] | None = None
+    equation: Annotated[Literal["exact", "linearised"] | None, EQUATION] = None
     """equation of motion of the histories; if absent exact, and linearised for equivalent blocks"""
-    scan: StrictBool = True
+    scan: Annotated[StrictBool, SCAN] = True
     """whether histories are run at rising PGA, up to a hundred levels, for their PGA at capacity; false: at the levels
     asked only, for thousands of walls: procedures by histories have no PGA at capacity then, nor the Italian a ζ_E"""
     pulses: Pulses | None = None

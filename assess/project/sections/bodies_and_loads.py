@@ -10,6 +10,7 @@ from pydantic import AfterValidator, Discriminator, Field, Tag
 
 from assess.declaration import (
     UNCERTAIN,
+    Evidence,
     Name,
     NotNegativeRatio,
     NotNegativeStress,
@@ -32,34 +33,77 @@ from assess.project.section import (
 )
 from assess.project.tables import table_by_kind
 
+DENSITY = Evidence(
+    "defines",
+    "either",
+    "as stated, within the range of the type of masonry",
+    judged="weight holds a wall against thrusts and drives one that crushes; alone on a rigid base it changes nothing",
+)
+MODULUS = Evidence(
+    "measured",
+    "either",
+    "the worst over the range of its type, joints up to 100 GPa/m",
+    judged="it sets the stiffness of joints and the first mode of the building, and a softer one may rock more or less",
+)
+COMPRESSION = Evidence("measured", "up", "the lower bound of the type of masonry, that of LC1; never above 50 MPa")
+TENSION = Evidence(
+    "measured",
+    "either",
+    "the worse of 0 and what is stated",
+    judged="no procedure counts on it; eq. 3.27 places a crack by it, which may be the weaker or the stronger place",
+)
+DISINTEGRATION = Evidence("measured", "up", '"possible", by which no Italian procedure passes')
+FRICTION = Evidence("measured", "up", "absent: whether anything slides is not answered")
+GIVEN = Evidence("defines", "either", "as stated")
+SIZE = Evidence("defines", "either", "as drawn, the tolerance of the survey either way")
+THICKNESS = Evidence(
+    "defines",
+    "up",
+    "that of the leaf that turns, the tolerance of the survey either way",
+    judged="a thicker wall turns later; boxes that are walls have it along the way they turn",
+)
+HEIGHT = Evidence(
+    "defines",
+    "down",
+    "as drawn, the tolerance of the survey either way",
+    judged="of two walls of one thickness the taller lifts off and overturns at less",
+)
+PLACE = Evidence("drawn", "either", "as drawn")
+INERTIA = Evidence(
+    "defines",
+    "either",
+    "as stated",
+    judged="more of it slows the wall, which records overturn less easily, and lets an impact take less from it",
+)
+
 
 class MaterialSection(ProjectSection):
     """A masonry."""
 
-    density: Annotated[PositiveDensity, UNCERTAIN]
+    density: Annotated[PositiveDensity, UNCERTAIN, DENSITY]
     """mass per volume, like "2240 kg/m^3\""""
-    young_modulus: Annotated[PositiveStress, UNCERTAIN] | None = None
+    young_modulus: Annotated[PositiveStress, UNCERTAIN, MODULUS] | None = None
     """modulus of elasticity, like "6.89 GPa\""""
-    compressive_strength: Annotated[PositiveStress, UNCERTAIN] | None = None
+    compressive_strength: Annotated[PositiveStress, UNCERTAIN, COMPRESSION] | None = None
     """strength in compression, like "1.0 MPa\""""
-    tensile_strength: Annotated[NotNegativeStress, UNCERTAIN] | None = None
+    tensile_strength: Annotated[NotNegativeStress, UNCERTAIN, TENSION] | None = None
     """strength of the mortar in tension"""
-    disintegration: Literal["excluded", "possible"] | None = None
+    disintegration: Annotated[Literal["excluded", "possible"] | None, DISINTEGRATION] = None
     """whether the masonry may fall apart: "excluded" (by survey, quality index or test) or "possible\""""
-    friction: Annotated[NotNegativeRatio, UNCERTAIN] | None = None
+    friction: Annotated[NotNegativeRatio, UNCERTAIN, FRICTION] | None = None
     """coefficient of friction"""
 
 
 class BoxSection(ProjectSection):
     """A rectangular block: thickness along x, length along y."""
 
-    thickness: Annotated[PositiveLength, UNCERTAIN]
+    thickness: Annotated[PositiveLength, UNCERTAIN, THICKNESS]
     """size along x, like "1.25 m\""""
-    length: Annotated[PositiveLength, UNCERTAIN]
+    length: Annotated[PositiveLength, UNCERTAIN, SIZE]
     """size along y, like "3.0 m\""""
-    height: Annotated[PositiveLength, UNCERTAIN]
+    height: Annotated[PositiveLength, UNCERTAIN, HEIGHT]
     """size along z, like "8.0 m\""""
-    base: SpacePoint = (0.0, 0.0, 0.0)
+    base: Annotated[SpacePoint, PLACE] = (0.0, 0.0, 0.0)
     """centre of the base face [x, y, z]"""
 
 
@@ -68,6 +112,8 @@ class MeshBody(ProjectSection):
 
     In the project z points up. glTF files have y up and are in metres by their standard; they are turned.
     """
+
+    evidence = GIVEN
 
     material: Name
     """the name of a table [materials.NAME]"""
@@ -84,6 +130,8 @@ class MeshBody(ProjectSection):
 
 class BoxBody(ProjectSection):
     """A rectangular body."""
+
+    evidence = GIVEN
 
     material: Name
     """the name of a table [materials.NAME]"""
@@ -111,24 +159,26 @@ Corners = Annotated[tuple[PlanePoint, ...], Field(min_length=3), AfterValidator(
 class ProfileBody(ProjectSection):
     """A polygon in the x-z plane, extruded along y and centred on y = 0."""
 
-    material: Name
+    material: Annotated[Name, GIVEN]
     """the name of a table [materials.NAME]"""
-    profile: Corners
+    profile: Annotated[Corners, SIZE]
     """corners of the polygon [[x, z], …] in order"""
-    length: Annotated[PositiveLength, UNCERTAIN]
+    length: Annotated[PositiveLength, UNCERTAIN, SIZE]
     """length along y, like "3.0 m\""""
 
 
 class DirectBody(ProjectSection):
     """A body by its mass, centroid and inertia, without geometry."""
 
+    evidence = GIVEN
+
     mass: Annotated[PositiveMass, UNCERTAIN]
     """mass, like "12000 kg\""""
     centroid: PlanePoint
     """centre of mass [x, z]"""
-    inertia: Annotated[PositiveInertia, UNCERTAIN]
+    inertia: Annotated[PositiveInertia, UNCERTAIN, INERTIA]
     """moment of inertia about the centroid, like "5200 kg*m^2\""""
-    disintegration: Literal["excluded", "possible"] | None = None
+    disintegration: Annotated[Literal["excluded", "possible"] | None, DISINTEGRATION] = None
     """whether its masonry may fall apart: "excluded" (by survey, quality index or test) or "possible\""""
 
 

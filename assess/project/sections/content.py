@@ -16,6 +16,8 @@ from pydantic_core import PydanticCustomError
 from assess.codes.checklists import CHECKLISTS, BuildingType, PossibleMechanism, possible_mechanism
 from assess.codes.procedures import procedures_of_site
 from assess.declaration import (
+    FREE,
+    Evidence,
     Name,
 )
 from assess.loads.load import body_faults
@@ -68,11 +70,14 @@ def _begins_with_its_kind(text: str) -> str:
     return text
 
 
+FreeText = Annotated[StrictStr, FREE]
 SourceText = Annotated[str, AfterValidator(_begins_with_its_kind)]
 
 
 class RevisionSection(ProjectSection, title="RevisionSection"):
     """One issue of the report."""
+
+    evidence = FREE
 
     number: NumberText
     """of the revision, like 0 or "B\""""
@@ -87,14 +92,24 @@ class RevisionSection(ProjectSection, title="RevisionSection"):
 class FigureSection(ProjectSection, title="FigureSection"):
     """A photograph or drawing of the building."""
 
+    evidence = FREE
+
     file: InputFile
     """PNG or JPEG, path relative to the project file"""
     caption: Paragraph = ""
     """what it shows"""
 
 
+CHECKLIST = Evidence(
+    "free", "none", "nothing", judged='what is not examined makes the index "at most" and changes no outcome of what is'
+)
+SOURCE = Evidence("measured", "up", '"assumed: …"', judged="a source vouches for other keys, which then count as typed")
+
+
 class Report(ProjectSection):
     """How the report looks, what its front matter says, and which mechanisms the building can have."""
+
+    evidence = FREE
 
     units: Literal["SI", "US"] = "SI"
     """units of the report, tables and figures; results.json is in SI, calculation sheets are in both"""
@@ -134,16 +149,16 @@ class Report(ProjectSection):
     """of the municipality, like 2 or "3S\""""
     national_annex: TextLine = ""
     """to the Eurocodes as used, like "UNI EN 1998-1, Italian annex 2013\""""
-    building_type: BuildingType | None = None
+    building_type: Annotated[BuildingType | None, CHECKLIST] = None
     """"house" or "church": which list of possible mechanisms the report goes through"""
-    absent: ItemKeys = ()
+    absent: Annotated[ItemKeys, CHECKLIST] = ()
     """keys of that list which the building cannot have, like ["corner", "chimney"]"""
-    not_examined: dict[TextLine, Paragraph] = Field(default_factory=dict)
+    not_examined: Annotated[dict[TextLine, Paragraph], CHECKLIST] = Field(default_factory=dict)
     """keys of that list which are possible and were not examined, each with the reason"""
     verification: InputFile | None = None
     """the verification.json that the report names, written by `assess verify --for PROJECT`; if absent that of the
     folder NAME-verification beside this file, where there is one"""
-    sources: dict[str, SourceText] = Field(default_factory=dict)
+    sources: Annotated[dict[str, SourceText], SOURCE] = Field(default_factory=dict)
     """where values come from: a key of this file, or the beginning of one, with "measured: …", "literature: …" or
     "assumed: …\""""
 
@@ -164,23 +179,23 @@ class Report(ProjectSection):
 class Content(ProjectSection):
     """All a project file says."""
 
-    format: StrictInt = 1
+    format: Annotated[StrictInt, FREE] = 1
     """version of this format"""
-    title: StrictStr = ""
+    title: FreeText = ""
     """title of the report"""
-    engineer: StrictStr = ""
+    engineer: FreeText = ""
     """who made the assessment"""
-    checker: StrictStr = ""
+    checker: FreeText = ""
     """who checked it"""
-    reference: StrictStr = ""
+    reference: FreeText = ""
     """the office's number of the job"""
-    client: StrictStr = ""
+    client: FreeText = ""
     """for whom"""
-    date: Annotated[StrictStr, BeforeValidator(text_of_date)] = ""
+    date: Annotated[StrictStr, BeforeValidator(text_of_date), FREE] = ""
     """date of the report"""
-    notes: StrictStr = ""
+    notes: FreeText = ""
     """remarks for the report"""
-    masonry_quality: StrictStr = ""
+    masonry_quality: FreeText = ""
     """the engineer's judgement of the masonry, for the report"""
     site: SiteSection | None = None
     """a table [site] with the spectrum"""

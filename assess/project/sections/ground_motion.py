@@ -13,10 +13,12 @@ from pydantic import AfterValidator, Discriminator, Field, StrictBool, StrictInt
 
 from assess.codes.context import default_period
 from assess.declaration import (
+    FREE,
     UNCERTAIN,
     Acceleration,
     Count,
     Damping,
+    Evidence,
     Length,
     NotNegativeLength,
     NotNegativeRatio,
@@ -234,16 +236,26 @@ SpectrumSection = Annotated[
 ]
 
 
+SITE_PGA = Evidence(
+    "defines",
+    "down",
+    "that of the spectrum, where more",
+    judged="the hazard defines the case, but a PGA below that of the spectrum scales the hazard of the code down",
+)
+ACTION_OF = Evidence("defines", "either", "absent: incomplete where the basis fixes one")
+VERTICAL_RATIO = Evidence("code", "down", "1.0 at the ground; on a floor the vertical floor spectrum, or not answered")
+
+
 class SiteSection(ProjectSection):
     """What the ground demands."""
 
     spectrum: SpectrumSection
     """a table [site.spectrum] with the code and its parameters"""
-    pga: PositiveAcceleration | None = None
+    pga: Annotated[PositiveAcceleration | None, SITE_PGA] = None
     """scales the spectrum's ordinates to this peak ground acceleration, corner periods fixed"""
-    limit_state: StrictStr | None = None
+    limit_state: Annotated[StrictStr | None, ACTION_OF] = None
     """what the site's own action stands for, like "SLV", "ULS" or "DBE", without a hazard over return periods"""
-    vertical_ratio: NotNegativeRatio = 0.0
+    vertical_ratio: Annotated[NotNegativeRatio, VERTICAL_RATIO] = 0.0
     """vertical over horizontal spectral acceleration, for F_V of ASCE 43-05"""
 
     @model_validator(mode="after")
@@ -264,42 +276,85 @@ class SiteSection(ProjectSection):
         return self.limit_state or old
 
 
+SOFTENED_PERIOD = Evidence("measured", "either", "the worst over 1.5 to 2.0 times the period of the elastic building")
+
+
 class LimitStatePeriod(ProjectSection):
     """First mode of the building at one limit state, in place of the range of softened periods."""
 
-    period: PositiveTime
+    period: Annotated[PositiveTime, SOFTENED_PERIOD]
     """period of the first mode at this limit state, like "0.5 s\""""
-    damping: Damping
+    damping: Annotated[Damping, Evidence("measured", "up", "10 %; never above 30 %")]
     """its damping ratio"""
-    reason: StrictStr
+    reason: Annotated[StrictStr, FREE]
     """why, for the report"""
+
+
+BUILDING_HEIGHT = Evidence(
+    "drawn",
+    "up",
+    "the top of the highest body, where it is more than 10 % above that",
+    judged="in a taller building a mechanism stands relatively lower",
+)
+STOREYS = Evidence(
+    "drawn", "down", "as drawn", judged="the first mode of many storeys moves the top more than that of one"
+)
+GROUND_ELEVATION = Evidence(
+    "drawn",
+    "up",
+    "0 where the lowest body stands there, else not answered",
+    judged="the higher the ground, the less a mechanism stands above it",
+)
+USE_CLASS = Evidence(
+    "defines",
+    "down",
+    "absent: a failing SLD makes ntc2018 incomplete",
+    judged="a lower class has shorter return periods, and no SLD that decides",
+)
+SCHOOL = Evidence(
+    "defines",
+    "either",
+    "absent: an improvement in class III is incomplete",
+    judged="a school is to reach 0.60, another building 0.10 above the index before, which may be more or less",
+)
+FIRST_PERIOD = Evidence(
+    "measured", "either", "the worst from it to 0.05 H^0.75; beyond 0.5 to 4 times that only a test counts"
+)
+FIRST_DAMPING = Evidence("measured", "up", "5 %; above 10 % only measured, never above 30 %")
+FIRST_FREQUENCY = Evidence("measured", "either", "the worst from it to that of 0.05 H^0.75")
+EFFECTIVE_HEIGHT = Evidence(
+    "measured",
+    "up",
+    "Rayleigh's of the bodies as drawn",
+    judged="the higher the resultant of the first mode, the less of it acts at a given height",
+)
 
 
 class BuildingSection(ProjectSection):
     """The structure below a mechanism; what the clauses for mechanisms above ground need."""
 
-    height: PositiveLength | None = None
+    height: Annotated[PositiveLength | None, BUILDING_HEIGHT] = None
     """height above ground_elevation, like "9 m\""""
-    storeys: Count | None = None
+    storeys: Annotated[Count | None, STOREYS] = None
     """number of storeys"""
-    ground_elevation: Length | None = None
+    ground_elevation: Annotated[Length | None, GROUND_ELEVATION] = None
     """elevation of the ground in the coordinates of the bodies; 0 if absent and the lowest body stands there"""
-    use_class: Literal["I", "II", "III", "IV"] | None = None
+    use_class: Annotated[Literal["I", "II", "III", "IV"] | None, USE_CLASS] = None
     """class of use "I" to "IV", of the Italian codes"""
-    school: StrictBool | None = None
+    school: Annotated[StrictBool | None, SCHOOL] = None
     """whether the building is a school, for the targets of NTC 8.4.2"""
-    period: Annotated[PositiveTime, UNCERTAIN] | None = Field(
+    period: Annotated[PositiveTime, UNCERTAIN, FIRST_PERIOD] | None = Field(
         default_factory=lambda values: None if values.get("height") is None else default_period(values["height"])
     )
     """period of the first mode; 0.05 H^0.75 if absent"""
-    damping: Damping = 0.05
+    damping: Annotated[Damping, FIRST_DAMPING] = 0.05
     """damping ratio of the first mode"""
-    natural_frequency: PositiveFrequency | None = None
+    natural_frequency: Annotated[PositiveFrequency | None, FIRST_FREQUENCY] = None
     """first natural frequency for `amplification`, like "2.5 Hz"; 1 / period where that is given, else Rayleigh's"""
     limit_states: dict[Literal["SLV", "SLC"], LimitStatePeriod] = Field(default_factory=dict)
     """{ SLV = { period, damping, reason } }: the building at a limit state, for displacements by ntc2018; 1.5 to 2.0
     times its period if absent"""
-    effective_height: PositiveLength | None = None
+    effective_height: Annotated[PositiveLength | None, EFFECTIVE_HEIGHT] = None
     """height above the ground of the resultant of the first mode's inertia forces, for `amplification`"""
 
 
@@ -321,13 +376,28 @@ Periods = Annotated[tuple[PositiveTime, PositiveTime], AfterValidator(_rising)]
 Factors = Annotated[tuple[PositiveRatio, PositiveRatio], AfterValidator(_rising)]
 
 
+FILTER = Evidence(
+    "action",
+    "either",
+    "the default",
+    judged="of many suites that fit, some are kinder than a fair one",
+)
+SUITE_SIZE = Evidence(
+    "action", "up", "seven, where less", judged="of seven and more records the mean counts, of fewer the largest"
+)
+
+
 class Select(ProjectSection):
     """The best suite out of many records."""
 
-    code: CodeName | None = Field(default=None, alias="for")
+    evidence = FILTER
+
+    code: Annotated[CodeName | None, Evidence("action", "either", "the rules of the basis")] = Field(
+        default=None, alias="for"
+    )
     """code whose rules on suites are to be met, as far as they can be answered: the factor on the records, their number
     and records that break a rule by themselves are changed, or an error says which rule no suite meets"""
-    count: Annotated[Count, Field(le=200)] = 7
+    count: Annotated[Count, Field(le=200), SUITE_SIZE] = 7
     """how many records; with components = "together" how many recordings"""
     periods: Periods | None = None
     """[from, to] over which spectra are to fit; 0.2 times the least to 1.2 times the largest equivalent period of the
@@ -356,40 +426,58 @@ class Select(ProjectSection):
     """parts of the names of the earthquakes allowed; all if absent"""
 
 
+SEED = Evidence("action", "either", "the hash of target and recipe; both suites run, the worse decides")
+
+
 class Synthetic(ProjectSection):
     """Artificial records that fit the site's spectrum."""
 
-    count: Annotated[Count, Field(le=1000)] = 7
+    count: Annotated[Count, Field(le=1000), SUITE_SIZE] = 7
     """how many"""
-    seed: Annotated[StrictInt, Field(ge=0)] = 1
+    seed: Annotated[StrictInt, Field(ge=0), SEED] = 1
     """of the random numbers: the same seed makes the same records"""
-    duration: Annotated[PositiveTime, Field(ge=8, le=600)] = 25.0
+    duration: Annotated[PositiveTime, Field(ge=8, le=600), Evidence("action", "down", "25 s; 20 s for ASCE 43-05")] = (
+        25.0
+    )
     """length of each record, like "25 s", which NTC 2018 asks for; ASCE 43-05 asks for 20 s"""
+
+
+RECORD_FILES = Evidence(
+    "action", "either", "as given; below seven the largest decides, below 11 natural ones page 1 says so"
+)
+AS_FILES_SAY = Evidence("action", "either", "as the files of records say")
+SCALE_TO = Evidence(
+    "action",
+    "either",
+    '"spectrum"',
+    judged="a record may exceed what it is scaled to by the one measure and not by the other",
+)
+LOCK = Evidence("action", "either", "the suite that its recipe selects")
 
 
 class Records(ProjectSection):
     """The ground motions: from files, artificial, or both; artificial ones where nothing is said."""
 
-    files: InputFiles = ()
+    files: Annotated[InputFiles, RECORD_FILES] = ()
     """record files of any format known, names or patterns relative to the project file; their horizontal components;
     with `select` also folders"""
     select: Select | None = None
     """{ count, periods, scale_limits, one_per_event, … }: the best suite out of `files`; all of them if absent"""
-    flatfile: InputFile | None = None
+    flatfile: Annotated[InputFile | None, AS_FILES_SAY] = None
     """PEER flatfile in CSV, with magnitude, distance and Vs30 of the recordings, for `select`"""
-    unit: AccelerationUnit | None = None
+    unit: Annotated[AccelerationUnit | None, AS_FILES_SAY] = None
     """unit of acceleration, only for files that do not say theirs"""
-    step: PositiveTime | None = None
+    step: Annotated[PositiveTime | None, AS_FILES_SAY] = None
     """time step, only for files that do not say theirs"""
-    response: InputFile | None = None
+    response: Annotated[InputFile | None, AS_FILES_SAY] = None
     """StationXML of the instruments, for MiniSEED and SAC files in counts"""
     synthetic: Synthetic | None = Field(default_factory=lambda values: None if values["files"] else Synthetic())
     """{ count, seed, duration } of artificial records"""
-    scale_to: Literal["spectrum", "pga", "none"] = "spectrum"
+    scale_to: Annotated[Literal["spectrum", "pga", "none"], SCALE_TO] = "spectrum"
     """scale each record to the "spectrum" (least squares), to its "pga", or "none"; levels then multiply"""
-    factor: PositiveRatio = 1.0
+    factor: Annotated[PositiveRatio, Evidence("action", "down", "1.0, where less")] = 1.0
     """further factor on every record, like 1.05, where the mean of the suite falls short of what its code asks"""
-    lock: FilePlace | None = None
+    lock: Annotated[FilePlace | None, LOCK] = None
     """file like "records.lock.toml", written by `assess records select PROJECT --lock`: its records and factors are
     used, and the other keys here say how it is made"""
 

@@ -17,6 +17,8 @@ from assess.codes.asce41_13 import Masonry, Position, Seismicity
 from assess.codes.bases import BASES
 from assess.codes.procedures import THESIS_READINGS
 from assess.declaration import (
+    FREE,
+    Evidence,
     Name,
     NotNegativeLength,
     PositiveAcceleration,
@@ -52,33 +54,58 @@ Procedure = Literal[
     "asce43-05-sliding",
     "sliding",
 ]
+ProcedureNames = Annotated[tuple[Procedure, ...], Field(min_length=1), AfterValidator(unique("procedure"))]
 PROCEDURES: tuple[Procedure, ...] = get_args(Procedure)
 BasisName = Literal["ntc2018", "dmi2008", "nzsee2017", "asce41-13", "asce43-05", "ec8", "own"]
+
+
+BASIS = Evidence("chosen", "either", "that of the site's code; asce7 and tables have none")
+DECIDING_STATE = Evidence("chosen", "either", "the default of the basis; beside it the others that it lets one choose")
+METHODS = Evidence(
+    "chosen", "either", "all that the basis accepts unnamed; beside them the others that can be computed"
+)
+WORKS = Evidence(
+    "chosen",
+    "up",
+    '"none"; its target stands beside',
+    judged="no kind of work has a higher target than the 1.0 of a building without any",
+)
+UPGRADING = Evidence("chosen", "up", "a target of 1.0 stands beside", judged="cases c and e have the target 0.80")
+INDEX_BEFORE = Evidence(
+    "measured", "down", "absent: an improvement is incomplete", judged="the target of an improvement is 0.10 above it"
+)
+TARGET_NBS = Evidence("chosen", "down", "absent: incomplete; the grade stands beside")
+RULE = Evidence(
+    "chosen", "up", '"all"; "any" is a condition', judged="one of several methods holds sooner than all of them"
+)
+SURVEY_TOLERANCE = Evidence(
+    "clamped", "down", "20 mm, where less", judged="with a smaller one fewer answers are at the limit"
+)
 
 
 class VerdictSection(ProjectSection, title="VerdictSection"):
     """What decides: the basis, the limit state, the methods, and what they are measured by."""
 
-    basis: BasisName | None = None
+    basis: Annotated[BasisName | None, BASIS] = None
     """code that decides: "ntc2018", "dmi2008", "nzsee2017", "asce41-13", "asce43-05", "ec8", or "own"; that of the
     site's spectrum if absent, which asce7 and tables do not tell"""
-    limit_state: StrictStr | None = None
+    limit_state: Annotated[StrictStr | None, DECIDING_STATE] = None
     """limit state that decides for the whole building, like "SLV"; the default of the basis if absent"""
-    procedures: Annotated[tuple[Procedure, ...], Field(min_length=1), AfterValidator(unique("procedure"))] | None = None
+    procedures: Annotated[ProcedureNames | None, METHODS] = None
     """methods that may decide, also those that the basis accepts only if named; all it accepts unnamed if absent"""
-    works: Literal["none", "repair", "improvement", "upgrading"] = "none"
+    works: Annotated[Literal["none", "repair", "improvement", "upgrading"], WORKS] = "none"
     """kind of work, which sets the target of the Italian index: "none" (1.0), "repair", "improvement", "upgrading\""""
-    upgrading: Literal["a", "b", "c", "d", "e"] | None = None
+    upgrading: Annotated[Literal["a", "b", "c", "d", "e"] | None, UPGRADING] = None
     """case of NTC 8.4.3: "c" and "e" have the target 0.80, the others 1.0"""
-    index_before: PositiveRatio | None = None
+    index_before: Annotated[PositiveRatio | None, INDEX_BEFORE] = None
     """index before the works, which an improvement raises by 0.10"""
-    target_nbs: Literal[34, 67, 100] | None = None
+    target_nbs: Annotated[Literal[34, 67, 100] | None, TARGET_NBS] = None
     """share of the new building standard to be reached in per cent, 34, 67 or 100; no default"""
-    rule: Literal["all", "any"] | None = None
+    rule: Annotated[Literal["all", "any"] | None, RULE] = None
     """of basis = "own": whether "all" of the procedures must hold, or "any" of them"""
-    statement: StrictStr = ""
+    statement: Annotated[StrictStr, FREE] = ""
     """of basis = "own": the sentence that the report prints"""
-    survey_tolerance: NotNegativeLength = 0.02
+    survey_tolerance: Annotated[NotNegativeLength, SURVEY_TOLERANCE] = 0.02
     """of thicknesses and hinge positions; loads have 5 %"""
 
     @model_validator(mode="after")
@@ -109,39 +136,56 @@ class VerdictSection(ProjectSection, title="VerdictSection"):
 KnowledgeLevel = Literal["LC1", "LC2", "LC3"]
 
 
+KNOWLEDGE = Evidence("measured", "up", "LC1")
+CONFIDENCE_FACTOR = Evidence("code", "down", "that of the knowledge level; one below it is for comparison")
+
+
 class Italian(ProjectSection):
     """What both Italian procedures may say."""
 
-    knowledge_level: KnowledgeLevel | None = None
+    knowledge_level: Annotated[KnowledgeLevel | None, KNOWLEDGE] = None
     """level of knowledge, which gives the confidence factor where crushing is modelled: LC1 1.35, LC2 1.20, LC3 1.00;
     1.35 wherever it is not"""
-    knowledge_levels: dict[Name, KnowledgeLevel] = Field(default_factory=dict)
+    knowledge_levels: Annotated[dict[Name, KnowledgeLevel], KNOWLEDGE] = Field(default_factory=dict)
     """{ MECHANISM = "LC2" }: of single mechanisms, in place of knowledge_level"""
-    confidence_factor: Annotated[Ratio, Field(ge=1)] | None = None
+    confidence_factor: Annotated[Ratio, Field(ge=1), CONFIDENCE_FACTOR] | None = None
     """FC in place of the code's: a larger one decides, a lower one is shown for comparison"""
+
+
+FURTHER_STATES = Evidence(
+    "chosen", "none", '"SLV"', judged="the limit states that decide are checked whatever stands here"
+)
 
 
 class Dmi2008(Italian):
     """Options of the Italian procedure of DM 2008 with Circolare 617/2009."""
 
     limit_states: Annotated[
-        tuple[Literal["SLD", "SLV"], ...], Field(min_length=1), AfterValidator(unique("limit state"))
+        tuple[Literal["SLD", "SLV"], ...], Field(min_length=1), AfterValidator(unique("limit state")), FURTHER_STATES
     ] = ("SLV",)
     """limit states to check: "SLD" by dmi2008-linear, "SLV" by all"""
+
+
+AS_DRAWN = Evidence("drawn", "either", "as drawn")
+CRACKED_MODULUS = Evidence(
+    "measured",
+    "either",
+    "the worst from it to a quarter of the least modulus of its type, 0.15 GPa where none is named",
+)
 
 
 class FreeElement(ProjectSection):
     """A wall that vibrates between its supports before it lifts off: its period follows by C8.7.1.7."""
 
-    length: PositiveLength
+    length: Annotated[PositiveLength, AS_DRAWN]
     """height of the wall that is free, like "2 m\""""
-    thickness: PositiveLength
+    thickness: Annotated[PositiveLength, AS_DRAWN]
     """thickness of the wall"""
-    young_modulus: PositiveStress
+    young_modulus: Annotated[PositiveStress, CRACKED_MODULUS]
     """Young's modulus, reduced for cracks, like "0.8 GPa\""""
-    density: PositiveDensity
+    density: Annotated[PositiveDensity, Evidence("defines", "either", "that of its material")]
     """density of the masonry"""
-    support: Literal["cantilever", "supported"] = "cantilever"
+    support: Annotated[Literal["cantilever", "supported"], AS_DRAWN] = "cantilever"
     """"cantilever", or "supported" at both ends"""
 
 
@@ -151,58 +195,89 @@ GivenFreePeriod = Annotated[
 ]
 
 
+FREE_PERIOD = Evidence("measured", "either", "the largest demand over 0 to 6.2 (cantilever; 2.2 spanning) L^2/t √(ρ/E)")
+
+
 class Ntc2018(Italian):
     """Options of the Italian procedure of NTC 2018 with Circolare 7/2019."""
 
     limit_states: Annotated[
-        tuple[Literal["SLD", "SLV", "SLC"], ...], Field(min_length=1), AfterValidator(unique("limit state"))
+        tuple[Literal["SLD", "SLV", "SLC"], ...],
+        Field(min_length=1),
+        AfterValidator(unique("limit state")),
+        FURTHER_STATES,
     ] = ("SLV",)
     """limit states to check: "SLD" by ntc2018-linear, "SLC" by ntc2018-nonlinear and -history, "SLV" by all"""
-    free_periods: dict[Name, GivenFreePeriod] = Field(default_factory=dict)
+    free_periods: Annotated[dict[Name, GivenFreePeriod], FREE_PERIOD] = Field(default_factory=dict)
     """{ MECHANISM = "0.2 s" }: period before uplift of those that vibrate freely, as parapets and pinnacles do; or in
     place of the period { length, thickness, young_modulus, density, support }"""
+
+
+USABLE = Evidence("code", "up", "0.6 of walls that span, 0.3 of others; a larger one is for comparison")
+ORDINATE = Evidence("code", "down", "that of the site's spectrum; on a table not answered")
 
 
 class Nzsee2017(ProjectSection):
     """Options of the face-loaded walls of NZSEE 2017, C8."""
 
-    usable: Share | None = None
+    usable: Annotated[Share | None, USABLE] = None
     """usable rotation over that at instability; if absent 0.6 for walls that span, 0.3 for those that stand free; a
     larger one is shown for comparison"""
-    risk_factor: Annotated[Ratio, Field(ge=0.9)] = 1.0
+    risk_factor: Annotated[Ratio, Field(ge=0.9), Evidence("code", "down", "1.0, where less")] = 1.0
     """risk factor R_p of the part, NZS 1170.5 Table 8.1"""
-    c_0: PositiveAcceleration | None = None
+    c_0: Annotated[PositiveAcceleration | None, ORDINATE] = None
     """C(0) at the site's own peak ground acceleration; needed where the spectrum is a table"""
+
+
+POSITION = Evidence(
+    "code",
+    "either",
+    "by storeys and elevation, else the strictest row for a pass",
+    judged="the wall of a top storey may be less slender, that of a first storey more",
+)
+MASONRY = Evidence(
+    "measured",
+    "up",
+    'absent: "coursed" is a condition of a pass',
+    judged='"coursed" takes a condition from a pass, "rubble" leaves the wall without an answer',
+)
 
 
 class Asce41(ProjectSection):
     """Options of the permissible h/t of ASCE 41-13."""
 
-    position: Position | None = None
+    position: Annotated[Position | None, POSITION] = None
     """row of Table 11-5: "one-storey", "first-storey", "top-storey" or "other"; if absent by [building], elevation"""
-    masonry: Masonry | None = None
+    masonry: Annotated[Masonry | None, MASONRY] = None
     """"coursed", or "rubble", which the table is not for; if absent a pass holds on condition that it is coursed"""
-    seismicity: Seismicity = "high"
+    seismicity: Annotated[Seismicity, Evidence("code", "down", '"high"')] = "high"
     """level of seismicity, on which the limit of parapets hangs: "high", h/t 1.5, or "moderate", 2.5"""
-    s_x1: PositiveAcceleration | None = None
+    s_x1: Annotated[PositiveAcceleration | None, ORDINATE] = None
     """S_X1 at the site's own peak ground acceleration; if absent the spectrum at 1 s; needed where that is a table"""
+
+
+BEHAVIOUR_FACTOR = Evidence("code", "up", "1.0 for what stands free, 2.0 for what spans or is held by the drawing")
 
 
 class Ec8(ProjectSection):
     """Options of the check of non-structural elements of EN 1998-1, 4.3.5."""
 
-    behaviour_factor: Annotated[Ratio, Field(ge=1, le=2)] | None = None
+    behaviour_factor: Annotated[Ratio, Field(ge=1, le=2), BEHAVIOUR_FACTOR] | None = None
     """q_a of Table 4.4, 1 to 2; if absent 2.0 for walls that span, 1.0 for what stands free"""
-    importance_factor: Annotated[Ratio, Field(ge=1)] = 1.0
+    importance_factor: Annotated[Ratio, Field(ge=1), Evidence("code", "down", "1.0; 1.5 where life depends on it")] = (
+        1.0
+    )
     """gamma_a of the element, no less than 1: 1.5 where life depends on it"""
-    alpha_s: PositiveAcceleration | None = None
+    alpha_s: Annotated[PositiveAcceleration | None, ORDINATE] = None
     """alpha S at the site's own peak ground acceleration; needed where the spectrum is a table"""
 
 
 class Asce4305(ProjectSection):
     """Options of ASCE/SEI 43-05."""
 
-    allowable_sliding: PositiveLength | None = None
+    allowable_sliding: Annotated[
+        PositiveLength | None, Evidence("chosen", "up", "absent: sliding is for information")
+    ] = None
     """how far a body may slide on its base (A.1), like "0.05 m"; if absent its sliding is shown for information"""
 
 

@@ -1,0 +1,72 @@
+"""Every key of a project file says who vouches for it, in its table, in the list of keys and in the schema."""
+
+from collections.abc import Iterator
+from dataclasses import asdict
+from math import pi
+from typing import Any
+
+from assess.project.evidence import every_key
+from assess.project.project_file import json_schema
+from assess.project.section import EVIDENCE
+
+KEYS = {str(key): key for key in every_key()}
+PENDING = ("mechanisms.NAME.", "site.spectrum.")
+"""Tables whose keys are not marked yet."""
+
+
+def test_every_key_says_who_vouches_for_it() -> None:
+    assert [name for name, key in KEYS.items() if key.evidence is None and not name.startswith(PENDING)] == []
+
+
+def test_what_changes_no_outcome_helps_no_wall_and_needs_nothing_instead() -> None:
+    for name, key in KEYS.items():
+        if key.evidence is not None and key.evidence.kind == "free":
+            assert (key.evidence.helps, key.evidence.instead) == ("none", "nothing"), name
+
+
+def test_a_key_that_helps_no_wall_is_free_or_says_why() -> None:
+    for name, key in KEYS.items():
+        if key.evidence is not None and key.evidence.helps == "none":
+            assert key.evidence.kind == "free" or key.evidence.judged, name
+
+
+def test_a_key_is_listed_with_its_place_form_dimension_bounds_and_default() -> None:
+    thickness = KEYS["bodies.NAME.box.thickness"]
+    assert (thickness.dimension, thickness.bounds, thickness.required) == ("length", {"above": 0.0}, True)
+    pull, push = KEYS["mechanisms.NAME.loads[].force (tie)"], KEYS["mechanisms.NAME.loads[].force (force)"]
+    assert pull.evidence is not None
+    assert push.evidence is not None
+    assert (pull.evidence.kind, push.evidence.kind) == ("measured", "loads")
+    crack = KEYS["mechanisms.NAME.cut.angle (angle)"]
+    assert crack.bounds == {"above": -pi / 2, "below": pi / 2}
+    assert KEYS["building.damping"].default == 0.05
+    assert KEYS["procedures.asce41-13.seismicity"].default == "high"
+    assert {"procedures.ntc2018.free_periods.NAME", "procedures.ntc2018.free_periods.NAME.length"} < KEYS.keys()
+    assert "records.select.for" in KEYS
+    assert "KEY.cov" in KEYS
+
+
+def test_the_schema_has_the_evidence_of_each_key_and_no_other() -> None:
+    schema = json_schema()
+    listed = {_written(asdict(key.evidence)) for key in KEYS.values() if key.evidence is not None}
+    assert {_written(each) for each in _found(schema)} == listed
+    density = schema["$defs"]["MaterialSection"]["properties"]["density"]
+    assert density.pop(EVIDENCE)["kind"] == "defines"
+    assert EVIDENCE not in str(density)
+    assert "judged" not in schema["properties"]["title"][EVIDENCE]
+
+
+def _found(node: Any) -> Iterator[dict[str, str]]:
+    if isinstance(node, dict):
+        for key, each in node.items():
+            if key == EVIDENCE:
+                yield each
+            else:
+                yield from _found(each)
+    elif isinstance(node, list):
+        for each in node:
+            yield from _found(each)
+
+
+def _written(evidence: dict[str, str]) -> frozenset[tuple[str, str]]:
+    return frozenset((name, text) for name, text in evidence.items() if text)

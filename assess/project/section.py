@@ -594,16 +594,16 @@ WRITTEN_QUANTITY_SCHEMA = WithJsonSchema({"type": ["number", "string"]})
 WrittenQuantity = Annotated[int | float | str, number_or_text("write it as without scatter"), WRITTEN_QUANTITY_SCHEMA]
 
 
+SCATTER = Evidence("measured", "none", "nothing", judged="the verdict takes the mean; the scatter stands beside it")
+MEAN = Evidence("defines", "either", "as at its key", judged="it is the value of its key")
+
+
 class UncertainNumber(ProjectSection):
     """A number that is not well known; without [analysis.uncertainty] its mean is used."""
 
-    evidence = Evidence(
-        "measured", "none", "nothing", judged="the verdict takes the mean; the scatter stands beside it"
-    )
+    evidence = SCATTER
 
-    mean: Annotated[
-        WrittenQuantity, Evidence("defines", "either", "as at its key", judged="it is the value of its key")
-    ]
+    mean: Annotated[WrittenQuantity, MEAN]
     """its mean, written as at any key, like "0.60 m\""""
     cov: Annotated[Ratio, Field(gt=0, lt=1)] | None = None
     """coefficient of variation, standard deviation over mean, like 0.05; or give sd"""

@@ -7,10 +7,11 @@ import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cache
-from typing import Any, get_args, get_origin
+from typing import Any, get_args
 
 from pydantic.fields import FieldInfo
 
+from assess.project.evidence import places_below
 from assess.project.section import ProjectSection
 from assess.project.sections.content import Content
 
@@ -50,16 +51,9 @@ def _collect(place: Place, found: dict[Table, Place]) -> None:
 
 def _below(path: str, annotation: Any) -> Iterator[Place]:
     """Yield the tables that a value may be, or hold."""
-    if is_table(annotation):
-        yield Place(annotation, path)
-        return
-    origin, arguments = get_origin(annotation), get_args(annotation)
-    if origin is dict:
-        path, arguments = f"{path}.NAME", arguments[1:]
-    elif origin is tuple and any(True for each in arguments for _ in _below("", each)):
-        path = f"{path}[]"
-    for each in arguments:
-        yield from _below(path, each)
+    for place, _, table in places_below(path, annotation):
+        if table is not None:
+            yield Place(table, place)
 
 
 def is_table(annotation: Any) -> bool:

@@ -35,6 +35,7 @@ from assess.declaration import (
 )
 from assess.project.section import (
     PATTERN_MARK,
+    SCATTER,
     WRITTEN_QUANTITY_SCHEMA,
     InputFile,
     ProjectSection,
@@ -298,7 +299,7 @@ class Uncertainty(ProjectSection):
     """values of each number, a power of two"""
     seed: Annotated[StrictInt, Field(ge=0, lt=2**32)] = 1
     """of the scrambled Sobol sequence"""
-    thickness: Annotated[Ratio, Field(gt=0, lt=1)] | None = None
+    thickness: Annotated[Ratio, Field(gt=0, lt=1), SCATTER] | None = None
     """coefficient of variation of the size of all blocks along their direction, like 0.05, lognormal: of bodies whose
     thickness is no number of this file, as meshes"""
 

@@ -383,7 +383,10 @@ FILTER = Evidence(
     judged="of many suites that fit, some are kinder than a fair one",
 )
 SUITE_SIZE = Evidence(
-    "action", "up", "seven, where less", judged="of seven and more records the mean counts, of fewer the largest"
+    "action",
+    "up",
+    "as stated; of fewer than seven the largest decides",
+    judged="of seven records and more the mean counts",
 )
 
 
@@ -443,7 +446,7 @@ class Synthetic(ProjectSection):
 
 
 RECORD_FILES = Evidence(
-    "action", "either", "as given; below seven the largest decides, below 11 natural ones page 1 says so"
+    "action", "either", "as given; of fewer than seven the largest decides, below 11 natural ones page 1 says so"
 )
 AS_FILES_SAY = Evidence("action", "either", "as the files of records say")
 SCALE_TO = Evidence(

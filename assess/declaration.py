@@ -11,7 +11,7 @@ Words are those of the project file, which is written more often. Nothing here k
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from dataclasses import dataclass, fields
 from functools import cache
 from itertools import pairwise
@@ -110,6 +110,23 @@ class IsName(Mark):
     def fault(self, value: Any) -> str:
         """Return what is wrong with a text; empty if it is a name."""
         return "" if value.strip() else "an empty name; write a name"
+
+
+@dataclass(frozen=True)
+class IsInputFile(Mark):
+    """A file that exists; a project file names it by its path from there."""
+
+
+@dataclass(frozen=True)
+class Rows(Mark):
+    """Rows of data of one kind, at least so many; form : what is wrong with anything else, from Python."""
+
+    least: int
+    form: str
+
+    def fault(self, value: Any) -> str:
+        """Return what is wrong with rows; empty if nothing is."""
+        return "" if len(value) >= self.least else f"too few; give at least {self.least}"
 
 
 @dataclass(frozen=True)
@@ -227,7 +244,20 @@ def descriptions(kind: type) -> dict[str, str]:
     return found
 
 
+def meanings_of(kind: type) -> dict[str, str]:
+    """Return the sentence below each attribute of a class and of those that it extends."""
+    return {key: text for each in reversed(kind.__mro__[:-1]) for key, text in descriptions(each).items()}
+
+
+def unknown_key(key: str, known: Collection[str]) -> str:
+    """Say that a key is unknown, with the nearest of those known, or all."""
+    from difflib import get_close_matches
+
+    near = get_close_matches(key, known, n=1)
+    return f'unknown key; did you mean "{near[0]}"?' if near else f"unknown key; known here: {', '.join(known)}"
+
+
 def one_of(words: tuple[object, ...]) -> str:
-    """Write the words that a key takes, for a sentence: "a", "b" or "c"."""
-    *first, last = (f'"{each}"' for each in words)
+    """Write the words or numbers that a key takes, for a sentence: "a", "b" or "c"."""
+    *first, last = (f'"{each}"' if isinstance(each, str) else str(each) for each in words)
     return f"{', '.join(first)} or {last}" if first else last

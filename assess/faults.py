@@ -112,7 +112,7 @@ def _kind_text(kind: Any) -> str:
     if origin in (Union, UnionType):
         return " or ".join(dict.fromkeys(_kind_text(each) for each in inner if each is not NoneType))
     if origin is Literal:
-        return " or ".join(f'"{each}"' for each in inner)
+        return one_of(inner)
     if origin is tuple and inner[-1] is Ellipsis:
         return f"a list, each {_kind_text(inner[0])}"
     if origin is tuple:

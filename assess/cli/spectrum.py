@@ -136,7 +136,7 @@ def _key_option(name: str, metavar: str, words: str, complete: Completion | None
 
 def _complete_codes(incomplete: str) -> Sequence[str]:
     """Complete the name of a design spectrum."""
-    from spectra.registry import SPECTRA
+    from spectra.design_spectra import SPECTRA
 
     return [name for name in SPECTRA if name.startswith(incomplete)]
 

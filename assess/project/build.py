@@ -413,8 +413,8 @@ def _inputs_of(project: Project, records: Sequence[Record], annex: AnnexResult |
     yield Input(project.path.name, project.sha256)
     content = project.content
     bodies = [body.mesh for body in content.bodies.values() if isinstance(body, sections.MeshBody)]
-    table = content.site.spectrum if content.site is not None else None
-    tables = [table.file] if isinstance(table, sections.TableSpectrum) else []
+    table = getattr(content.site.spectrum, "file", None) if content.site is not None else None
+    tables = [] if table is None else [table]
     used = record_files(content.records, [project.folder / record.path for record in records])
     named = [*hazard_files(content), *picture_files(content), *annex_files(project, annex)]
     for path in dict.fromkeys([*bodies, *tables, *used, *named]):

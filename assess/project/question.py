@@ -77,7 +77,7 @@ def _scaled_down_hazard(content: sections.Content, scale: float) -> Iterator[Mis
     """Report a PGA of the site below that of its own hazard, which is not the action of any limit state."""
     if content.site is None or content.site.pga is None or scale > 1.0 - LIKE:
         return
-    if isinstance(content.site.spectrum, sections.NtcHazardSpectrum):
+    if content.site.hazard is not None:
         yield missing_input("site.pga", message("missing-own-pga", {"share": Quantity(scale, "ratio", 3)}))
 
 
@@ -85,15 +85,14 @@ def action_of(content: sections.Content, basis: Basis | None, *, pga_g: float) -
     """Return the action of the site's own spectrum; with hazard over return periods, at the limit state chosen."""
     if content.site is None:
         return Action(pga_g, None)
-    own, spectrum = content.site.own_limit_state, content.site.spectrum
-    if isinstance(spectrum, sections.NtcHazardSpectrum):
+    own, hazard = content.site.own_limit_state, content.site.hazard
+    if hazard is not None:
         state, use_class = limit_state_of(content), use_class_of(content)
         if use_class is None:
             return Action(pga_g, state, over_periods=True)
-        life = ntc.reference_life(spectrum.nominal_life, use_class=use_class)
+        life = ntc.reference_life(hazard.nominal_life, use_class=use_class)
         return Action(pga_g, state, ntc.return_period(state, reference_life=life), over_periods=True)
-    years = spectrum.return_period if isinstance(spectrum, sections.Nzs1170Spectrum) else None
-    return Action(pga_g, own, years)
+    return Action(pga_g, own, getattr(content.site.spectrum, "return_period", None))
 
 
 def limit_state_of(content: sections.Content) -> str:
@@ -108,8 +107,7 @@ def limit_state_of(content: sections.Content) -> str:
 
 def use_class_of(content: sections.Content) -> str | None:
     """Return the class of use of the hazard or of the building; raise ProjectError if they differ."""
-    spectrum = None if content.site is None else content.site.spectrum
-    of_site = spectrum.use_class if isinstance(spectrum, sections.NtcHazardSpectrum) else None
+    of_site = None if content.site is None else getattr(content.site.spectrum, "use_class", None)
     of_building = None if content.building is None else content.building.use_class
     if of_site is not None and of_building is not None and of_site != of_building:
         raise ProjectError(f'building.use_class: "{of_building}" beside site.spectrum.use_class "{of_site}"; give one')
@@ -133,7 +131,7 @@ def lowered_pga_conditions(content: sections.Content, spectrum: Spectrum | None)
     site = content.site
     if site is None or site.pga is None or spectrum is None or spectrum.factor > 1.0 - LIKE:
         return ()
-    if isinstance(site.spectrum, sections.NtcHazardSpectrum):
+    if site.hazard is not None:
         return ()  # it cannot pass at all: `_scaled_down_hazard`
     own = Quantity(site.pga / spectrum.factor / g, "ground acceleration", 3)
     values = {"given": Quantity(site.pga / g, "ground acceleration", 3), "own": own}

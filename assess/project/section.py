@@ -12,7 +12,6 @@ import unicodedata
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import asdict
 from datetime import date
-from difflib import get_close_matches
 from functools import cache, reduce
 from inspect import get_annotations
 from operator import or_
@@ -45,15 +44,18 @@ from assess.declaration import (
     Evidence,
     FileDefault,
     IsDirection,
+    IsInputFile,
     IsName,
     IsPlace,
     Mark,
     Name,
     Number,
     Ratio,
+    Rows,
     Scatters,
     descriptions,
     marks_of,
+    unknown_key,
 )
 from assess.messages.message import escape_text
 from assess.project.units import INFINITE, KINDS, QuantityForm, key_value, si_value
@@ -140,12 +142,7 @@ class ProjectSection(BaseModel):
     def _unknown(cls, key: str) -> str:
         if key in cls.elsewhere:
             return cls.elsewhere[key]
-        near = get_close_matches(key, cls.table_keys(), n=1)
-        return (
-            f'unknown key; did you mean "{near[0]}"?'
-            if near
-            else f"unknown key; known here: {', '.join(cls.table_keys())}"
-        )
+        return unknown_key(key, cls.table_keys())
 
     def entries(self) -> dict[str, Any]:
         """Return every key of the table with its value, defaults included."""
@@ -222,6 +219,10 @@ def _described(kind: str, form: QuantityForm = "quantity") -> WithJsonSchema:
     return WithJsonSchema({**quantity_schema(kind), "description": words, PATTERN_MARK: [kind, form]})
 
 
+READ_BY = (Number, IsPlace, IsDirection, IsInputFile, IsName)
+"""The marks that say how a value is read."""
+
+
 def _file_type(annotation: Any) -> Any:
     """Return how a project file reads what is annotated: each mark of a declaration as pydantic knows it.
 
@@ -236,9 +237,10 @@ def _file_type(annotation: Any) -> Any:
             there = reduce(or_, (each for each in get_args(value) if each is not NoneType))
             found = _file_type(Annotated[there, *marks])
             return found if any(isinstance(each, FileDefault) for each in marks) else found | None
-        read_by = next((each for each in marks if isinstance(each, Number | IsPlace | IsDirection | IsName)), None)
+        read_by = next((each for each in marks if isinstance(each, READ_BY)), None)
         beside = [each for each in marks if each is not read_by]
         beside += [_SCATTERS] * any(isinstance(each, Scatters) for each in marks)
+        beside += [Field(min_length=each.least) for each in marks if isinstance(each, Rows)]
         found = _file_type(value) if read_by is None else _read_by(read_by, value)
         return Annotated[found, *beside] if beside else found
     if origin not in (Union, UnionType, tuple, dict):
@@ -261,6 +263,8 @@ def _read_by(mark: Mark, value: Any) -> Any:
             return Annotated[tuple[Coordinate, ...], _row_of(mark), Field(min_length=2, max_length=3)]
         case IsDirection():
             return _file_type(Annotated[tuple[Ratio, ...], _row_of(mark), Field(min_length=2, max_length=3)])
+        case IsInputFile():
+            return InputFile
     return Annotated[StrictStr, AfterValidator(lambda text: _faultless(mark, text))]
 
 

@@ -6,9 +6,9 @@ The site's spectrum is described by the table [site.spectrum], or by options of 
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
+from contextlib import nullcontext
 from dataclasses import fields, replace
-from functools import singledispatch
 from pathlib import Path
 from typing import Any, TypeVar
 
@@ -43,10 +43,9 @@ from assess.study.amplification import (
     find_height,
     lowest_body_elevation,
 )
-from spectra import asce7, ec8, ntc, nzs1170_5
-from spectra.errors import SpectrumError
-from spectra.spectrum import Spectrum, plausibility_warnings, scale_to_pga
-from spectra.table import read_table
+from spectra.design_spectra import TableSpectrum
+from spectra.registry import horizontal_spectrum, vertical_spectrum
+from spectra.spectrum import Spectrum
 
 D = TypeVar("D")
 
@@ -196,10 +195,6 @@ def structure_of(building: sections.BuildingSection | None) -> Structure:
     return fill(Structure, building, period=building.period if building.has_key("period") else None)
 
 
-DEFAULT_STATE = "SLV"
-NtcSection = sections.NtcSpectrum | sections.NtcHazardSpectrum
-
-
 def site_of(path: Path) -> sections.SiteSection:
     """Read the site of the project at `path`; raise ProjectError if it has none."""
     project = load(path)
@@ -215,7 +210,7 @@ def site_in(content: sections.Content) -> sections.SiteSection | None:
     Raises ProjectError if the class of use is missing, or given twice with different values.
     """
     site = content.site
-    if site is None or not isinstance(site.spectrum, sections.NtcHazardSpectrum):
+    if site is None or site.hazard is None:
         return site
     use_class = use_class_of(content)
     if use_class is None:
@@ -226,17 +221,9 @@ def site_in(content: sections.Content) -> sections.SiteSection | None:
 
 def spectrum_of(site: sections.SiteSection) -> Spectrum:
     """Return the site's horizontal spectrum at its damping, scaled to the PGA given."""
-    section = site.spectrum
-    if isinstance(section, sections.TableSpectrum):
-        spectrum = read_table(section.file, damping=section.damping, pga=site.pga)
-    else:
-        with locate_errors("site.spectrum"):
-            spectrum = replace(horizontal(section), damping=section.damping)
-    if site.pga is None:
-        return spectrum
-    return scale_to_pga(
-        replace(spectrum, warnings=(*spectrum.warnings, *plausibility_warnings(pga=site.pga))), site.pga
-    )
+    way = site.spectrum.plain
+    with nullcontext() if isinstance(way, TableSpectrum) else locate_errors("site.spectrum"):  # its file is named
+        return horizontal_spectrum(way, pga=site.pga)
 
 
 def vertical_of(site: sections.SiteSection) -> Spectrum:
@@ -245,107 +232,7 @@ def vertical_of(site: sections.SiteSection) -> Spectrum:
     Raises SpectrumError for codes without one here.
     """
     with locate_errors("site.spectrum"):
-        spectrum = replace(vertical(site.spectrum), damping=site.spectrum.damping)
-    return replace(spectrum, factor=spectrum_of(site).factor)
-
-
-@singledispatch
-def horizontal(section: sections.SpectrumSection) -> Spectrum:
-    """Return the horizontal spectrum of a table [site.spectrum] at 5 % damping."""
-    raise NotImplementedError(type(section).__name__)
-
-
-@horizontal.register
-def _horizontal_asce7(section: sections.Asce7Spectrum) -> Spectrum:
-    given = {"s_ds": section.s_ds, "s_d1": section.s_d1, "t_l": section.t_l}
-    return asce7.design_spectrum(**given, code=section.code, hazard=section.hazard)
-
-
-@horizontal.register
-def _horizontal_asce7_mapped(section: sections.Asce7MappedSpectrum) -> Spectrum:
-    given = {"s_s": section.s_s, "s_1": section.s_1, "t_l": section.t_l}
-    return asce7.mapped_spectrum(**given, site_class=section.site_class, code=section.code, hazard=section.hazard)
-
-
-@horizontal.register
-def _horizontal_ec8(section: sections.Ec8Spectrum) -> Spectrum:
-    return ec8_spectrum(section, ec8.elastic_spectrum)
-
-
-@horizontal.register
-def _horizontal_nzs1170(section: sections.Nzs1170Spectrum) -> Spectrum:
-    return nzs1170_spectrum(section, nzs1170_5.site_spectrum)
-
-
-@horizontal.register(sections.NtcSpectrum)
-@horizontal.register(sections.NtcHazardSpectrum)
-def _horizontal_ntc(section: NtcSection) -> Spectrum:
-    return at_limit_state(section, ntc.elastic_spectrum(hazard_of(section), place=place_of(section), code=section.code))
-
-
-@singledispatch
-def vertical(section: sections.SpectrumSection) -> Spectrum:
-    """Return the vertical spectrum of a table [site.spectrum] at 5 % damping."""
-    raise SpectrumError(f"code = {section.code} has no vertical spectrum here; ec8, nzs1170.5, ntc2008, ntc2018 have")
-
-
-@vertical.register
-def _vertical_ec8(section: sections.Ec8Spectrum) -> Spectrum:
-    return ec8_spectrum(section, ec8.vertical_spectrum)
-
-
-@vertical.register
-def _vertical_nzs1170(section: sections.Nzs1170Spectrum) -> Spectrum:
-    return nzs1170_spectrum(section, nzs1170_5.vertical_spectrum)
-
-
-@vertical.register(sections.NtcSpectrum)
-@vertical.register(sections.NtcHazardSpectrum)
-def _vertical_ntc(section: NtcSection) -> Spectrum:
-    return at_limit_state(
-        section, ntc.vertical_spectrum(hazard_of(section), place=place_of(section), code=section.code)
-    )
-
-
-def ec8_spectrum(section: sections.Ec8Spectrum, make: Callable[..., Spectrum]) -> Spectrum:
-    """Return the spectrum of EN 1998-1 that `make` gives, horizontal or vertical."""
-    return make(
-        a_g=section.a_g,
-        ground_type=section.ground_type,
-        spectrum_type=section.type,
-        importance_factor=section.importance_factor,
-    )
-
-
-def nzs1170_spectrum(section: sections.Nzs1170Spectrum, make: Callable[..., Spectrum]) -> Spectrum:
-    """Return the spectrum of NZS 1170.5 that `make` gives, horizontal or vertical."""
-    return make(
-        subsoil=section.subsoil,
-        z=section.z,
-        r=return_period_factor(section),
-        near_fault_distance=section.near_fault_distance,
-    )
-
-
-def return_period_factor(section: sections.Nzs1170Spectrum) -> float:
-    """Return the return period factor R [-], given or from the return period."""
-    if section.r is not None:
-        return section.r
-    assert section.return_period is not None  # the schema asks for one of the two
-    return nzs1170_5.return_period_factor(section.return_period)
-
-
-def hazard_of(section: NtcSection) -> ntc.Hazard:
-    """Return the hazard given, or that of the limit state."""
-    if isinstance(section, sections.NtcSpectrum):
-        return ntc.Hazard(section.a_g, section.f_0, section.t_c_star)
-    assert section.use_class is not None  # see site_in
-    return ntc.limit_state_hazard(
-        rows_of(section),
-        limit_state=section.limit_state or DEFAULT_STATE,
-        nominal_life=section.nominal_life,
-        use_class=section.use_class,
-    )
+        return vertical_spectrum(site.spectrum.plain, pga=site.pga)
 
 
 def hazard_over_periods(site: sections.SiteSection) -> SiteHazard | None:
@@ -353,51 +240,17 @@ def hazard_over_periods(site: sections.SiteSection) -> SiteHazard | None:
 
     A limit state whose return period lies outside the rows has no spectrum.
     """
-    section = site.spectrum
-    if not isinstance(section, sections.NtcHazardSpectrum):
+    hazard = site.hazard
+    if hazard is None:
         return None
+    factor = spectrum_of(site).factor
     with locate_errors("site.spectrum"):
-        place, factor = place_of(section), spectrum_of(site).factor
-        amplified = [ntc.soil_factor(row, place.soil) * row.a_g for row in rows_of(section)]
-        spectra = {state: found for state in ntc.EXCEEDANCE if (found := state_spectrum(section, state)) is not None}
+        at_states = hazard.at_limit_states()
     return SiteHazard(
-        spectra={state: replace(found, factor=factor, damping=section.damping) for state, found in spectra.items()},
-        return_period=tuple(row.return_period for row in section.hazard),
-        pga=tuple(factor * ntc.topographic_factor(place) * each for each in amplified),
+        spectra={state: replace(at, factor=factor, damping=hazard.damping) for state, at in at_states.items()},
+        return_period=tuple(row.return_period for row in hazard.hazard),
+        pga=hazard.surface_pgas(factor=factor),
     )
-
-
-def state_spectrum(section: sections.NtcHazardSpectrum, state: str) -> Spectrum | None:
-    """Return the spectrum of a limit state; None if the rows do not reach its return period."""
-    assert section.use_class is not None  # see site_in
-    life = ntc.reference_life(section.nominal_life, use_class=section.use_class)
-    years = ntc.return_period(state, reference_life=life)
-    if not section.hazard[0].return_period <= years <= section.hazard[-1].return_period:
-        return None
-    return horizontal(section.model_copy(update={"limit_state": state}))
-
-
-def rows_of(section: sections.NtcHazardSpectrum) -> list[ntc.Hazard]:
-    """Return the rows of the hazard."""
-    return [ntc.Hazard(row.a_g, row.f_0, row.t_c_star, row.return_period) for row in section.hazard]
-
-
-def place_of(section: NtcSection) -> ntc.SoilAndTopography:
-    """Return soil and topography of the site."""
-    return ntc.SoilAndTopography(section.soil, section.topography, section.relief_position)
-
-
-def at_limit_state(section: NtcSection, spectrum: Spectrum) -> Spectrum:
-    """Add the limit state to the parameters of a spectrum, if the table names one."""
-    if isinstance(section, sections.NtcSpectrum):
-        return spectrum
-    state, use_class = section.limit_state or DEFAULT_STATE, section.use_class or ""
-    life = section.nominal_life
-    parameters: dict[str, float | str] = {"limit_state": state, "nominal_life": life, "use_class": use_class}
-    if use_class:
-        parameters["use_coefficient"] = ntc.USE_FACTORS[use_class]
-        parameters["reference_life"] = ntc.reference_life(life, use_class=use_class)
-    return replace(spectrum, parameters={**parameters, **spectrum.parameters})
 
 
 NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d{1,3})?")

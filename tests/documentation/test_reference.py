@@ -45,7 +45,7 @@ def test_a_key_shows_its_unit_its_bounds_and_its_default(keys):
 
 def test_choices_are_those_of_the_schema(keys):
     (row,) = re.findall(r"^\| \[`ground_type`\].*$", keys["keys/site.md"], re.MULTILINE)
-    choices = json_schema()["$defs"]["Ec8Spectrum"]["properties"]["ground_type"]["enum"]
+    choices = json_schema()["$defs"]["Ec8SpectrumSection"]["properties"]["ground_type"]["enum"]
     assert [f'"{choice}"' for choice in choices] == re.findall(r'`("\w+")`', row.split(" | ")[2])
 
 

@@ -22,18 +22,10 @@ from assess.project.sections.bodies_and_loads import (
 )
 from assess.project.sections.content import Content, Report
 from assess.project.sections.ground_motion import (
-    Asce7MappedSpectrum,
-    Asce7Spectrum,
     BuildingSection,
-    Ec8Spectrum,
-    NtcHazardSpectrum,
-    NtcSpectrum,
-    Nzs1170Spectrum,
     Records,
     Select,
     SiteSection,
-    SpectrumSection,
-    TableSpectrum,
 )
 from assess.project.sections.mechanisms import (
     ChainSection,
@@ -53,8 +45,6 @@ from assess.project.sections.procedures import FreeElement, Italian, VerdictSect
 
 __all__ = [
     "SHARE",
-    "Asce7MappedSpectrum",
-    "Asce7Spectrum",
     "BodySection",
     "BoxBody",
     "BuildingSection",
@@ -64,7 +54,6 @@ __all__ = [
     "CutAngleSection",
     "CutPlaneSection",
     "DirectBody",
-    "Ec8Spectrum",
     "EquivalentBlockSection",
     "FourHingeSection",
     "Fragility",
@@ -76,9 +65,6 @@ __all__ = [
     "MechanismSection",
     "MeshBody",
     "NoAmplification",
-    "NtcHazardSpectrum",
-    "NtcSpectrum",
-    "Nzs1170Spectrum",
     "Pulses",
     "RadialJointsSection",
     "Records",
@@ -88,8 +74,6 @@ __all__ = [
     "Sensitivity",
     "SingleBlockSection",
     "SiteSection",
-    "SpectrumSection",
-    "TableSpectrum",
     "TwoBlockSection",
     "Uncertainty",
     "VerdictSection",

@@ -1,15 +1,14 @@
 """The tables [site], [building] and [records]: the site's spectrum, the structure below, and the ground motions.
 
-[site.spectrum] has one class for each way to give a spectrum; [records.select] says which of many records make the
-suite.
+[site.spectrum] is made of the ways to give a spectrum (`spectra.design_spectra`); [records.select] says which of many
+records make the suite.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import Annotated, Any, ClassVar, Literal, TypeVar
+from typing import TYPE_CHECKING, Annotated, Literal, TypeVar
 
-from pydantic import AfterValidator, Discriminator, Field, StrictBool, StrictInt, StrictStr, Tag, model_validator
+from pydantic import AfterValidator, Field, StrictBool, StrictInt, StrictStr, model_validator
 
 from assess.codes.context import default_period
 from assess.declaration import (
@@ -20,16 +19,13 @@ from assess.declaration import (
     Damping,
     Evidence,
     Length,
-    NotNegativeLength,
     NotNegativeRatio,
     PositiveAcceleration,
     PositiveFrequency,
     PositiveLength,
     PositiveRatio,
     PositiveTime,
-    PositiveYears,
     Ratio,
-    RatioToOne,
     Speed,
     Time,
 )
@@ -42,198 +38,16 @@ from assess.project.section import (
     error_at,
     quote_names,
 )
+from assess.project.tables import DeclaredSection, table_by_code
 from records.compliance import CodeName
+from spectra import ntc
+from spectra.design_spectra import SPECTRA, NtcHazardSpectrum, way_of
 
-ASCE7 = ("asce7-05", "ibc2009", "asce7-10", "asce7-16")
-NTC = ("ntc2008", "ntc2018")
-SPECTRA = (*ASCE7, "ec8", "nzs1170.5", *NTC, "table")
-MAPPED = ("s_s", "s_1", "site_class")  # in place of s_ds and s_d1
-LIVES = ("nominal_life", "use_class")  # of a hazard over return periods
-LIMIT_STATES = ("SLO", "SLD", "SLV", "SLC")
-Asce7Code = Literal["asce7-05", "ibc2009", "asce7-10", "asce7-16"]
-
-
-class Damped(ProjectSection):
-    """What every spectrum may say."""
-
-    damping: Damping = 0.05
-    """damping ratio of the spectrum"""
-
-
-class Asce7Spectrum(Damped):
-    """Design spectrum of ASCE 7 (IBC 2009 refers to 7-05), from its two design ordinates."""
-
-    code: Asce7Code
-    """name and edition of the code; "ibc2009" has the shape of "asce7-05\""""
-    s_ds: PositiveAcceleration
-    """design spectral acceleration at short periods, like "0.167 g"; or give s_s, s_1 and site_class"""
-    s_d1: PositiveAcceleration
-    """design spectral acceleration at 1 s, like "0.053 g\""""
-    t_l: PositiveTime
-    """long-period transition period, like "6 s\""""
-    hazard: Literal["design", "mce"] = "design"
-    """"design", or "mce": the maximum considered earthquake, 1.5 times the design spectrum"""
-
-
-class Asce7MappedSpectrum(Damped):
-    """Design spectrum of ASCE 7 from the mapped accelerations of the rock and the site class."""
-
-    elsewhere: ClassVar[Mapping[str, str]] = dict.fromkeys(
-        ("s_ds", "s_d1"), "follows from s_s, s_1 and site_class; remove it, or those three"
-    )
-
-    code: Asce7Code
-    """name and edition of the code; "ibc2009" has the coefficients of "asce7-05\""""
-    s_s: PositiveAcceleration
-    """mapped spectral acceleration at short periods, like "0.25 g\""""
-    s_1: PositiveAcceleration
-    """mapped spectral acceleration at 1 s, like "0.08 g\""""
-    site_class: Literal["A", "B", "B-unmeasured", "C", "D", "D-default", "E", "F"]
-    """site class "A" to "E"; in asce7-16 also "B-unmeasured" and "D-default\""""
-    t_l: PositiveTime
-    """long-period transition period, like "6 s\""""
-    hazard: Literal["design", "mce"] = "design"
-    """"design", or "mce": the maximum considered earthquake, 1.5 times the design spectrum"""
-
-
-class Ec8Spectrum(Damped):
-    """Elastic spectrum of EN 1998-1 with its recommended values."""
-
-    code: Literal["ec8"]
-    """"ec8\""""
-    a_g: PositiveAcceleration
-    """reference peak ground acceleration on type A ground, a_gR, like "0.25 g\""""
-    ground_type: Literal["A", "B", "C", "D", "E", "S1", "S2"]
-    """ground type "A" to "E\""""
-    type: Literal[1, 2] = 1
-    """1 where earthquakes above magnitude 5.5 govern, else 2"""
-    importance_factor: PositiveRatio = 1.0
-    """gamma_I: 0.8, 1.0, 1.2, 1.4 for importance classes I to IV"""
-
-
-class Nzs1170Spectrum(Damped):
-    """Elastic site spectrum of NZS 1170.5."""
-
-    code: Literal["nzs1170.5"]
-    """"nzs1170.5\""""
-    subsoil: Literal["A", "B", "C", "D", "E"]
-    """site subsoil class, "A" (strong rock) to "E" (very soft)"""
-    z: PositiveRatio
-    """hazard factor Z, like 0.13 in Auckland"""
-    r: PositiveRatio | None = None
-    """return period factor R, 1.0 for 500 years; or give return_period"""
-    return_period: PositiveYears | None = None
-    """return period, 20 to 2500 years, in place of r"""
-    near_fault_distance: NotNegativeLength | None = None
-    """distance to the nearest major fault, like "8 km"; absent: none is near"""
-
-    @model_validator(mode="after")
-    def _one_return_period(self) -> Nzs1170Spectrum:
-        if (self.r is None) == (self.return_period is None):
-            raise error_at("r", "give either r, the return period factor, or return_period")
-        return self
-
-
-NtcCode = Literal["ntc2008", "ntc2018"]
-
-
-class NtcSpectrum(Damped):
-    """Elastic spectrum of NTC 2008 or 2018 from the hazard at one return period."""
-
-    elsewhere: ClassVar[Mapping[str, str]] = {
-        "limit_state": "write it in [site]",
-        **dict.fromkeys(
-            LIVES, "goes with hazard = [{ return_period, a_g, f_0, t_c_star }, …]; remove it, or a_g, f_0 and t_c_star"
-        ),
-    }
-
-    code: NtcCode
-    """name and edition of the code"""
-    a_g: PositiveAcceleration
-    """peak ground acceleration on rock, like "0.15 g"; or give hazard = [{ return_period, a_g, f_0, t_c_star }, …]"""
-    f_0: PositiveRatio
-    """largest amplification of the spectrum on rock, F_0, like 2.4"""
-    t_c_star: PositiveTime
-    """T_C*, where the level branch on rock ends, like "0.3 s\""""
-    soil: Literal["A", "B", "C", "D", "E", "S1", "S2"]
-    """subsoil category "A" to "E\""""
-    topography: Literal["T1", "T2", "T3", "T4"] = "T1"
-    """topographic category"""
-    relief_position: RatioToOne = 1.0
-    """1 at the top of the relief, 0 at its foot"""
-
-
-class HazardRow(ProjectSection):
-    """The hazard on rock at one return period."""
-
-    return_period: PositiveYears
-    """return period, like 475: in years"""
-    a_g: PositiveAcceleration
-    """peak ground acceleration on rock, like "0.15 g\""""
-    f_0: PositiveRatio
-    """largest amplification of the spectrum on rock, F_0, like 2.4"""
-    t_c_star: PositiveTime
-    """T_C*, where the level branch on rock ends, like "0.3 s\""""
-
-
-class NtcHazardSpectrum(Damped):
-    """Elastic spectrum of NTC 2008 or 2018 at a limit state, from the hazard over return periods."""
-
-    elsewhere: ClassVar[Mapping[str, str]] = dict.fromkeys(
-        ("a_g", "f_0", "t_c_star"), "stands in the rows of hazard; remove it here, or hazard"
-    )
-
-    code: NtcCode
-    """name and edition of the code"""
-    hazard: Annotated[tuple[HazardRow, ...], Field(min_length=2)]
-    """rows { return_period, a_g, f_0, t_c_star }, rising in return period"""
-    nominal_life: PositiveYears
-    """nominal life V_N, like 50: in years"""
-    use_class: Literal["I", "II", "III", "IV"] | None = None
-    """class of use "I" to "IV"; that of [building] if absent"""
-    limit_state: Literal["SLO", "SLD", "SLV", "SLC"] | None = None
-    """old spelling of [site] limit_state"""
-    soil: Literal["A", "B", "C", "D", "E", "S1", "S2"]
-    """subsoil category "A" to "E\""""
-    topography: Literal["T1", "T2", "T3", "T4"] = "T1"
-    """topographic category"""
-    relief_position: RatioToOne = 1.0
-    """1 at the top of the relief, 0 at its foot"""
-
-
-class TableSpectrum(Damped):
-    """A spectrum read from a file of periods and accelerations."""
-
-    code: Literal["table"]
-    """"table\""""
-    file: InputFile
-    """CSV of period and acceleration, with units in the header"""
-
-
-def _spectrum_tag(values: Any) -> str | None:
-    code = values.get("code") if isinstance(values, dict) else None
-    if code in ASCE7:
-        return "<mapped>" if any(key in values for key in MAPPED) else "<asce7>"
-    if code in NTC:
-        return "<hazard>" if "hazard" in values else "<ntc>"
-    return f"<{code}>" if code in SPECTRA else None
-
-
-SpectrumSection = Annotated[
-    Annotated[Asce7Spectrum, Tag("<asce7>")]
-    | Annotated[Asce7MappedSpectrum, Tag("<mapped>")]
-    | Annotated[Ec8Spectrum, Tag("<ec8>")]
-    | Annotated[Nzs1170Spectrum, Tag("<nzs1170.5>")]
-    | Annotated[NtcSpectrum, Tag("<ntc>")]
-    | Annotated[NtcHazardSpectrum, Tag("<hazard>")]
-    | Annotated[TableSpectrum, Tag("<table>")],
-    Discriminator(
-        _spectrum_tag,
-        custom_error_type="choice",
-        custom_error_message="write one of {names}",
-        custom_error_context={"key": ("code",), "names": quote_names(SPECTRA)},
-    ),
-]
+LIMIT_STATES = tuple(ntc.EXCEEDANCE)  # of a hazard over return periods
+if TYPE_CHECKING:
+    SpectrumSection = DeclaredSection
+else:
+    SpectrumSection = table_by_code(SPECTRA, way_of)
 
 
 SITE_PGA = Evidence(
@@ -260,10 +74,10 @@ class SiteSection(ProjectSection):
 
     @model_validator(mode="after")
     def _one_limit_state(self) -> SiteSection:
-        old = self.spectrum.limit_state if isinstance(self.spectrum, NtcHazardSpectrum) else None
+        old = getattr(self.spectrum, "limit_state", None)
         if old is not None and self.limit_state is not None and old != self.limit_state:
             raise error_at("limit_state", f'site.spectrum.limit_state, its old spelling, is "{old}"; give one')
-        if isinstance(self.spectrum, NtcHazardSpectrum) and self.limit_state not in (None, *LIMIT_STATES):
+        if self.hazard is not None and self.limit_state not in (None, *LIMIT_STATES):
             raise error_at(
                 "limit_state", f"not one of the hazard over return periods; write one of {quote_names(LIMIT_STATES)}"
             )
@@ -272,8 +86,13 @@ class SiteSection(ProjectSection):
     @property
     def own_limit_state(self) -> str | None:
         """The limit state that the site's own action stands for, in either spelling; None if not stated."""
-        old = self.spectrum.limit_state if isinstance(self.spectrum, NtcHazardSpectrum) else None
-        return self.limit_state or old
+        return self.limit_state or getattr(self.spectrum, "limit_state", None)
+
+    @property
+    def hazard(self) -> NtcHazardSpectrum | None:
+        """The hazard over return periods that its spectrum follows from; None if that is given otherwise."""
+        way = self.spectrum.plain
+        return way if isinstance(way, NtcHazardSpectrum) else None
 
 
 SOFTENED_PERIOD = Evidence("measured", "either", "the worst over 1.5 to 2.0 times the period of the elastic building")

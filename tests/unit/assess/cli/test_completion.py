@@ -12,7 +12,7 @@ import pytest
 
 from assess.examples import EXAMPLES
 from assess.verification.case_files import read_cases
-from spectra.registry import SPECTRA
+from spectra.design_spectra import SPECTRA
 
 CASES = {key for each in read_cases() for key in (each.key, each.key.partition("/")[0])}
 

@@ -1,6 +1,7 @@
 """`assess spectrum`: what it prints and draws, from a project and from options, and one line for bad input."""
 
 import json
+from dataclasses import fields
 from pathlib import Path
 
 import numpy as np
@@ -9,9 +10,9 @@ from scipy.constants import g
 
 from assess.project.build import build
 from assess.project.project_file import load
-from assess.project.sections.ground_motion import SPECTRA
 from assess.results.json import dumps
 from assess.study.run import run_study
+from spectra.design_spectra import SPECTRA
 from spectra.table import read_table
 from tests.support.command import ended
 from tests.support.projects import EC8, project_toml, published, tables_toml, write_project
@@ -205,3 +206,15 @@ def test_a_number_that_was_rather_meant_in_g_is_told(capsys: pytest.CaptureFixtu
     assert '--a-g: 0.25 m/s2 is 0.0255 g; write "0.25 g"' in capsys.readouterr().err
     assert ended("spectrum", "--code", "ec8", "--a-g", "0.25 g", "--ground-type", "B") == 0
     assert capsys.readouterr().err == ""
+
+
+def test_every_key_of_a_spectrum_is_an_option_but_those_of_a_hazard_over_return_periods() -> None:
+    from inspect import signature
+
+    from assess.cli.spectrum import NOT_KEYS
+    from assess.cli.spectrum import spectrum as command
+    from spectra.design_spectra import NtcHazardSpectrum
+
+    ways = {way for of_code in SPECTRA.values() for way in of_code if way is not NtcHazardSpectrum}
+    keys = {field.name for way in ways for field in fields(way)} | {"pga"}
+    assert keys == set(signature(command).parameters) - {"context", *NOT_KEYS}

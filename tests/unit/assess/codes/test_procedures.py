@@ -16,7 +16,7 @@ from assess.study.suites import RULES
 from records.compliance import REQUIREMENTS
 from reports.chapters.scope import PROCEDURE_WORKS
 from reports.figures.style import PROCEDURES as PENS
-from spectra.registry import SPECTRA
+from spectra.design_spectra import SPECTRA
 
 ASCE43 = ("asce43-05-spectrum", "asce43-05-spectrum-thesis", "asce43-05-history")
 DMI2008 = ("dmi2008-linear", "dmi2008-nonlinear", "dmi2008-nonlinear-thesis")

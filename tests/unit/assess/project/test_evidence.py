@@ -10,7 +10,7 @@ from assess.project.project_file import json_schema
 from assess.project.section import EVIDENCE
 
 KEYS = {str(key): key for key in every_key()}
-PENDING = ("mechanisms.NAME.", "site.spectrum.")
+PENDING = ("mechanisms.NAME.",)
 """Tables whose keys are not marked yet."""
 
 

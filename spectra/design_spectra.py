@@ -1,0 +1,386 @@
+"""The ways to give a design spectrum, one class each: its keys, how they go together, and the spectra of them.
+
+The table [site.spectrum] of a project file is made of such a class, and `spectra.registry` makes it of the arguments of
+Python; both check it by what it declares. Numbers are in SI, times of hazards and buildings in years.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Mapping
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Annotated, Any, ClassVar, Literal, get_args
+
+from assess.declaration import (
+    Damping,
+    Evidence,
+    Fault,
+    IsInputFile,
+    NotAKey,
+    NotNegativeLength,
+    PositiveAcceleration,
+    PositiveRatio,
+    PositiveTime,
+    PositiveYears,
+    RatioToOne,
+    Rows,
+)
+from spectra import asce7, ec8, ntc, nzs1170_5
+from spectra.errors import SpectrumError
+from spectra.spectrum import Spectrum
+from spectra.table import read_table, table_spectrum
+
+THE_CODE = Evidence("defines", "either", "the code that the basis of the verdict names")
+HAZARD = Evidence("defines", "down", "as stated")
+CORNER = Evidence("defines", "down", "as stated", judged="it lifts long periods, which overturn a wall")
+PEAK = Evidence("defines", "either", "as stated", judged="the level branch rises with it, and the soil factor falls")
+GROUND = Evidence("defines", "either", "as stated", judged="soft ground lifts long periods, and strong motion little")
+TOPOGRAPHY = Evidence("defines", "down", "as stated", judged="S_T grows from T1 to T4")
+RELIEF = Evidence("drawn", "down", "1, the top of the relief")
+LEVEL = Evidence("chosen", "either", "both levels stand beside each other", judged="what is asked of a wall rises too")
+DAMPED = Evidence("measured", "up", "5 %; above 10 % only measured, never above 30 %")
+DAMPED_TABLE = Evidence("defines", "down", "as stated", judged="damped more, the same ordinates mean more at 5 %")
+
+Asce7Code = Annotated[Literal["asce7-05", "ibc2009", "asce7-10", "asce7-16"], THE_CODE]
+NtcCode = Annotated[Literal["ntc2008", "ntc2018"], THE_CODE]
+Asce7Level = Annotated[Literal["design", "mce"], LEVEL]
+NtcSoil = Annotated[Literal["A", "B", "C", "D", "E", "S1", "S2"], GROUND]
+Topography = Annotated[Literal["T1", "T2", "T3", "T4"], TOPOGRAPHY]
+HazardAcceleration = Annotated[PositiveAcceleration, HAZARD]
+CornerAcceleration = Annotated[PositiveAcceleration, CORNER]
+CornerTime = Annotated[PositiveTime, CORNER]
+PeakRatio = Annotated[PositiveRatio, PEAK]
+LimitState = Literal["SLO", "SLD", "SLV", "SLC"]
+DEFAULT_STATE: LimitState = "SLV"
+
+
+@dataclass(frozen=True, kw_only=True)
+class DesignSpectrum:
+    """A way to give a design spectrum; what all of them may say.
+
+    form : its short name
+    told_by : keys that tell it from the usual way of its code
+    elsewhere : keys of another way of its code, each with what is wrong about it here
+    """
+
+    form: ClassVar[str]
+    told_by: ClassVar[tuple[str, ...]] = ()
+    elsewhere: ClassVar[Mapping[str, str]] = {}
+    damping: Annotated[Damping, DAMPED] = 0.05
+    """damping ratio of the spectrum"""
+    code: str
+
+    def faults(self) -> Iterator[Fault]:
+        """Yield the keys that do not go together."""
+        yield from ()
+
+    def horizontal(self, *, pga: float | None = None) -> Spectrum:
+        """Return the horizontal spectrum as its code gives it, before `damping`.
+
+        pga : that it will be scaled to [m/s2]; it stands in for the zero-period ordinate that a table may lack
+        """
+        raise NotImplementedError(type(self).__name__)
+
+    def vertical(self) -> Spectrum:
+        """Return the vertical spectrum as its code gives it, before `damping`; SpectrumError for codes without one."""
+        have = (code for code, (way, *_) in SPECTRA.items() if way.vertical is not DesignSpectrum.vertical)
+        raise SpectrumError(f"code = {self.code} has no vertical spectrum here; {', '.join(have)} have")
+
+
+@dataclass(frozen=True, kw_only=True)
+class Asce7Spectrum(DesignSpectrum):
+    """Design spectrum of ASCE 7 (IBC 2009 refers to 7-05), from its two design ordinates."""
+
+    form = "asce7"
+    code: Asce7Code
+    """name and edition of the code; "ibc2009" has the shape of "asce7-05\""""
+    s_ds: HazardAcceleration
+    """design spectral acceleration at short periods, like "0.167 g"; or give s_s, s_1 and site_class"""
+    s_d1: CornerAcceleration
+    """design spectral acceleration at 1 s, like "0.053 g\""""
+    t_l: Annotated[PositiveTime, HAZARD]
+    """long-period transition period, like "6 s\""""
+    hazard: Asce7Level = "design"
+    """"design", or "mce": the maximum considered earthquake, 1.5 times the design spectrum"""
+
+    def horizontal(self, *, pga: float | None = None) -> Spectrum:
+        """Return the design spectrum of the edition."""
+        return asce7.design_spectrum(s_ds=self.s_ds, s_d1=self.s_d1, t_l=self.t_l, code=self.code, hazard=self.hazard)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Asce7MappedSpectrum(DesignSpectrum):
+    """Design spectrum of ASCE 7 from the mapped accelerations of the rock and the site class."""
+
+    form = "mapped"
+    told_by = ("s_s", "s_1", "site_class")
+    elsewhere = dict.fromkeys(("s_ds", "s_d1"), "follows from s_s, s_1 and site_class; remove it, or those three")
+    code: Asce7Code
+    """name and edition of the code; "ibc2009" has the coefficients of "asce7-05\""""
+    s_s: HazardAcceleration
+    """mapped spectral acceleration at short periods, like "0.25 g\""""
+    s_1: CornerAcceleration
+    """mapped spectral acceleration at 1 s, like "0.08 g\""""
+    site_class: Annotated[Literal["A", "B", "B-unmeasured", "C", "D", "D-default", "E", "F"], GROUND]
+    """site class "A" to "E"; in asce7-16 also "B-unmeasured" and "D-default\""""
+    t_l: Annotated[PositiveTime, HAZARD]
+    """long-period transition period, like "6 s\""""
+    hazard: Asce7Level = "design"
+    """"design", or "mce": the maximum considered earthquake, 1.5 times the design spectrum"""
+
+    def horizontal(self, *, pga: float | None = None) -> Spectrum:
+        """Return the design spectrum of the edition."""
+        return asce7.mapped_spectrum(
+            s_s=self.s_s, s_1=self.s_1, site_class=self.site_class, t_l=self.t_l, code=self.code, hazard=self.hazard
+        )
+
+
+@dataclass(frozen=True, kw_only=True)
+class Ec8Spectrum(DesignSpectrum):
+    """Elastic spectrum of EN 1998-1 with its recommended values."""
+
+    form = "ec8"
+    code: Annotated[Literal["ec8"], THE_CODE]
+    """"ec8\""""
+    a_g: HazardAcceleration
+    """reference peak ground acceleration on type A ground, a_gR, like "0.25 g\""""
+    ground_type: Annotated[Literal["A", "B", "C", "D", "E", "S1", "S2"], GROUND]
+    """ground type "A" to "E\""""
+    type: Annotated[
+        Literal[1, 2], Evidence("defines", "either", "as stated", judged="type 2 is higher, and shorter")
+    ] = 1
+    """1 where earthquakes above magnitude 5.5 govern, else 2"""
+    importance_factor: Annotated[PositiveRatio, Evidence("code", "down", "that of the importance class")] = 1.0
+    """gamma_I: 0.8, 1.0, 1.2, 1.4 for importance classes I to IV"""
+
+    def horizontal(self, *, pga: float | None = None) -> Spectrum:
+        """Return the spectrum of 3.2.2.2."""
+        return ec8.elastic_spectrum(**self._parameters)
+
+    def vertical(self) -> Spectrum:
+        """Return the spectrum of 3.2.2.3."""
+        return ec8.vertical_spectrum(**self._parameters)
+
+    @property
+    def _parameters(self) -> dict[str, Any]:
+        given = {"a_g": self.a_g, "ground_type": self.ground_type, "importance_factor": self.importance_factor}
+        return {**given, "spectrum_type": self.type}
+
+
+@dataclass(frozen=True, kw_only=True)
+class Nzs1170Spectrum(DesignSpectrum):
+    """Elastic site spectrum of NZS 1170.5."""
+
+    form = "nzs1170.5"
+    code: Annotated[Literal["nzs1170.5"], THE_CODE]
+    """"nzs1170.5\""""
+    subsoil: Annotated[Literal["A", "B", "C", "D", "E"], GROUND]
+    """site subsoil class, "A" (strong rock) to "E" (very soft)"""
+    z: Annotated[PositiveRatio, HAZARD]
+    """hazard factor Z, like 0.13 in Auckland"""
+    r: Annotated[PositiveRatio | None, Evidence("code", "down", "that of the return period of the basis")] = None
+    """return period factor R, 1.0 for 500 years; or give return_period"""
+    return_period: Annotated[PositiveYears | None, Evidence("defines", "down", "that of the basis")] = None
+    """return period, 20 to 2500 years, in place of r"""
+    near_fault_distance: Annotated[
+        NotNegativeLength | None,
+        Evidence("code", "up", "the distance to the nearest fault of Table 3.6", judged="N(T, D) falls with it"),
+    ] = None
+    """distance to the nearest major fault, like "8 km"; absent: none is near"""
+
+    def faults(self) -> Iterator[Fault]:
+        """Yield the keys that do not go together."""
+        if (self.r is None) == (self.return_period is None):
+            yield "r", "give either r, the return period factor, or return_period"
+
+    def horizontal(self, *, pga: float | None = None) -> Spectrum:
+        """Return the spectrum of 3.1.1."""
+        return nzs1170_5.site_spectrum(**self._parameters)
+
+    def vertical(self) -> Spectrum:
+        """Return the spectrum of 3.2."""
+        return nzs1170_5.vertical_spectrum(**self._parameters)
+
+    @property
+    def _parameters(self) -> dict[str, Any]:
+        years = self.return_period
+        r = self.r if years is None else nzs1170_5.return_period_factor(years)
+        return {"subsoil": self.subsoil, "z": self.z, "r": r, "near_fault_distance": self.near_fault_distance}
+
+
+@dataclass(frozen=True, kw_only=True)
+class NtcSpectrum(DesignSpectrum):
+    """Elastic spectrum of NTC 2008 or 2018 from the hazard at one return period."""
+
+    form = "ntc"
+    elsewhere: ClassVar = {
+        "limit_state": "write it in [site]",
+        **dict.fromkeys(
+            ("nominal_life", "use_class"),
+            "goes with hazard = [{ return_period, a_g, f_0, t_c_star }, …]; remove it, or a_g, f_0 and t_c_star",
+        ),
+    }
+    code: NtcCode
+    """name and edition of the code"""
+    a_g: HazardAcceleration
+    """peak ground acceleration on rock, like "0.15 g"; or give hazard = [{ return_period, a_g, f_0, t_c_star }, …]"""
+    f_0: PeakRatio
+    """largest amplification of the spectrum on rock, F_0, like 2.4"""
+    t_c_star: CornerTime
+    """T_C*, where the level branch on rock ends, like "0.3 s\""""
+    soil: NtcSoil
+    """subsoil category "A" to "E\""""
+    topography: Topography = "T1"
+    """topographic category"""
+    relief_position: Annotated[RatioToOne, RELIEF] = 1.0
+    """1 at the top of the relief, 0 at its foot"""
+
+    def horizontal(self, *, pga: float | None = None) -> Spectrum:
+        """Return the spectrum of §3.2.3.2.1."""
+        return ntc.elastic_spectrum(self._on_rock, place=_place(self), code=self.code)
+
+    def vertical(self) -> Spectrum:
+        """Return the spectrum of §3.2.3.2.2."""
+        return ntc.vertical_spectrum(self._on_rock, place=_place(self), code=self.code)
+
+    @property
+    def _on_rock(self) -> ntc.Hazard:
+        return ntc.Hazard(self.a_g, self.f_0, self.t_c_star)
+
+
+@dataclass(frozen=True, kw_only=True)
+class HazardRow:
+    """The hazard on rock at one return period."""
+
+    return_period: Annotated[PositiveYears, Evidence("defines", "up", "as stated")]
+    """return period, like 475: in years"""
+    a_g: HazardAcceleration
+    """peak ground acceleration on rock, like "0.15 g\""""
+    f_0: PeakRatio
+    """largest amplification of the spectrum on rock, F_0, like 2.4"""
+    t_c_star: CornerTime
+    """T_C*, where the level branch on rock ends, like "0.3 s\""""
+
+
+@dataclass(frozen=True, kw_only=True)
+class NtcHazardSpectrum(DesignSpectrum):
+    """Elastic spectrum of NTC 2008 or 2018 at a limit state, from the hazard over return periods."""
+
+    form = "hazard"
+    told_by = ("hazard",)
+    elsewhere = dict.fromkeys(("a_g", "f_0", "t_c_star"), "stands in the rows of hazard; remove it here, or hazard")
+    code: NtcCode
+    """name and edition of the code"""
+    hazard: Annotated[tuple[HazardRow, ...], Rows(2, "give rows of return_period, a_g, f_0 and t_c_star"), HAZARD]
+    """rows { return_period, a_g, f_0, t_c_star }, rising in return period"""
+    nominal_life: Annotated[PositiveYears, Evidence("defines", "down", "50 years, that of ordinary works")]
+    """nominal life V_N, like 50: in years"""
+    use_class: Annotated[
+        Literal["I", "II", "III", "IV"] | None, Evidence("defines", "down", "that of the use of the building")
+    ] = None
+    """class of use "I" to "IV"; that of [building] if absent"""
+    limit_state: Annotated[LimitState | None, Evidence("chosen", "either", "that of the verdict, else SLV")] = None
+    """old spelling of [site] limit_state"""
+    soil: NtcSoil
+    """subsoil category "A" to "E\""""
+    topography: Topography = "T1"
+    """topographic category"""
+    relief_position: Annotated[RatioToOne, RELIEF] = 1.0
+    """1 at the top of the relief, 0 at its foot"""
+
+    def horizontal(self, *, pga: float | None = None) -> Spectrum:
+        """Return the spectrum of §3.2.3.2.1 at the limit state."""
+        return self._at_limit_state(ntc.elastic_spectrum(self._on_rock, place=_place(self), code=self.code))
+
+    def vertical(self) -> Spectrum:
+        """Return the spectrum of §3.2.3.2.2 at the limit state."""
+        return self._at_limit_state(ntc.vertical_spectrum(self._on_rock, place=_place(self), code=self.code))
+
+    def at_limit_states(self) -> dict[str, Spectrum]:
+        """Return the horizontal spectrum of each limit state whose return period lies within the rows."""
+        first, last = self.hazard[0].return_period, self.hazard[-1].return_period
+        years = {state: ntc.return_period(state, reference_life=self._life) for state in get_args(LimitState)}
+        states = [replace(self, limit_state=state) for state, T_R in years.items() if first <= T_R <= last]
+        return {each._state: each.horizontal() for each in states}
+
+    def surface_pgas(self, *, factor: float = 1.0) -> tuple[float, ...]:
+        """Return the peak ground acceleration at the surface of each row [m/s2]; factor: on all of them."""
+        place = _place(self)
+        scale = factor * ntc.topographic_factor(place)
+        return tuple(scale * (ntc.soil_factor(row, place.soil) * row.a_g) for row in self._rows)
+
+    @property
+    def _state(self) -> str:
+        return self.limit_state or DEFAULT_STATE
+
+    @property
+    def _life(self) -> float:
+        if self.use_class is None:
+            raise SpectrumError(f'{self.code} spectrum: use_class: missing; class of use "I" to "IV"')
+        return ntc.reference_life(self.nominal_life, use_class=self.use_class)
+
+    @property
+    def _rows(self) -> list[ntc.Hazard]:
+        return [ntc.Hazard(row.a_g, row.f_0, row.t_c_star, row.return_period) for row in self.hazard]
+
+    @property
+    def _on_rock(self) -> ntc.Hazard:
+        return ntc.hazard_at(self._rows, return_period=ntc.return_period(self._state, reference_life=self._life))
+
+    def _at_limit_state(self, spectrum: Spectrum) -> Spectrum:
+        """Add to the parameters of a spectrum what its return period follows from."""
+        parameters: dict[str, float | str] = {"limit_state": self._state, "nominal_life": self.nominal_life}
+        use = str(self.use_class)
+        parameters |= {"use_class": use, "use_coefficient": ntc.USE_FACTORS[use], "reference_life": self._life}
+        return replace(spectrum, parameters={**parameters, **spectrum.parameters})
+
+
+@dataclass(frozen=True, kw_only=True)
+class TableSpectrum(DesignSpectrum):
+    """A spectrum read from a file of periods and accelerations."""
+
+    form = "table"
+    code: Annotated[Literal["table"], THE_CODE]
+    """"table\""""
+    damping: Annotated[Damping, DAMPED_TABLE] = 0.05
+    file: Annotated[str | Path, IsInputFile(), Evidence("defines", "either", "as stated")]
+    """CSV of period and acceleration, with units in the header"""
+
+    def horizontal(self, *, pga: float | None = None) -> Spectrum:
+        """Read the spectrum."""
+        return read_table(Path(self.file), damping=self.damping, pga=pga)
+
+
+@dataclass(frozen=True, kw_only=True)
+class PointsSpectrum(DesignSpectrum):
+    """A spectrum given point by point; from Python alone."""
+
+    form = "points"
+    told_by = ("period", "acceleration")
+    period: Annotated[Any, NotAKey()]
+    """rising [n] [s]"""
+    acceleration: Annotated[Any, NotAKey()]
+    """at these periods [n] [m/s2]"""
+
+    def horizontal(self, *, pga: float | None = None) -> Spectrum:
+        """Return the spectrum linear between the points."""
+        return table_spectrum(self.period, self.acceleration, damping=self.damping, pga=pga)
+
+
+SPECTRA: Mapping[str, tuple[type[DesignSpectrum], ...]] = {
+    **dict.fromkeys(asce7.EDITIONS, (Asce7Spectrum, Asce7MappedSpectrum)),
+    "ec8": (Ec8Spectrum,),
+    "nzs1170.5": (Nzs1170Spectrum,),
+    **dict.fromkeys(ntc.CLAUSES, (NtcSpectrum, NtcHazardSpectrum)),
+    "table": (TableSpectrum,),
+}
+"""The ways to give each code's spectrum in a project file, the usual one first."""
+
+
+def way_of(code: str, keys: Collection[str]) -> type[DesignSpectrum]:
+    """Return the way of a code that is told by a key among those given; else the usual one."""
+    return next((way for way in SPECTRA[code] if any(key in keys for key in way.told_by)), SPECTRA[code][0])
+
+
+def _place(way: NtcSpectrum | NtcHazardSpectrum) -> ntc.SoilAndTopography:
+    return ntc.SoilAndTopography(way.soil, way.topography, way.relief_position)

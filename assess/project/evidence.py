@@ -91,7 +91,7 @@ def places_below(path: str, annotation: Any, form: str = "") -> Iterator[Place]:
     """
     origin, parts = get_origin(annotation), get_args(annotation)
     if origin is Annotated:
-        tags = [mark.tag.strip("<>") for mark in parts[1:] if isinstance(mark, Tag)]
+        tags = [mark.tag.strip("<>").removesuffix("Section") for mark in parts[1:] if isinstance(mark, Tag)]
         yield from places_below(path, parts[0], tags[0] if tags else form)
     elif isinstance(annotation, type) and issubclass(annotation, ProjectSection):
         yield path, form, annotation

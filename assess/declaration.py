@@ -21,6 +21,8 @@ from typing import Annotated, Any, Literal, get_args, get_type_hints
 
 Fault = tuple[str, str]
 """A key, and what is wrong with its value; the remedy follows behind a semicolon."""
+KeyFault = tuple[str | tuple[str | int, ...], str]
+"""The same, where the key may lie below one of the table; entries of lists are counted from 0."""
 BOUNDS = {
     "above": (gt, "must be greater than {:.6g}"),
     "least": (ge, "must be {:.6g} or more"),
@@ -30,6 +32,9 @@ BOUNDS = {
 """The bounds of a number: what it must be to each of them, and the words where it is not."""
 
 
+LEVEL = 1e-9  # of a direction: one that rises by less is horizontal
+
+
 class Mark:
     """What `Annotated` says of an input.
 
@@ -37,6 +42,10 @@ class Mark:
     """
 
     form: str = ""
+
+    def remedy(self, value: Any) -> str:
+        """Return what is wrong with a value of another form, and the remedy; "" for the words of its type."""
+        return self.form
 
     def fault(self, value: Any) -> str:
         """Return what is wrong with a value of the right form; empty if nothing is."""
@@ -49,7 +58,7 @@ class Number(Mark):
 
     dimension : a name of `assess.project.units.KINDS`; "" for a count
     above, below : bounds that it does not reach; least, most : bounds that it may reach; not of several
-    infinite : it may be infinite, where it has no limit
+    infinite : it may be infinite, where it has no limit; rounded : values next to 0 are 0, as in exported coordinates
     beyond : what is wrong beyond its bounds and the remedy, where the bound's own words would not do
     form : what is wrong with what is neither a number nor a known word, and the remedy
     """
@@ -60,6 +69,7 @@ class Number(Mark):
     below: float | None = None
     most: float | None = None
     infinite: bool = False
+    rounded: bool = False
     beyond: str = ""
     form: str = ""
 
@@ -104,6 +114,23 @@ class IsDirection(Mark):
 
 
 @dataclass(frozen=True)
+class IsHorizontal(Mark):
+    """A horizontal direction [x, y, 0], of any length but none."""
+
+    form: str = 'give (x, y, 0), "weakest" or "sweep"'
+
+    def fault(self, value: Any) -> str:
+        """Return what is wrong with a vector; empty if it is horizontal, and of a word."""
+        if isinstance(value, str):
+            return ""
+        if not all(map(isfinite, value)):
+            return "not a finite number"
+        if abs(value[2]) > LEVEL * max(map(abs, value)):
+            return "not horizontal; its third number, the vertical one, must be 0"
+        return "" if any(value[:2]) else "no direction; write [1, 0, 0] for +x"
+
+
+@dataclass(frozen=True)
 class IsName(Mark):
     """The name of what is described elsewhere, such as a body."""
 
@@ -118,15 +145,34 @@ class IsInputFile(Mark):
 
 
 @dataclass(frozen=True)
-class Rows(Mark):
-    """Rows of data of one kind, at least so many; form : what is wrong with anything else, from Python."""
+class Several(Mark):
+    """A list of so many entries; form : what is wrong with anything else, from Python."""
 
-    least: int
-    form: str
+    least: int = 0
+    most: int | None = None
+    form: str = ""
 
     def fault(self, value: Any) -> str:
-        """Return what is wrong with rows; empty if nothing is."""
-        return "" if len(value) >= self.least else f"too few; give at least {self.least}"
+        """Return what is wrong with the number of entries; empty if nothing is."""
+        if len(value) < self.least:
+            return f"too few; give at least {self.least}"
+        return "" if self.most is None or len(value) <= self.most else f"too many; give at most {self.most}"
+
+
+@dataclass(frozen=True)
+class Forms(Mark):
+    """A word, or a table with one of several keys.
+
+    word : that stands in place of the table; values : what each key of the table takes
+    """
+
+    word: str
+    values: tuple[tuple[str, str], ...]
+
+    def remedy(self, value: Any) -> str:
+        """Return what to write in place of a value of another form: all forms, or the one whose key it is."""
+        meant = [each for each in self.values if each[0] == value] or self.values
+        return f'not allowed; write "{self.word}", or {", ".join(f"{{ {key} = {size} }}" for key, size in meant)}'
 
 
 @dataclass(frozen=True)
@@ -156,6 +202,13 @@ class Evidence(Mark):
     judged: str = ""
 
 
+ITS_KIND = Evidence(
+    "chosen",
+    "either",
+    "as stated; other kinds that the drawing allows are proposed",
+    judged="a kind is a reading of the building: a cantilever or a wall that spans, a floor that bears or a mass",
+)
+"""Of the kind of a mechanism, and of a load."""
 FREE = Evidence("free", "none", "nothing")
 """What can change no outcome: labels, texts, figures."""
 
@@ -173,6 +226,9 @@ class FileDefault(Mark):
 
 
 Length = Annotated[float, Number("length")]
+Coordinate = Annotated[float, Number("length", rounded=True)]
+PlanePoint = tuple[Coordinate, Coordinate]
+SpacePoint = tuple[Coordinate, Coordinate, Coordinate]
 PositiveLength = Annotated[float, Number("length", above=0)]
 NotNegativeLength = Annotated[float, Number("length", least=0)]
 PositiveMass = Annotated[float, Number("mass", above=0)]

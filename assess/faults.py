@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import is_dataclass
+from functools import reduce
 from numbers import Integral
 from types import NoneType, UnionType
 from typing import Annotated, Any, Literal, Union, get_args, get_origin
@@ -33,9 +34,11 @@ def declared_problems(data: Any, where: str = "", *, forms: Mapping[str, str] | 
             yield f"{key} = {text_of_value(value)}: {reason}"
         else:
             yield from _nested_problems(value, key, forms)
-    for name, reason in data.faults() if hasattr(data, "faults") else ():
-        value = getattr(data, name)
-        yield f"{where}{name}: {reason}" if value is None else f"{where}{name} = {text_of_value(value)}: {reason}"
+    for key, reason in data.faults() if hasattr(data, "faults") else ():
+        path: tuple[str | int, ...] = (key,) if isinstance(key, str) else key
+        value = reduce(_step_down, path, data)
+        shown = value is not None and not isinstance(value, tuple | Mapping) and not is_dataclass(value)
+        yield f"{where}{_path_text(path)}{f' = {text_of_value(value)}' if shown else ''}: {reason}"
 
 
 def value_fault(value: Any, annotation: Any, form: str = "") -> str:
@@ -46,7 +49,7 @@ def value_fault(value: Any, annotation: Any, form: str = "") -> str:
     origin, inner = get_origin(annotation), get_args(annotation)
     if origin is Annotated:
         marks = [mark for mark in inner[1:] if isinstance(mark, Mark)]
-        form = next((mark.form for mark in marks if mark.form), form)
+        form = next((each for mark in marks if (each := mark.remedy(value))), form)
         own = () if value is None else (mark.fault(value) for mark in marks)
         return value_fault(value, inner[0], form) or next(filter(None, own), "")
     if not _fits(value, annotation):
@@ -66,6 +69,19 @@ def value_fault(value: Any, annotation: Any, form: str = "") -> str:
 def text_of_value(value: Any) -> str:
     """Write a value of Python on one line, shortened if it is long."""
     return f"{value:g}" if is_number(value) else repr(value)[:LONGEST]
+
+
+def _step_down(value: Any, step: str | int) -> Any:
+    """Return what stands one step below; hinges are a list, and named."""
+    if isinstance(value, Mapping):
+        return value[step]
+    if isinstance(value, tuple):
+        return value["ABCD".index(step) if isinstance(step, str) else step]
+    return getattr(value, str(step))
+
+
+def _path_text(path: tuple[str | int, ...]) -> str:
+    return "".join(f"[{step + 1}]" if isinstance(step, int) else f".{step}" for step in path).lstrip(".")
 
 
 def _nested_problems(value: Any, key: str, forms: Mapping[str, str] | None) -> Iterator[str]:

@@ -23,7 +23,7 @@ from assess.declaration import (
     PositiveTime,
     PositiveYears,
     RatioToOne,
-    Rows,
+    Several,
 )
 from spectra import asce7, ec8, ntc, nzs1170_5
 from spectra.errors import SpectrumError
@@ -52,6 +52,9 @@ CornerTime = Annotated[PositiveTime, CORNER]
 PeakRatio = Annotated[PositiveRatio, PEAK]
 LimitState = Literal["SLO", "SLD", "SLV", "SLC"]
 DEFAULT_STATE: LimitState = "SLV"
+
+
+AT_LEAST_TWO = Several(2, form="give rows of return_period, a_g, f_0 and t_c_star")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -271,7 +274,7 @@ class NtcHazardSpectrum(DesignSpectrum):
     elsewhere = dict.fromkeys(("a_g", "f_0", "t_c_star"), "stands in the rows of hazard; remove it here, or hazard")
     code: NtcCode
     """name and edition of the code"""
-    hazard: Annotated[tuple[HazardRow, ...], Rows(2, "give rows of return_period, a_g, f_0 and t_c_star"), HAZARD]
+    hazard: Annotated[tuple[HazardRow, ...], AT_LEAST_TWO, HAZARD]
     """rows { return_period, a_g, f_0, t_c_star }, rising in return period"""
     nominal_life: Annotated[PositiveYears, Evidence("defines", "down", "50 years, that of ordinary works")]
     """nominal life V_N, like 50: in years"""

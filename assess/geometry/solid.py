@@ -15,11 +15,13 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import combinations_with_replacement
+from typing import Annotated, Any
 
 import numpy as np
 import shapely
 from numpy.typing import ArrayLike
 
+from assess.declaration import Mark, PlanePoint, Several
 from assess.errors import GeometryError
 from assess.geometry.surface import tetrahedra
 from assess.messages.message import Message
@@ -207,6 +209,25 @@ def scale_density(solid: Solid, factor: float) -> Solid:
     inertia = factor * solid.inertia
     inertia.setflags(write=False)
     return replace(solid, mass=factor * solid.mass, inertia=inertia)
+
+
+@dataclass(frozen=True)
+class IsOutline(Mark):
+    """The corners of a polygon in order, which encloses an area and whose sides meet only at them."""
+
+    def fault(self, value: Any) -> str:
+        """Return what is wrong with corners [(x, y), …]; empty if they bound a region."""
+        points = np.array(value)
+        if shapely.MultiPoint(points).convex_hull.area <= THINNEST * float(np.ptp(points, axis=0).max()) ** 2:
+            return "no area, its corners lie on a line; give corners that enclose one"
+        meet = find_crossing(remove_repeats(points))
+        if meet is None:
+            return ""
+        at = f"[{meet[0]:.4g}, {meet[1]:.4g}] m"
+        return f"its sides cross or touch one another at {at}; list its corners in order around the outline"
+
+
+Corners = Annotated[tuple[PlanePoint, ...], Several(least=3), IsOutline()]
 
 
 def find_crossing(corners: FloatArray) -> tuple[float, float] | None:

@@ -7,39 +7,60 @@ relative to the other and compresses the edge at depth 0; for the other sense us
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from math import inf, isfinite
-from typing import Literal
+from typing import Annotated, Literal
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from assess.declaration import UNCERTAIN, Evidence, Fault, Forms, JointStiffness, PositiveLength, Strength
 from assess.errors import InterfaceError
 from assess.interfaces.kernel.equilibrium import crushing_depth, touch
-from assess.interfaces.section import ContactSection, Shape, mirror
+from assess.interfaces.section import CONTACT_SIZES, ContactSection, Shape, mirror
 from assess.messages.message import Message, Quantity, warning
 from assess.short_repr import ShortRepr
 from spectra.arrays import FloatArray
 
 JointModel = Literal["rigid", "flexible", "semi-flexible", "flexible-thesis"]
+WORST_JOINT = "the worst over rigid joints and the range of stiffness of its masonry, up to 100 GPa/m"
+OUTLINE_OR_SIZE = Forms("outline", tuple(CONTACT_SIZES.items()))
+OWN_STRENGTH = Evidence(
+    "measured",
+    "up",
+    "the material's, 50 MPa at most",
+    judged="an infinite strength is the rigid reading and stays; it helps where crushing is modelled",
+)
 
 
 @dataclass(frozen=True, kw_only=True)
 class Interface:
-    """The joint under a hinge.
+    """What a hinge presses on: without tension, linear up to the strength, then plastic without memory."""
 
-    model : "rigid" (with a strength: crushing only), or "flexible"; with its moment, but inertia about a fixed hinge:
-    "semi-flexible", about the resultant: "flexible-thesis"
-    stiffness : normal, per area [Pa/m], or course_thickness : of the layer that yields [m]
-    strength : in compression [Pa], infinite for none; the material's where None (not for a rigid one)
-    shape : "outline" of the body at the hinge, or sizes
-    """
+    model: Annotated[JointModel, Evidence("measured", "either", WORST_JOINT)] = "rigid"
+    """"rigid" (with strength: crushing only), "flexible"; with its moment, but inertia about a fixed hinge:
+    "semi-flexible", about the resultant: "flexible-thesis\""""
+    stiffness: Annotated[JointStiffness, UNCERTAIN, Evidence("measured", "either", WORST_JOINT)] | None = None
+    """normal stiffness per area, like "10 GPa/m"; or give course_thickness"""
+    course_thickness: Annotated[PositiveLength, UNCERTAIN, Evidence("measured", "either", WORST_JOINT)] | None = None
+    """thickness of the layer that yields: stiffness = young_modulus of the material / course_thickness"""
+    strength: Annotated[Strength, UNCERTAIN, OWN_STRENGTH] | None = None
+    """in compression, like "1 MPa", or "inf"; the material's if absent (not for a rigid one)"""
+    shape: Annotated[
+        Literal["outline"] | Shape,
+        OUTLINE_OR_SIZE,
+        Evidence("drawn", "up", "the outline of the mesh at the hinge"),
+    ] = "outline"
+    """"outline" of the mesh at the hinge, or { rectangle | hollow_rectangle | circle | annulus | polygon = … }"""
 
-    model: JointModel = "rigid"
-    stiffness: float | None = None
-    course_thickness: float | None = None
-    strength: float | None = None
-    shape: Literal["outline"] | Shape = "outline"
+    def faults(self) -> Iterator[Fault]:
+        """Yield a stiffness that is given twice, or not at all, or of a rigid joint."""
+        given = [key for key in ("stiffness", "course_thickness") if getattr(self, key) is not None]
+        if self.model == "rigid" and given:
+            yield given[0], 'is for flexible interfaces; write model = "flexible", or remove it'
+        if self.model != "rigid" and len(given) != 1:
+            yield "stiffness", "give either stiffness or course_thickness"
 
 
 @dataclass(frozen=True)

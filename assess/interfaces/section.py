@@ -6,12 +6,15 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from typing import Annotated
 
 import numpy as np
 import shapely
 from numpy.typing import ArrayLike
 
+from assess.declaration import UNCERTAIN, Evidence, Fault, PositiveLength
 from assess.errors import GeometryError
+from assess.geometry.solid import THINNEST, Corners
 from assess.interfaces.kernel import moments
 from assess.interfaces.kernel.moments import BEGIN, EDGE, RADIUS, SIGN, W0, W1
 from assess.short_repr import ShortRepr
@@ -19,23 +22,44 @@ from spectra.arrays import FloatArray, IntArray
 
 DirectionVector = Sequence[float] | FloatArray
 ALONG_X: DirectionVector = (1.0, 0.0)
-THINNEST = 1e-12  # of the extent squared: a region with less area is a line
 ROUNDING = 1e-14  # of the depth: vertices no further apart are at one depth
+
+
+JointSize = Annotated[PositiveLength, UNCERTAIN, Evidence("drawn", "up", "the outline of the mesh at the hinge")]
+CONTACT_SIZES = {
+    "rectangle": "[t, l]",
+    "hollow_rectangle": "[t, l, t_in, l_in]",
+    "circle": "d",
+    "annulus": "[d, d_in]",
+    "polygon": "[[x, y], …]",
+}
 
 
 @dataclass(frozen=True, kw_only=True)
 class Shape:
-    """The contact by one of its sizes [m], the first along the direction of motion, the second across.
+    """The contact by one of its sizes, the first along the direction of motion, the second across."""
 
-    rectangle : (thickness, length); hollow_rectangle : with the sizes of the hole behind them; circle : diameter
-    annulus : (diameter, inner diameter); polygon : corners (x, y) in plan
-    """
+    rectangle: tuple[JointSize, JointSize] | None = None
+    """[thickness, length]"""
+    hollow_rectangle: tuple[JointSize, JointSize, JointSize, JointSize] | None = None
+    """[thickness, length, inner thickness, inner length]"""
+    circle: JointSize | None = None
+    """diameter"""
+    annulus: tuple[JointSize, JointSize] | None = None
+    """[diameter, inner diameter]"""
+    polygon: Annotated[Corners, Evidence("drawn", "up", "the outline of the mesh at the hinge")] | None = None
+    """corners [[x, y], …] in plan"""
 
-    rectangle: tuple[float, float] | None = None
-    hollow_rectangle: tuple[float, float, float, float] | None = None
-    circle: float | None = None
-    annulus: tuple[float, float] | None = None
-    polygon: tuple[tuple[float, float], ...] | None = None
+    def faults(self) -> Iterator[Fault]:
+        """Yield a second size beside the one that there must be, and a hole as large as the outline."""
+        given = [key for key in CONTACT_SIZES if getattr(self, key) is not None]
+        if len(given) != 1:
+            yield given[-1] if given else "rectangle", f"one shape is needed, not {len(given)}"
+        for key in ("hollow_rectangle", "annulus"):
+            sizes = getattr(self, key) or ()
+            for outside, inside in zip(sizes[: len(sizes) // 2], sizes[len(sizes) // 2 :], strict=True):
+                if inside >= outside:
+                    yield key, f"the hole, {inside:g} m, must be smaller than the outside, {outside:g} m"
 
 
 @dataclass(frozen=True, repr=False)

@@ -11,15 +11,16 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import combinations, islice, pairwise
-from typing import Any, ClassVar
+from typing import Annotated, Any, ClassVar, Literal
 
 import numpy as np
 
+from assess.declaration import Angle, Evidence, Fault, KeyFault, Name, Number, PlanePoint, Several
 from assess.errors import GeometryError, MechanismError
 from assess.geometry.cut import Division, Piece, Plane, divide
 from assess.geometry.planar import PlanarBody, join_bodies, join_planar, planar_body
 from assess.geometry.solid import Solid
-from assess.loads.load import Load, Point
+from assess.loads.load import Load, Place, Point
 from assess.mechanisms.assembly import (
     MechanismKind,
     MechanismPieces,
@@ -29,36 +30,80 @@ from assess.mechanisms.assembly import (
     loose_hinges,
 )
 from assess.mechanisms.chain import Chain, RigidBlock, cross, mirror_chain, mirror_point, point_text
-from assess.mechanisms.mechanism import BlockMechanism, Mechanism, Sides
+from assess.mechanisms.mechanism import DRAWN_HINGES, BlockMechanism, Mechanism, Sides
 from assess.mechanisms.restitution import ImpactRules, RestitutionChoice, conserve_momentum, no_rebound
 from assess.messages.message import Message, Quantity, Value, lengths, message, note, warning, whole_number
 from spectra.arrays import ComplexArray, FloatArray, IntArray
 
-Line = tuple[Point, Point]
+Line = tuple[PlanePoint, PlanePoint]
 Hinges = tuple[Point, Point, Point, Point]
+LEAST_VOUSSOIRS = 3
+AS_JOINTED = Evidence("drawn", "either", "as drawn")
 MOST_VOUSSOIRS = 80  # of an arch: all choices of four of its joints are looked at, which takes seconds
 
 
 @dataclass(frozen=True, kw_only=True)
 class FourHinge(BlockMechanism):
-    """Three blocks between two fixed hinges, or one arch whose hinges are where it resists least.
-
-    joints : where an arch may open, in order
-    """
+    """Three blocks between two fixed hinges: portal, frame, arch, side-aisle vault, belfry."""
 
     kind: ClassVar[str] = "four-hinge"
     number_of_blocks: ClassVar[int] = 3
-    joints: RadialJoints | tuple[Line, ...] | None = None
+    blocks: Annotated[tuple[tuple[Name, ...], ...], Evidence("defines", "either", "as drawn")]
+    """the bodies A-B, B-C and C-D; or one arch, with joints and hinges = "minimum\""""
+    hinges: Annotated[tuple[Place, ...] | Literal["minimum"] | None, DRAWN_HINGES] = None
+    """hinges A, B, C, D of positive rotation, or "minimum": where the arch resists least"""
+    hinges_negative: Annotated[tuple[Place, ...] | None, DRAWN_HINGES] = None
+    """hinges A, B, C, D of negative rotation"""
+    joints: RadialJoints | Annotated[tuple[Line, ...], Several(most=MOST_VOUSSOIRS + 1), AS_JOINTED] | None = None
+    """of an arch, in order: [[[x, z], [x, z]], …], or { centre, first, last, count } for radial ones"""
+
+    def keys_along(self) -> Iterator[tuple[str | int, ...]]:
+        """Name what is given in the plane of motion: two numbers of loads and hinges, and the joints of an arch."""
+        yield from super().keys_along()
+        if self.joints is not None:
+            yield ("joints",)
+
+    def faults(self) -> Iterator[KeyFault]:
+        """Yield what does not suit three blocks between given hinges, or one arch whose hinges are sought."""
+        if self.hinges != "minimum":
+            if len(self.blocks) != 3:
+                yield "blocks", f"{len(self.blocks)} of them with four hinges; name three, base first"
+            if self.hinges_negative is None and self.sides != "one":
+                reason = 'missing; two-sided rocking has hinges of its own each way: give them, or sides = "one"'
+                yield "hinges_negative", reason
+            if self.hinges_negative is not None and self.sides == "one":
+                yield "hinges_negative", "beside one-sided rocking; remove it"
+            if self.joints is not None:
+                yield "joints", 'are for an arch with hinges = "minimum"; remove one of them'
+        elif self.hinges_negative is not None:
+            yield "hinges_negative", 'are looked for too with hinges = "minimum"; remove them'
+        elif len(self.blocks) != 1 or self.joints is None:
+            yield "joints", 'hinges = "minimum" needs one arch in blocks, and joints where it may open'
+        elif self.loads:
+            yield "loads", 'not with hinges = "minimum"; write the hinges that `assess check` prints'
+        if isinstance(self.joints, tuple) and not MOST_VOUSSOIRS >= len(self.joints) - 1 >= LEAST_VOUSSOIRS:
+            count = len(self.joints) - 1
+            yield "joints", f"{count} voussoirs between them; give {LEAST_VOUSSOIRS} to {MOST_VOUSSOIRS}"
+        yield from super().faults()
 
 
 @dataclass(frozen=True)
 class RadialJoints:
-    """Joints of an arch that all point to its centre (x, z) [m], evenly spaced between two angles [rad]."""
+    """Joints of an arch that all point to its centre, evenly spaced."""
 
-    centre: Point
-    first: float
-    last: float
-    count: int
+    centre: Annotated[PlanePoint, AS_JOINTED]
+    """[distance along the direction, elevation]"""
+    first: Annotated[Angle, AS_JOINTED]
+    """angle of the first joint above the direction, like "168.75 deg\""""
+    last: Annotated[Angle, AS_JOINTED]
+    """angle of the last joint, like "11.25 deg\""""
+    count: Annotated[int, Number(least=LEAST_VOUSSOIRS, most=MOST_VOUSSOIRS), AS_JOINTED]
+    """number of voussoirs between them"""
+
+    def faults(self) -> Iterator[Fault]:
+        """Yield a last joint that is the first."""
+        if self.first == self.last:
+            yield "last", "is the first joint again; give the angle of the other springing"
 
 
 def four_hinge(

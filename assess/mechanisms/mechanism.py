@@ -9,16 +9,26 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from math import atan2, cos, degrees, inf, radians, sin
-from typing import Any, ClassVar, Literal
+from typing import Annotated, ClassVar, Literal
 
 import numpy as np
 
-from assess.declaration import Inclination
+from assess.declaration import Evidence, Inclination, IsHorizontal, KeyFault, Length, Name, Ratio, SpacePoint
 from assess.geometry.planar import Outline
 from assess.interfaces.contact import Interface
-from assess.loads.load import LoadDefinition, Place, PointMass, SourceParts, Tie, direction_keys, lasts, source_phrase
+from assess.loads.load import (
+    LoadDefinition,
+    Place,
+    PointMass,
+    SourceParts,
+    Tie,
+    block_faults,
+    direction_keys,
+    lasts,
+    source_phrase,
+)
 from assess.mechanisms.branch_table import scan_rotations, travel_on_seat, unseating_rotation
-from assess.mechanisms.chain import Chain, ChainPair, Joint
+from assess.mechanisms.chain import HINGES, Chain, ChainPair, Joint
 from assess.mechanisms.oscillators import ChainActions, Variants, find_variants, mechanism_actions, oscillator_at_start
 from assess.mechanisms.restitution import ImpactRules, Restitution
 from assess.messages.message import Message, Term
@@ -29,34 +39,56 @@ from spectra.arrays import FloatArray
 Sides = Literal["one", "two"]
 Vector = tuple[float, float, float]
 ALONG_X: Vector = (1.0, 0.0, 0.0)
+WEAKEST = Evidence("chosen", "either", "the weakest direction, where it is weaker by more than 10 %")
+DRAWN_HINGES = Evidence("drawn", "either", "the edges as drawn, inside the outline of the contact")
+AS_CRACKED = Evidence("drawn", "either", "as the crack is surveyed; the weakest cut computed")
 
 
 @dataclass(frozen=True, kw_only=True)
 class BlockMechanism:
-    """What an engineer states of any mechanism of blocks.
+    """What an engineer states of any mechanism of blocks; in a project file hinges stand by their names.
 
     kind : of mechanism, as project files write it; number_of_blocks : of its blocks
-    blocks : names of the bodies of each block, from the base on
-    direction : horizontal [3], positive rotation topples this way; None for the weakest, or "sweep"
-    cut : only what lies above moves: an elevation [m], or an inclined crack
-    sides : "one" where something behind stops negative rotation; None as bodies touch the mechanism
-    interface : what the hinges press on; interfaces : what single hinges press on, by their names
-    hinges, hinges_negative : of positive and of negative rotation, from A on; None as the geometry shows
     """
 
     kind: ClassVar[str]
     number_of_blocks: ClassVar[int] = 1
-    blocks: tuple[tuple[str, ...], ...]
-    label: str = ""
-    direction: Vector | Literal["sweep"] | None = None
-    cut: float | CutPlane | CutAngle | None = None
-    sides: Sides | None = None
+    blocks: Annotated[tuple[tuple[Name, ...], ...], Evidence("defines", "either", "as drawn")]
+    """bodies from the base on; an entry may join several that move as one, [["wall", "buttress"]]"""
+    label: Annotated[str, Evidence("free", "none", "nothing")] = ""
+    """what the report calls it; the name of the table if absent"""
+    direction: Annotated[Vector | Literal["sweep"] | None, IsHorizontal(), WEAKEST] = None
+    """horizontal, positive rotation topples this way; the weakest if absent (four-hinge: +x); or "sweep\""""
+    cut: Annotated[Length | CutPlane | CutAngle | None, Evidence("drawn", "either", "the weakest cut computed")] = None
+    """only what lies above moves: an elevation like "4.77 m", or a crack, { point, normal } or { point, angle }"""
+    sides: Annotated[
+        Sides | None,
+        Evidence("chosen", "either", "as bodies touch it", judged="a wall behind stops rocking and takes its energy"),
+    ] = None
+    """"two", or "one": positive rotation only, the building behind stops the other; if absent, as bodies touch it"""
     loads: tuple[LoadDefinition, ...] = ()
+    """[ { kind = "mass" | "force" | "tie" | "overburden" | "body", … }, … ]"""
     restitution: Restitution = field(default_factory=Restitution)
+    """a number in [0, 1], a name, or { positive, negative }"""
     interface: Interface = field(default_factory=Interface)
+    """what the hinges press on: { model = "flexible", stiffness = "10 GPa/m", strength, shape }"""
     interfaces: Mapping[str, Interface] = field(default_factory=dict)
+    """the same for single hinges of a chain, { A = { … }, B = { … } }"""
     hinges: tuple[Place, ...] | Literal["minimum"] | None = None
     hinges_negative: tuple[Place, ...] | None = None
+
+    def faults(self) -> Iterator[KeyFault]:
+        """Yield the keys that do not go together."""
+        known = "ABCD"[: HINGES[self.number_of_blocks]]
+        for hinge_name in self.interfaces:
+            if hinge_name not in known:
+                yield ("interfaces", hinge_name), f"no such hinge; known: {', '.join(known)}"
+        if self.direction == "sweep":
+            for path in self.keys_along():
+                of = "an eccentricity depends" if path[-1] == "eccentricity" else "two numbers depend"
+                yield path, f'{of} on the direction, which is "sweep"; give three numbers, or the direction'
+        for number, key, reason in block_faults(self.loads, self.kind, number_of_blocks=self.number_of_blocks):
+            yield ("loads", number, key), reason
 
     @property
     def bodies(self) -> tuple[str, ...]:
@@ -91,67 +123,31 @@ class BlockMechanism:
 
     def keys_along(self) -> Iterator[tuple[str | int, ...]]:
         """Name what is given in the plane of motion: two numbers of loads and hinges, and the joints of an arch."""
-        yield from keys_along_direction(self, hinges=self._given_hinges)
-
-    def sweep_faults(self) -> Iterator[tuple[tuple[str | int, ...], str]]:
-        """Yield what is given in the plane of motion though the direction is sought all around, with the reason."""
-        yield from sweep_faults(self, hinges=self._given_hinges)
-
-    @property
-    def _given_hinges(self) -> Mapping[str, Sequence[Place] | None]:
-        return {"hinges": self.hinge_points, "hinges_negative": self.hinges_negative}
+        for number, load in enumerate(self.loads):
+            yield from (("loads", number, name) for name in direction_keys(load))
+        for key, given in (("hinges", self.hinge_points), ("hinges_negative", self.hinges_negative)):
+            yield from ((key, hinge_name) for hinge_name, at in zip("ABCD", given or (), strict=False) if len(at) == 2)
 
 
 @dataclass(frozen=True)
 class CutPlane:
-    """An inclined crack: a point of its plane [3] [m], and the normal [3] to the side that moves."""
+    """An inclined crack."""
 
-    point: Vector
-    normal: Vector
+    elsewhere: ClassVar[Mapping[str, str]] = {"angle": "beside normal; remove one of them"}
+    point: Annotated[SpacePoint, AS_CRACKED]
+    """a point of the plane [x, y, z]"""
+    normal: Annotated[tuple[Ratio, Ratio, Ratio], AS_CRACKED]
+    """square to the plane, to the side that moves: [nx, ny, nz] with nz > 0; or give angle"""
 
 
 @dataclass(frozen=True)
 class CutAngle:
     """A crack inclined in the plane of motion."""
 
-    point: Vector
-    """a point of its plane [m]"""
-    angle: Inclination
-    """from the horizontal; where positive, the crack falls towards the direction"""
-
-
-def keys_along_direction(
-    chained: Any, *, hinges: Mapping[str, Sequence[Place] | None]
-) -> Iterator[tuple[str | int, ...]]:
-    """Name what of a mechanism of blocks is measured along its direction, with the way to it, entries from 0.
-
-    Parameters
-    ----------
-    chained : a definition, or the table of a project file that has the same names
-    hinges : its given hinges by key, from A on
-    """
-    for place, load in enumerate(chained.loads):
-        yield from (("loads", place, name) for name in direction_keys(load))
-    for key, given in hinges.items():
-        yield from ((key, hinge_name) for hinge_name, at in zip("ABCD", given or (), strict=False) if len(at) == 2)
-    if getattr(chained, "joints", None) is not None:
-        yield ("joints",)
-
-
-def sweep_faults(
-    chained: Any, *, hinges: Mapping[str, Sequence[Place] | None]
-) -> Iterator[tuple[tuple[str | int, ...], str]]:
-    """Yield what is measured along a direction that is sought all around, and what is wrong with that.
-
-    Parameters
-    ----------
-    chained : a definition, or the table of a project file that has the same names
-    hinges : its lists of hinges by their keys; None where one is not given
-    """
-    if chained.direction == "sweep":
-        for key in keys_along_direction(chained, hinges=hinges):
-            of = "an eccentricity depends" if key[-1] == "eccentricity" else "two numbers depend"
-            yield key, f'{of} on the direction, which is "sweep"; give three numbers, or the direction'
+    point: Annotated[SpacePoint, AS_CRACKED]
+    """a point of the plane [x, y, z]"""
+    angle: Annotated[Inclination, AS_CRACKED]
+    """from the horizontal, like "60 deg": where positive, the crack falls towards the direction"""
 
 
 @dataclass(frozen=True, eq=False, repr=False)

@@ -9,10 +9,11 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from math import atan2, cos, hypot, isclose, sin
-from typing import Literal, get_args
+from typing import Annotated, Literal, get_args
 
 import numpy as np
 
+from assess.declaration import UNCERTAIN_RESTITUTION, Evidence, Number, one_of
 from assess.errors import MechanismError
 from assess.loads.load import PointMass, source_phrase
 from assess.mechanisms.chain import Chain, move, trace_point
@@ -28,12 +29,29 @@ RestitutionChoice = float | RestitutionRule | None
 """A number, a rule by its name, or None: "momentum" if a load moves with the mechanism, else the rule of the thesis."""
 
 
+RESTITUTION_NUMBER = Number(
+    "ratio",
+    least=0,
+    most=1,
+    beyond="outside [0, 1]; restitution is velocity after over velocity before the impact",
+    form=f"not a known restitution; write a number in [0, 1], {one_of(RESTITUTIONS)}",
+)
+BY_FORMULA = Evidence(
+    "measured",
+    "either",
+    "the formula's, less 0.05 at most",
+    judged="less of it takes more energy; of one-sided rocking it also shortens the way back",
+)
+
+
 @dataclass(frozen=True)
 class Restitution:
     """Velocity after over velocity before the impact that ends a rotation [-], or a rule; None for the default."""
 
-    positive: RestitutionChoice = None
-    negative: RestitutionChoice = None
+    positive: Annotated[RestitutionChoice, RESTITUTION_NUMBER, UNCERTAIN_RESTITUTION, BY_FORMULA] = None
+    """momentum where a load moves with the mechanism, else the thesis' rule for the kind"""
+    negative: Annotated[RestitutionChoice, RESTITUTION_NUMBER, UNCERTAIN_RESTITUTION, BY_FORMULA] = None
+    """the same for the impact that ends negative rotation"""
 
     @property
     def choices(self) -> tuple[RestitutionChoice, RestitutionChoice]:

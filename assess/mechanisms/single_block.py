@@ -2,17 +2,29 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
-from math import cos, hypot, sin
-from typing import ClassVar, Literal
+from math import cos, hypot, inf, sin, sqrt
+from typing import Annotated, ClassVar, Literal
 
 from scipy.constants import g
 
+from assess.declaration import (
+    UNCERTAIN,
+    UNCERTAIN_UPLIFT,
+    Evidence,
+    Fault,
+    Length,
+    Name,
+    PositiveLength,
+    PositiveMass,
+    PositiveRate,
+    Uplift,
+)
 from assess.errors import FallingError, MechanismError
 from assess.geometry.cut import Piece
 from assess.geometry.planar import PlanarBody
-from assess.loads.load import Load, Point
+from assess.loads.load import Load, Place, Point
 from assess.mechanisms.assembly import (
     MechanismKind,
     MechanismPieces,
@@ -22,7 +34,7 @@ from assess.mechanisms.assembly import (
     hinges_in_plane,
 )
 from assess.mechanisms.chain import Chain, RigidBlock, mirror_chain, point_values
-from assess.mechanisms.mechanism import BlockMechanism, Mechanism, Sides
+from assess.mechanisms.mechanism import DRAWN_HINGES, BlockMechanism, Mechanism, Sides
 from assess.mechanisms.restitution import (
     ImpactRules,
     Restitution,
@@ -36,6 +48,7 @@ from assess.mechanisms.restitution import (
 from assess.messages.message import Message, Quantity, lengths, warning
 
 INERTIA_RATIOS = (1e-4, 1e4)  # I_O / (M R^2) = g / (p^2 R): 4/3 of a slender block, less of a wall that spans
+TINIEST = 1e-150  # of a frequency parameter: its square is a number
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -43,6 +56,12 @@ class SingleBlock(BlockMechanism):
     """One block that rocks about its base."""
 
     kind: ClassVar[str] = "single-block"
+    blocks: Annotated[tuple[tuple[Name, ...], ...], Evidence("defines", "either", "as drawn")]
+    """the body that rocks, ["wall"], or several that move as one, [["wall", "buttress"]]"""
+    hinges: Annotated[tuple[Place, ...] | None, DRAWN_HINGES] = None
+    """hinge of positive rotation; the extreme line of the base (of the cut) if absent"""
+    hinges_negative: Annotated[tuple[Place, ...] | None, DRAWN_HINGES] = None
+    """hinge of negative rotation; the extreme line of the base (of the cut) if absent"""
 
 
 def single_block(
@@ -131,21 +150,38 @@ def build_single_block(
 
 @dataclass(frozen=True, kw_only=True)
 class EquivalentBlock:
-    """A mechanism by its rocking parameters, as published tables give them.
-
-    p : frequency parameter [1/s]; uplift : multiplier that starts rocking, taken as the slenderness [rad]
-    radius [m]; mass [kg]; elevation : of its base [m]
-    """
+    """A mechanism by its rocking parameters, as published tables give them."""
 
     kind: ClassVar[str] = "equivalent-block"
-    p: float
-    uplift: float
-    radius: float
-    label: str = ""
-    sides: Sides = "two"
+    p: Annotated[PositiveRate, UNCERTAIN, Evidence("defines", "down", "as published")]
+    """frequency parameter, like "1.60 1/s\""""
+    uplift: Annotated[Uplift, UNCERTAIN_UPLIFT, Evidence("defines", "up", "as published")]
+    """multiplier that starts rocking, taken as the slenderness [rad], like 0.14"""
+    radius: Annotated[PositiveLength, Evidence("defines", "up", "as published")]
+    """distance from hinge to centre of mass, like "2.84 m\""""
+    label: Annotated[str, Evidence("free", "none", "nothing")] = ""
+    """what the report calls it; the name of the table if absent"""
+    sides: Annotated[Sides, Evidence("chosen", "either", "two, unless the drawing shows what stops it")] = "two"
+    """"two", or "one": positive rotation only, the building behind stops the other"""
     restitution: Restitution = field(default_factory=Restitution)
-    mass: float = 1.0
-    elevation: float = 0.0
+    """a number in [0, 1], a name, or { positive, negative }"""
+    mass: Annotated[PositiveMass, Evidence("defines", "none", "any", judged="rocking does not depend on it")] = 1.0
+    """mass of the mechanism"""
+    elevation: Annotated[Length, Evidence("drawn", "down", "as drawn")] = 0.0
+    """of the mechanism's base, in the coordinates of the bodies"""
+
+    def faults(self) -> Iterator[Fault]:
+        """Yield a frequency parameter that no mechanism of this radius has."""
+        least, most = INERTIA_RATIOS
+        ratio = inf if self.p < TINIEST else g / (self.p * self.p * self.radius)
+        if not least <= ratio <= most:
+            low, high = (sqrt(g / (each * self.radius)) for each in (most, least))
+            yield (
+                "p",
+                f"with a radius of {self.radius:.4g} m the inertia about the hinge is {ratio:.3g} M R^2, which no "
+                f"mechanism has; give {low:.3g} to {high:.3g} 1/s (a slender block has sqrt(3 g / (4 R)) = "
+                f"{sqrt(0.75 * g / self.radius):.3g} 1/s), or another radius",
+            )
 
 
 def equivalent_block(

@@ -15,12 +15,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from typing import ClassVar, Literal, get_args
+from typing import Annotated, ClassVar, Literal, get_args
 
+from assess.declaration import Evidence, KeyFault, Name, Number
 from assess.errors import MechanismError
 from assess.geometry.cut import Piece
 from assess.geometry.planar import PlanarBody, top_edge
-from assess.loads.load import Load, Point
+from assess.loads.load import Load, Place, Point
 from assess.mechanisms.assembly import (
     MechanismKind,
     MechanismPieces,
@@ -31,7 +32,7 @@ from assess.mechanisms.assembly import (
     loose_hinges,
 )
 from assess.mechanisms.chain import Chain, RigidBlock, mirror_chain, point_text, point_values
-from assess.mechanisms.mechanism import BlockMechanism, Mechanism, Sides
+from assess.mechanisms.mechanism import DRAWN_HINGES, BlockMechanism, Mechanism, Sides
 from assess.mechanisms.restitution import (
     ImpactRules,
     RestitutionChoice,
@@ -48,15 +49,28 @@ Hinges = tuple[Point, Point, Point]
 
 @dataclass(frozen=True, kw_only=True)
 class TwoBlock(BlockMechanism):
-    """A wall held at its base and its top that opens at a crack between.
-
-    crack : "sorrentino" (thesis eq. 3.27), "minimum" (least uplift multiplier), or an elevation [m]; hinge B's where
-    None and hinges are given, else "sorrentino"
-    """
+    """A wall held at its base and its top that opens at a crack between."""
 
     kind: ClassVar[str] = "two-block"
     number_of_blocks: ClassVar[int] = 2
-    crack: float | CrackRule | None = None
+    blocks: Annotated[tuple[tuple[Name, ...], ...], Evidence("defines", "either", "as drawn")]
+    """one body, cut at the crack, or two, the lower first"""
+    hinges: Annotated[tuple[Place, ...] | None, DRAWN_HINGES] = None
+    """hinges of positive rotation; the edges of base, crack and top if absent"""
+    hinges_negative: Annotated[tuple[Place, ...] | None, DRAWN_HINGES] = None
+    """hinges of negative rotation; the edges of base, crack and top if absent"""
+    crack: Annotated[
+        float | CrackRule | None,
+        Number("length", form='give an elevation [m], "sorrentino" or "minimum"'),
+        Evidence("chosen", "either", "the weakest height, where it is weaker by more than 10 %"),
+    ] = None
+    """"sorrentino" (eq. 3.27), "minimum" (least uplift multiplier), or an elevation; hinge B's if hinges are given"""
+
+    def faults(self) -> Iterator[KeyFault]:
+        """Yield the keys that do not go together."""
+        if len(self.blocks) == 2 and self.crack is not None:
+            yield "crack", "is for one body; two bodies part at their joint, so remove one of them"
+        yield from super().faults()
 
 
 def two_block(

@@ -4,34 +4,26 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import fields, is_dataclass, replace
-from math import inf, isfinite, pi, sqrt
+from math import inf
 from numbers import Real
 from typing import Any, TypeVar
 
 import numpy as np
-from scipy.constants import g
 
 from assess.declaration import StatedPlace
 from assess.errors import MechanismError
 from assess.faults import declared_problems, text_of_value, value_fault
-from assess.interfaces.contact import Interface
-from assess.interfaces.section import Shape
-from assess.loads.load import block_faults, body_faults
+from assess.loads.load import body_faults
 from assess.mechanisms.chain import HINGES
-from assess.mechanisms.four_hinge import MOST_VOUSSOIRS, FourHinge, RadialJoints
+from assess.mechanisms.four_hinge import FourHinge
 from assess.mechanisms.kinds import Definition
 from assess.mechanisms.mechanism import BlockMechanism
-from assess.mechanisms.restitution import RESTITUTIONS, Restitution
-from assess.mechanisms.single_block import INERTIA_RATIOS, EquivalentBlock
-from assess.mechanisms.two_block import TwoBlock
+from assess.mechanisms.single_block import EquivalentBlock
 from assess.model.bodies import Bodies
 from spectra.arrays import is_number
 
-POSITIVE = frozenset(["p", "uplift", "radius", "mass", "stiffness", "course_thickness", "strength"])
 HINGE_KEYS = ("hinges", "hinges_negative")
 TINY = 5e-324  # the least number above 0
-TINIEST = 1e-150  # of a frequency parameter: its square is a number
-LEVEL = 1e-9  # of a direction: one that rises by less is horizontal
 
 
 def check_definition(name: str, definition: Definition, bodies: Bodies) -> None:
@@ -53,39 +45,16 @@ def _problems(definition: Definition, bodies: Bodies) -> Iterator[str]:
     if isinstance(definition, BlockMechanism):
         by_kind = dict.fromkeys(HINGE_KEYS, _hinge_form(definition))
     yield from declared_problems(definition, forms=FORMS | by_kind)
-    yield from _number_problems(definition, "")
-    yield from _restitution_problems(definition.restitution)
     if isinstance(definition, EquivalentBlock):
-        yield from _parameter_problems(definition)
         return
     yield from _block_problems(definition, bodies)
     yield from _material_problems(bodies)
-    yield from _direction_problems(definition)
     yield from _hinge_problems(definition)
-    if isinstance(definition, TwoBlock):
-        yield from _crack_problems(definition)
-    if isinstance(definition, FourHinge):
-        yield from _arch_problems(definition)
-    hinge_names = "ABCD"[: HINGES[definition.number_of_blocks]]
-    for hinge_name in set(definition.interfaces) - set(hinge_names):
-        yield f"interfaces.{hinge_name}: no such hinge; known: {', '.join(hinge_names)}"
-    for interface in (definition.interface, *definition.interfaces.values()):
-        yield from _interface_problems(interface)
-    yield from _load_problems(definition, bodies)
-
-
-def _parameter_problems(block: EquivalentBlock) -> Iterator[str]:
-    """Yield what is wrong with published parameters: an angle, and an inertia that no mechanism has."""
-    if not block.uplift < pi / 2.0:
-        yield f"uplift = {block.uplift:g}: must be less than pi / 2; it is taken as the slenderness [rad]"
-    least, most = INERTIA_RATIOS
-    ratio = inf if block.p < TINIEST else g / (block.p * block.p * block.radius)
-    if not least <= ratio <= most:
-        low, high = (sqrt(g / (each * block.radius)) for each in (most, least))
-        yield (
-            f"p = {block.p:g}: with a radius of {block.radius:.4g} m the inertia about the hinge is {ratio:.3g} M R^2, "
-            f"which no mechanism has; give {low:.3g} to {high:.3g} 1/s, or another radius"
-        )
+    known = ", ".join(f'"{name}"' for name in bodies)
+    for number, key, reason in body_faults(
+        definition.loads, bodies, moving=definition.bodies, known=f"known: {known}; give it in `around`"
+    ):
+        yield f"loads[{number + 1}].{key} = {text_of_value(getattr(definition.loads[number], key))}: {reason}"
 
 
 def _block_problems(definition: BlockMechanism, bodies: Bodies) -> Iterator[str]:
@@ -128,115 +97,10 @@ def _hinge_form(definition: BlockMechanism) -> str:
     return f"give {', '.join('ABCD'[: HINGES[definition.number_of_blocks]])}, each a place"
 
 
-def _crack_problems(definition: TwoBlock) -> Iterator[str]:
-    crack = definition.crack
-    if len(definition.blocks) == 2 and crack is not None:
-        yield "crack: is for one body; two bodies part at their joint, so remove one of them"
-
-
-def _arch_problems(definition: FourHinge) -> Iterator[str]:
-    """Yield what does not suit three blocks between given hinges, or one arch whose hinges are searched for."""
-    one_sided = definition.sides == "one"
-    if definition.hinges != "minimum":
-        if len(definition.blocks) != 3:
-            yield f"{len(definition.blocks)} bodies with four hinges; give three, base first"
-        if definition.hinges_negative is None and not one_sided:
-            yield 'hinges_negative: missing; two-sided rocking has its own hinges each way: give them, or sides = "one"'
-        if definition.hinges_negative is not None and one_sided:
-            yield "hinges_negative: beside one-sided rocking; remove it"
-        if definition.joints is not None:
-            yield 'joints: are for an arch with hinges = "minimum"; remove one of them'
-        return
-    if definition.hinges_negative is not None:
-        yield 'hinges_negative: are searched for too with hinges = "minimum"; remove them'
-    if len(definition.blocks) != 1 or definition.joints is None:
-        yield 'hinges = "minimum" needs one arch, and joints where it may open'
-    if definition.loads:
-        yield 'loads: not with hinges = "minimum"; give the hinges that the messages of the arch without loads list'
-    joints = definition.joints
-    count = joints.count if isinstance(joints, RadialJoints) else len(joints or ()) - 1
-    if joints is not None and not 3 <= count <= MOST_VOUSSOIRS:
-        yield f"joints: {count} voussoirs between them; give 3 to {MOST_VOUSSOIRS}"
-    if isinstance(joints, RadialJoints) and joints.first == joints.last:
-        yield "joints.last: is the first joint again; give the angle of the other springing"
-
-
-def _number_problems(data: Any, where: str) -> Iterator[str]:
-    """Yield each number that is not finite, and each that must be positive and is not; a strength may be infinite."""
-    for field in fields(data):
-        value, key = getattr(data, field.name), f"{where}{field.name}"
-        if is_dataclass(value) and not isinstance(value, type):
-            yield from _number_problems(value, f"{key}.")
-        elif isinstance(value, tuple):
-            yield from _entry_problems(value, key)
-        elif isinstance(value, float | int) and not isinstance(value, bool):
-            if not isfinite(value) and not (field.name in ("strength", "stiffness") and value > 0.0):
-                yield f"{key} = {value}: not a finite number"
-            elif field.name in POSITIVE and value <= 0.0:
-                yield f"{key} = {value:g}: must be greater than 0"
-
-
-def _entry_problems(values: tuple[Any, ...], key: str) -> Iterator[str]:
-    for number, value in enumerate(values, start=1):
-        if is_dataclass(value) and not isinstance(value, type):
-            yield from _number_problems(value, f"{key}[{number}].")
-        elif isinstance(value, tuple):
-            yield from _entry_problems(value, f"{key}[{number}]")
-        elif isinstance(value, float) and not isfinite(value):
-            yield f"{key}[{number}] = {value}: not a finite number"
-
-
-def _restitution_problems(restitution: Restitution) -> Iterator[str]:
-    for value in (restitution.positive, restitution.negative):
-        if isinstance(value, str) and value not in RESTITUTIONS:
-            yield f"restitution = {value!r}: write a number in [0, 1], or one of {', '.join(RESTITUTIONS)}"
-        if isinstance(value, float | int) and not 0.0 <= value <= 1.0:
-            yield f"restitution = {value:g}: outside [0, 1]; it is velocity after over velocity before the impact"
-
-
-def _direction_problems(definition: BlockMechanism) -> Iterator[str]:
-    direction = definition.direction
-    if direction == "sweep":
-        yield from (f"{_path_text(path)}: {reason}" for path, reason in definition.sweep_faults())
-    elif direction and (abs(direction[2]) > LEVEL * max(map(abs, direction)) or not any(direction[:2])):
-        yield f"direction = {direction}: must be horizontal and not zero; give (x, y, 0)"
-
-
-def _path_text(path: tuple[str | int, ...]) -> str:
-    return "".join(f"[{step + 1}]" if isinstance(step, int) else f".{step}" for step in path).lstrip(".")
-
-
-def _interface_problems(interface: Interface) -> Iterator[str]:
-    given = [key for key in ("stiffness", "course_thickness") if getattr(interface, key) is not None]
-    if interface.model == "rigid" and given:
-        yield f'interface.{given[0]}: is for flexible interfaces; give model = "flexible", or remove it'
-    if interface.model != "rigid" and len(given) != 1:
-        yield "interface.stiffness: give either stiffness or course_thickness"
-    if isinstance(interface.shape, Shape):
-        sizes = [field.name for field in fields(Shape) if getattr(interface.shape, field.name) is not None]
-        if len(sizes) != 1:
-            yield f"interface.shape: one size is needed, not {len(sizes)}"
-
-
-def _load_problems(definition: BlockMechanism, bodies: Bodies) -> Iterator[str]:
-    """Yield the loads that no block carries, and those whose bodies cannot load it."""
-    loads, known = definition.loads, ", ".join(f'"{name}"' for name in bodies)
-    known = f"known: {known}; give it in `around`"
-    for number, key, reason in (
-        *block_faults(loads, definition.kind, number_of_blocks=definition.number_of_blocks),
-        *body_faults(loads, bodies, moving=definition.bodies, known=known),
-    ):
-        yield f"loads[{number + 1}].{key} = {text_of_value(getattr(loads[number], key))}: {reason}"
-
-
 FORMS = {
-    "direction": 'give (x, y, 0), "weakest" or "sweep"',
     "cut": "give an elevation [m], a CutPlane or a CutAngle",
-    "crack": 'give an elevation [m], "sorrentino" or "minimum"',
     "restitution": "give a number in [0, 1], or the name of a rule",
 }
-
-
 Data = TypeVar("Data")
 
 COUNTS = ("block", "construction", "count")

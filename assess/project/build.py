@@ -373,7 +373,7 @@ def _structure_below(section: sections.BuildingSection | None) -> Building | Non
 
 def _equation_of(section: sections.MechanismSection, content: sections.Content) -> Equation:
     """Return the equation of motion requested, else linearised for equivalent blocks and exact for all others."""
-    default: Equation = "linearised" if isinstance(section, sections.EquivalentBlockSection) else "exact"
+    default: Equation = "linearised" if section.kind == "equivalent-block" else "exact"
     return content.analysis.equation or default
 
 

@@ -154,7 +154,7 @@ def _missing_masonry(content: sections.Content, name: str, premises: Sequence[Pr
 def _masonry(content: sections.Content, name: str) -> Mapping[str, str | None]:
     """Return the disintegration stated for each masonry of a mechanism, by the table that states it."""
     section = content.mechanisms[name]
-    if isinstance(section, sections.EquivalentBlockSection):
+    if section.kind == "equivalent-block":
         return {f"mechanisms.{name}": section.disintegration}
     found: dict[str, str | None] = {}
     for body in (body for block in section.blocks for body in block):

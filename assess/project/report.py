@@ -362,9 +362,9 @@ def _uses_of_section(section: sections.MechanismSection) -> Iterator[str]:
             yield from ("outline",) if isinstance(joint.shape, str) else _sizes_given(joint.shape)
     if section.cut is not None:
         yield "cut"
-    if isinstance(section, sections.TwoBlockSection) and isinstance(section.crack, str):
+    if section.kind == "two-block" and isinstance(section.crack, str):
         yield f"crack {section.crack}"
-    if isinstance(section, sections.FourHingeSection) and section.hinges == "minimum":
+    if section.kind == "four-hinge" and section.hinges == "minimum":
         yield "arch"
 
 

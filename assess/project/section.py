@@ -8,16 +8,17 @@ from __future__ import annotations
 
 import json
 import math
+import re
 import unicodedata
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import asdict
+from dataclasses import MISSING, asdict, fields, is_dataclass
 from datetime import date
-from functools import cache, reduce
+from functools import cache, partial, reduce
 from inspect import get_annotations
 from operator import or_
 from pathlib import Path
 from types import NoneType, UnionType
-from typing import Annotated, Any, ClassVar, Literal, TypeVar, Union, get_args, get_origin
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, TypeVar, Union, cast, get_args, get_origin
 
 from pydantic import (
     AfterValidator,
@@ -34,6 +35,7 @@ from pydantic import (
     Tag,
     ValidationInfo,
     WithJsonSchema,
+    create_model,
     model_validator,
 )
 from pydantic.fields import FieldInfo
@@ -41,20 +43,27 @@ from pydantic.json_schema import JsonSchemaValue
 from pydantic_core import CoreSchema, PydanticCustomError
 
 from assess.declaration import (
+    ITS_KIND,
+    Coordinate,
     Evidence,
     FileDefault,
+    Forms,
     IsDirection,
+    IsHorizontal,
     IsInputFile,
     IsName,
     IsPlace,
     Mark,
     Name,
+    NotAKey,
     Number,
     Ratio,
-    Rows,
     Scatters,
+    Several,
+    annotations_of,
     descriptions,
     marks_of,
+    meanings_of,
     unknown_key,
 )
 from assess.messages.message import escape_text
@@ -143,6 +152,11 @@ class ProjectSection(BaseModel):
         if key in cls.elsewhere:
             return cls.elsewhere[key]
         return unknown_key(key, cls.table_keys())
+
+    @property
+    def plain(self) -> Any:
+        """The data that the table stands for: itself, where it is made of no class."""
+        return self
 
     def entries(self) -> dict[str, Any]:
         """Return every key of the table with its value, defaults included."""
@@ -240,15 +254,49 @@ def _file_type(annotation: Any) -> Any:
         read_by = next((each for each in marks if isinstance(each, READ_BY)), None)
         beside = [each for each in marks if each is not read_by]
         beside += [_SCATTERS] * any(isinstance(each, Scatters) for each in marks)
-        beside += [Field(min_length=each.least) for each in marks if isinstance(each, Rows)]
+        beside += [BeforeValidator(partial(_one_form, each, value)) for each in marks if isinstance(each, Forms)]
+        beside += [_several(each) for each in marks if isinstance(each, Several)]
+        beside += [
+            AfterValidator(partial(_faultless, each))
+            for each in marks
+            if each is not read_by and isinstance(each, Mark) and type(each).fault is not Mark.fault
+        ]
         found = _file_type(value) if read_by is None else _read_by(read_by, value)
         return Annotated[found, *beside] if beside else found
-    if origin not in (Union, UnionType, tuple, dict):
+    if is_dataclass(annotation):
+        return table_of(cast(Any, annotation))
+    if origin not in (Union, UnionType, tuple, dict, Mapping):
         return annotation
     read = tuple(map(_file_type, parts))
-    if all(one is other for one, other in zip(read, parts, strict=True)):
-        return annotation
-    return reduce(or_, read) if origin in (Union, UnionType) else origin[read]
+    if origin in (Union, UnionType):
+        changed = any(one is not other for one, other in zip(read, parts, strict=True))
+        return _either(read) if changed else annotation
+    return (dict if origin is Mapping else origin).__class_getitem__(read)
+
+
+def _either(forms: tuple[Any, ...]) -> Any:
+    """Return what reads one of several forms; tables are told apart from other values, and from one another by keys."""
+    tables = [each for each in forms if isinstance(each, type) and issubclass(each, DeclaredSection)]
+    others = [each for each in forms if each not in tables and each is not NoneType]
+    if not tables or (len(tables) == 1 and not others):
+        return reduce(or_, forms)
+
+    def tag(value: Any) -> str:
+        if not isinstance(value, dict | DeclaredSection):
+            return "<value>"
+        keys = set(value) if isinstance(value, dict) else set(type(value).model_fields)
+        return _tag(max(tables, key=lambda table: len(keys & set(table.model_fields))))
+
+    tagged: list[Any] = [Annotated[each, Tag(_tag(each))] for each in tables]
+    if others:
+        tagged.insert(forms.index(others[0]), Annotated[reduce(or_, others), Tag("<value>")])
+    found: Any = Annotated[reduce(or_, tagged), Discriminator(tag)]
+    return found | None if NoneType in forms else found
+
+
+def _tag(table: type[DeclaredSection]) -> str:
+    """Name a table among several forms by the words of its class, such as <cut angle>."""
+    return f"<{' '.join(re.findall('[A-Z][a-z]+', table.declares.__name__)).lower()}>"
 
 
 @cache
@@ -260,7 +308,7 @@ def _read_by(mark: Mark, value: Any) -> Any:
         case Number():
             return _number_type(value, mark)
         case IsPlace():
-            return Annotated[tuple[Coordinate, ...], _row_of(mark), Field(min_length=2, max_length=3)]
+            return _file_type(Annotated[tuple[Coordinate, ...], _row_of(mark), Field(min_length=2, max_length=3)])
         case IsDirection():
             return _file_type(Annotated[tuple[Ratio, ...], _row_of(mark), Field(min_length=2, max_length=3)])
         case IsInputFile():
@@ -277,7 +325,7 @@ def _number_type(value: Any, number: Number) -> Any:
         bounds = _bounds(number)
         found = Annotated[float, read, _described(number.dimension, form), kind]
         return found if bounds is None else Annotated[found, bounds]
-    words = tuple(each for part in get_args(value) if get_origin(part) is Literal for each in get_args(part))
+    words = _words_of(value)
     count = next((len(get_args(part)) for part in get_args(value) if get_origin(part) is tuple), 0)
 
     def read_any(given: Any) -> Any:
@@ -303,7 +351,8 @@ def _number_type(value: Any, number: Number) -> Any:
 def _quantity(value: Any, number: Number) -> float:
     if number.infinite and (value == math.inf or (isinstance(value, str) and value.strip().lower() in INFINITE)):
         return math.inf
-    return key_value(value, KINDS[number.dimension])
+    kind = KINDS[number.dimension]
+    return 0.0 if number.rounded and isinstance(value, float) and abs(value) < kind.least else key_value(value, kind)
 
 
 def _bounds(number: Number) -> Any:
@@ -318,6 +367,21 @@ def _faultless(mark: Mark, value: T) -> T:
     if fault := mark.fault(value):
         raise ValueError(fault)
     return value
+
+
+def _several(mark: Several) -> Any:
+    return Field(min_length=mark.least or None, max_length=mark.most)
+
+
+def _one_form(forms: Forms, kind: Any, value: Any) -> Any:
+    """Return a table, or one of the words that stand in its place."""
+    if isinstance(value, dict | ProjectSection) or value in _words_of(kind):
+        return value
+    raise error_at((), forms.remedy(value))
+
+
+def _words_of(kind: Any) -> tuple[str, ...]:
+    return tuple(each for part in get_args(kind) if get_origin(part) is Literal for each in get_args(part))
 
 
 def _row_of(mark: Mark) -> BeforeValidator:
@@ -341,28 +405,86 @@ class _ScatterSchema:
 _SCATTERS = _ScatterSchema()
 
 
-def _coordinate(value: Any) -> float:
-    """Read a length; values near 0 are rounding errors, as in exported coordinates."""
-    if isinstance(value, float) and abs(value) < KINDS["length"].least:
-        return 0.0
-    return key_value(value, KINDS["length"])
+class DeclaredSection(ProjectSection):
+    """A table with the keys of a class, and its `kind` where that has one."""
+
+    declares: ClassVar[type[Any]]
+    beside: ClassVar[type[ProjectSection] | None] = None
+
+    if TYPE_CHECKING:
+
+        def __getattr__(self, key: str) -> Any: ...
+
+    @classmethod
+    def own_meanings(cls) -> dict[str, str]:
+        """Return the sentences of the class that the table is made of, and of the keys beside it."""
+        declared: type[Any] | None = vars(cls).get("declares")
+        if declared is None:
+            return {}
+        beside = cls.beside.meanings() if cls.beside else {}
+        return {"kind": f'"{getattr(declared, "kind", "")}"', **meanings_of(declared), **beside}
+
+    @property
+    def plain(self) -> Any:
+        """The data that the table stands for, with the keys that were given."""
+        given = {field.name for field in fields(self.declares)} & self.model_fields_set
+        return self.declares(**{key: plain_data(getattr(self, key)) for key in given})
+
+    @model_validator(mode="after")
+    def _keys_go_together(self) -> DeclaredSection:
+        for key, reason in self.plain.faults() if hasattr(self.declares, "faults") else ():
+            raise error_at(key, reason)
+        return self
 
 
-Coordinate = Annotated[float, BeforeValidator(_coordinate), _described("length"), KINDS["length"]]
+def plain_data(value: Any) -> Any:
+    """Return what a value of a project file stands for, each table in it as the data that it is made of."""
+    if isinstance(value, ProjectSection):
+        return value.plain
+    if isinstance(value, tuple):
+        return tuple(map(plain_data, value))
+    return {key: plain_data(each) for key, each in value.items()} if isinstance(value, dict) else value
+
+
+@cache
+def table_of(
+    declared: Any, base: type[DeclaredSection] = DeclaredSection, beside: type[ProjectSection] | None = None
+) -> type[DeclaredSection]:
+    """Return the table of a project file with the keys of a frozen class, by what they declare.
+
+    base : what else the table can do; beside : the keys that only a file has
+    """
+    keys: dict[str, Any] = (
+        {"kind": (Annotated[Literal[declared.kind], ITS_KIND], ...)} if hasattr(declared, "kind") else {}
+    )
+    for field in fields(declared):
+        annotation = annotations_of(declared)[field.name]
+        marks = {type(mark): mark for mark in marks_of(annotation)}
+        if NotAKey in marks:
+            continue
+        if FileDefault in marks:
+            default = marks[FileDefault].value
+        elif field.default_factory is not MISSING:
+            made = field.default_factory
+            default = Field(default_factory=table_of(made) if is_dataclass(made) else made)
+        else:
+            default = ... if field.default is MISSING else field.default
+        keys[field.name] = (annotation, default)
+    for name, given in beside.model_fields.items() if beside else ():
+        evidence = [each for each in marks_of(annotations_of(declared).get(name)) if isinstance(each, Evidence)]
+        reads: Any = given.annotation
+        keys[name] = (Annotated[reads, *evidence] if evidence else reads, given)
+    name = f"{declared.__name__}Section"
+    table = create_model(name, __base__=base, __doc__=declared.__doc__, __module__=__name__, **keys)
+    table.declares, table.beside = declared, beside
+    table.elsewhere = getattr(declared, "elsewhere", {})
+    return table
+
+
 A_POINT = _row_of(IsPlace())
-PlanePoint = tuple[Coordinate, Coordinate]
-SpacePoint = tuple[Coordinate, Coordinate, Coordinate]
 
 
-def _horizontal(direction: tuple[float, ...]) -> tuple[float, ...]:
-    if direction[2] != 0:
-        raise ValueError("not horizontal; its third number, the vertical one, must be 0")
-    if math.hypot(*direction) == 0:
-        raise ValueError("no direction; write [1, 0, 0] for +x")
-    return direction
-
-
-Direction = Annotated[tuple[Ratio, Ratio, Ratio], AfterValidator(_horizontal)]
+Direction = Annotated[tuple[Ratio, Ratio, Ratio], AfterValidator(partial(_faultless, IsHorizontal()))]
 
 
 def _sweep(text: str) -> str:

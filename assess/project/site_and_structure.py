@@ -19,14 +19,9 @@ from assess.errors import ProjectError, locate_errors
 from assess.geometry import mesh
 from assess.geometry.mesh import MeshesBySelection, read_selected_meshes
 from assess.geometry.solid import Solid, Solids, box, profile
-from assess.interfaces.contact import Interface
-from assess.interfaces.section import Shape
-from assess.loads.load import ForceLoad, LoadDefinition, TieLoad
-from assess.mechanisms.four_hinge import RadialJoints
-from assess.mechanisms.kinds import MECHANISM_KINDS, Definition
-from assess.mechanisms.mechanism import CutAngle, CutPlane, Mechanism
-from assess.mechanisms.restitution import Restitution
-from assess.mechanisms.single_block import EquivalentBlock
+from assess.loads.load import ForceLoad, TieLoad
+from assess.mechanisms.kinds import Definition
+from assess.mechanisms.mechanism import Mechanism
 from assess.messages.message import Message
 from assess.model.bodies import Bodies, Body, Material, PointValues
 from assess.project import sections
@@ -66,64 +61,19 @@ def definition_of(section: Any, *, evidence: str = "") -> Any:
     section : the table, of any kind
     evidence : where it is shown that its forces and ties last; empty where it is not shown
     """
-    if isinstance(section, sections.EquivalentBlockSection):
-        return fill(EquivalentBlock, section, restitution=restitution_of(section))
-    return fill(
-        MECHANISM_KINDS[section.kind].definition,
-        section,
-        cut=cut_of(section.cut),
-        loads=tuple(load_of(load, evidence=evidence) for load in section.loads),
-        restitution=restitution_of(section),
-        interface=interface_of(section.interface),
-        interfaces={str(hinge_name): interface_of(each) for hinge_name, each in section.interfaces.items()},
-        hinges=hinges_of(section.hinges),
-        hinges_negative=hinges_of(section.hinges_negative),
-        **({"joints": joints_of(section.joints)} if isinstance(section, sections.FourHingeSection) else {}),
+    definition = section.plain
+    if not isinstance(section, sections.ChainSection):
+        return definition
+    lasting = (
+        replace(load, evidence=evidence) if isinstance(load, ForceLoad | TieLoad) else load for load in definition.loads
     )
+    return replace(definition, loads=tuple(lasting))
 
 
 def fill(kind: type[D], section: ProjectSection, **given: Any) -> D:
     """Return plain data of a kind with the values that a table has under the same names, and those given beside."""
     own = {field.name for field in fields(kind)} - set(given)  # type: ignore[arg-type]
     return kind(**{name: getattr(section, name) for name in own if hasattr(section, name)}, **given)
-
-
-def load_of(table: Any, *, evidence: str = "") -> LoadDefinition:
-    """Return one entry of `loads`; what must be shown to last gets the evidence that it does."""
-    load: LoadDefinition = table.plain
-    return replace(load, evidence=evidence) if isinstance(load, ForceLoad | TieLoad) else load
-
-
-def restitution_of(section: sections.ChainSection | sections.EquivalentBlockSection) -> Restitution:
-    """Return the key `restitution`."""
-    return Restitution(section.restitution.positive, section.restitution.negative)
-
-
-def interface_of(interface: sections.InterfaceSection) -> Interface:
-    """Return a table `interface`."""
-    shape = interface.shape
-    return fill(Interface, interface, shape=shape if shape == "outline" else fill(Shape, shape))
-
-
-def cut_of(
-    cut: float | sections.CutPlaneSection | sections.CutAngleSection | None,
-) -> float | CutPlane | CutAngle | None:
-    """Return the key `cut`."""
-    if isinstance(cut, sections.CutPlaneSection):
-        return fill(CutPlane, cut)
-    return fill(CutAngle, cut) if isinstance(cut, sections.CutAngleSection) else cut
-
-
-def hinges_of(hinges: Any) -> Any:
-    """Return the hinges of a table, from A on; "minimum" and None as they are."""
-    return tuple(at for _, at in hinges) if isinstance(hinges, sections.HingesSection) else hinges
-
-
-def joints_of(joints: Any) -> Any:
-    """Return the key `joints` of an arch."""
-    if isinstance(joints, sections.RadialJointsSection):
-        return fill(RadialJoints, joints)
-    return joints
 
 
 def models_of(bodies: Mapping[str, sections.BodySection], *, known: MeshesBySelection) -> MeshesBySelection:
@@ -178,7 +128,7 @@ def ground_mechanism(
     section: sections.MechanismSection, mechanism: Mechanism, ground: GroundLevel
 ) -> HeightAboveGround:
     """Return where a mechanism stands over the ground."""
-    by_table = isinstance(section, sections.EquivalentBlockSection) and section.has_key("elevation")
+    by_table = section.kind == "equivalent-block" and section.has_key("elevation")
     return find_height(ground, mechanism, base_elevation=base_elevation_of(section), by_table=by_table)
 
 

@@ -99,7 +99,7 @@ def variables_of(
 def numbers_of(subject: VariedMechanism) -> Iterator[VariedNumber]:
     """Yield the numbers of the project file that a mechanism depends on and that are seldom well known."""
     section, materials = subject.section, subject.project.content.materials
-    if isinstance(section, sections.EquivalentBlockSection):
+    if not isinstance(section, sections.ChainSection):
         yield VariedNumber("uplift", ("mechanisms", subject.name, "uplift"))
         yield VariedNumber("p", ("mechanisms", subject.name, "p"), "1/s")
         return
@@ -128,7 +128,7 @@ def fixed_thickness_reason(subject: VariedMechanism, section: sections.ChainSect
     direct = [name for block in section.blocks for name in block if subject.solids[name] is None]
     if direct:
         return f'body "{direct[0]}" has no geometry'
-    if isinstance(section, sections.FourHingeSection) and section.joints is not None:
+    if section.kind == "four-hinge" and section.joints is not None:
         return "the thickness of an arch is not its size along the direction"
     hinges = (getattr(section, key, None) for key in ("hinges", "hinges_negative"))
     if any(each is not None for each in hinges):
@@ -249,7 +249,7 @@ def _mechanisms_in_sweeps(project: Project) -> set[str]:
 def _fix_direction(project: Project, mechanism: Mechanism) -> Project:
     """Fix the direction and the sides that were found for a mechanism, so that they stay the same."""
     section = project.content.mechanisms[mechanism.name]
-    if isinstance(section, sections.EquivalentBlockSection):
+    if section.kind == "equivalent-block":
         return project
     raw = project.raw
     if section.direction in (None, "sweep") and mechanism.direction is not None:
@@ -497,4 +497,9 @@ def _given_hinges(content: sections.Content, body: str) -> Iterator[KeyPath]:
     """Yield the keys of hinges given as points of mechanisms that a body is a block of."""
     for name, section in content.mechanisms.items():
         if isinstance(section, sections.ChainSection) and any(body in block for block in section.blocks):
-            yield from (("mechanisms", name, key) for key, points in section.points().items() if points is not None)
+            given = (
+                key
+                for key in ("hinges", "hinges_negative")
+                if isinstance(getattr(section, key), sections.HingesSection)
+            )
+            yield from (("mechanisms", name, key) for key in given)

@@ -4,9 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
-import numpy as np
-import shapely
-from pydantic import AfterValidator, Discriminator, Field, Tag
+from pydantic import Discriminator, Tag
 
 from assess.declaration import (
     UNCERTAIN,
@@ -14,22 +12,20 @@ from assess.declaration import (
     Name,
     NotNegativeRatio,
     NotNegativeStress,
+    PlanePoint,
     PositiveDensity,
     PositiveInertia,
     PositiveLength,
     PositiveMass,
     PositiveStress,
+    SpacePoint,
 )
-from assess.geometry.solid import find_crossing, remove_repeats
-from assess.interfaces.section import THINNEST
+from assess.geometry.solid import Corners
 from assess.loads.load import LOADS, LoadDefinition
 from assess.project.section import (
     InputFile,
     LengthUnit,
-    PlanePoint,
     ProjectSection,
-    SpacePoint,
-    error_at,
 )
 from assess.project.tables import table_by_kind
 
@@ -137,23 +133,6 @@ class BoxBody(ProjectSection):
     """the name of a table [materials.NAME]"""
     box: BoxSection
     """{ thickness, length, height, base }"""
-
-
-def _simple(corners: tuple[tuple[float, float], ...]) -> tuple[tuple[float, float], ...]:
-    """Check that corners enclose an area and that the sides meet only at them."""
-    points = np.array(corners)
-    if shapely.MultiPoint(points).convex_hull.area <= THINNEST * float(np.ptp(points, axis=0).max()) ** 2:
-        raise error_at((), "no area, its corners lie on a line; give corners that enclose one")
-    meet = find_crossing(remove_repeats(points))
-    if meet is not None:
-        at = f"[{meet[0]:.4g}, {meet[1]:.4g}] m"
-        raise error_at(
-            (), f"its sides cross or touch one another at {at}; list its corners in order around the outline"
-        )
-    return corners
-
-
-Corners = Annotated[tuple[PlanePoint, ...], Field(min_length=3), AfterValidator(_simple)]
 
 
 class ProfileBody(ProjectSection):

@@ -45,11 +45,7 @@ from assess.project.sections.bodies_and_loads import (
 from assess.project.sections.ground_motion import BuildingSection, Records, SiteSection
 from assess.project.sections.mechanisms import (
     ChainSection,
-    CutAngleSection,
-    CutPlaneSection,
     MechanismSection,
-    SingleBlockSection,
-    TwoBlockSection,
 )
 from assess.project.sections.procedures import Procedures, VerdictSection
 from assess.results import ChecklistItem
@@ -335,12 +331,10 @@ def _items_by_kind(building_type: BuildingType, mechanism: MechanismSection) -> 
     """Return the item that the kind of a mechanism tells: of houses, for one wall above a level crack or its base."""
     if building_type != "house":
         return ()
-    if isinstance(mechanism, TwoBlockSection):
+    if mechanism.kind == "two-block":
         return ("vertical-bending",)
-    inclined = isinstance(mechanism, SingleBlockSection) and isinstance(
-        mechanism.cut, CutPlaneSection | CutAngleSection
-    )
-    if isinstance(mechanism, SingleBlockSection) and len(mechanism.blocks[0]) == 1 and not inclined:
+    inclined = mechanism.kind == "single-block" and isinstance(mechanism.cut, ProjectSection)
+    if mechanism.kind == "single-block" and len(mechanism.blocks[0]) == 1 and not inclined:
         return ("simple-overturning",)
     return ()
 

@@ -31,6 +31,7 @@ from assess.declaration import (
 )
 from assess.project.section import (
     AccelerationUnit,
+    DeclaredSection,
     FilePlace,
     InputFile,
     InputFiles,
@@ -38,7 +39,7 @@ from assess.project.section import (
     error_at,
     quote_names,
 )
-from assess.project.tables import DeclaredSection, table_by_code
+from assess.project.tables import table_by_code
 from records.compliance import CodeName
 from spectra import ntc
 from spectra.design_spectra import SPECTRA, NtcHazardSpectrum, way_of

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from math import sqrt
-from typing import Annotated, Any, ClassVar, Literal, Self
+from functools import reduce
+from operator import or_
+from typing import TYPE_CHECKING, Annotated, Any, Literal, cast
 
 from pydantic import (
     AfterValidator,
@@ -11,58 +12,43 @@ from pydantic import (
     Discriminator,
     Field,
     GetJsonSchemaHandler,
-    StrictInt,
-    StrictStr,
     Tag,
     WithJsonSchema,
     model_validator,
 )
 from pydantic.json_schema import JsonSchemaValue
 from pydantic_core import CoreSchema
-from scipy.constants import g
 
 from assess.declaration import (
-    UNCERTAIN,
     UNCERTAIN_COORDINATE,
     UNCERTAIN_RESTITUTION,
-    UNCERTAIN_UPLIFT,
-    Angle,
-    Inclination,
-    JointStiffness,
+    Coordinate,
+    Evidence,
     Length,
     Name,
     NotNegativeLength,
     PositiveFrequency,
     PositiveLength,
-    PositiveMass,
-    PositiveRate,
     PositiveRatio,
-    Ratio,
-    Strength,
-    Uplift,
 )
-from assess.loads.load import block_faults
-from assess.mechanisms.chain import HINGES
-from assess.mechanisms.four_hinge import MOST_VOUSSOIRS
+from assess.interfaces.contact import Interface
+from assess.loads.load import Place
 from assess.mechanisms.kinds import MECHANISM_KINDS
-from assess.mechanisms.mechanism import sweep_faults
-from assess.mechanisms.restitution import RESTITUTIONS
-from assess.mechanisms.single_block import INERTIA_RATIOS
+from assess.mechanisms.mechanism import DRAWN_HINGES, BlockMechanism
+from assess.mechanisms.restitution import BY_FORMULA, RESTITUTION_NUMBER, RESTITUTIONS, Restitution, RestitutionRule
 from assess.mechanisms.two_block import CRACKS
 from assess.project.section import (
     A_POINT,
-    Coordinate,
+    DeclaredSection,
     ItemKeys,
-    PlanePoint,
     ProjectSection,
     SoughtDirection,
-    SpacePoint,
-    error_at,
     quantity_schema,
     quote_names,
+    table_of,
     unique,
 )
-from assess.project.sections.bodies_and_loads import Corners, LoadSection
+from assess.project.sections.bodies_and_loads import LoadSection
 from assess.project.units import KINDS, key_value
 
 
@@ -78,45 +64,6 @@ BlockNames = Annotated[
     WithJsonSchema({"anyOf": [{"type": "string"}, {"type": "array", "items": {"type": "string"}, "minItems": 1}]}),
 ]
 Blocks = Annotated[tuple[BlockNames, ...], BeforeValidator(_block_names)]
-
-
-class CutPlaneSection(ProjectSection):
-    """An inclined crack."""
-
-    point: SpacePoint
-    """a point of the plane [x, y, z]"""
-    normal: tuple[Ratio, Ratio, Ratio]
-    """square to the plane, to the side that moves: [nx, ny, nz] with nz > 0; or give angle"""
-
-
-class CutAngleSection(ProjectSection):
-    """A crack inclined in the plane of motion."""
-
-    point: SpacePoint
-    """a point of the plane [x, y, z]"""
-    angle: Inclination
-    """from the horizontal, like "60 deg": where positive, the crack falls towards the direction"""
-
-    @model_validator(mode="before")
-    @classmethod
-    def _one_inclination(cls, values: Any) -> Any:
-        if isinstance(values, dict) and "normal" in values:
-            raise error_at("normal", "beside angle; remove one of them")
-        return values
-
-
-def _cut_tag(value: Any) -> str:
-    if isinstance(value, CutAngleSection) or (isinstance(value, dict) and "angle" in value):
-        return "<angle>"
-    return "<plane>" if isinstance(value, dict | CutPlaneSection) else "<elevation>"
-
-
-Cut = Annotated[
-    Annotated[Length, Tag("<elevation>")]
-    | Annotated[CutPlaneSection, Tag("<plane>")]
-    | Annotated[CutAngleSection, Tag("<angle>")],
-    Discriminator(_cut_tag),
-]
 
 
 def _crack(value: Any) -> float | str:
@@ -145,8 +92,15 @@ UncertainPoint = Annotated[tuple[HingeCoordinate, ...], A_POINT, Field(min_lengt
 class HingesSection(ProjectSection):
     """Where a block turns: [x, y, z], or [distance along the direction, elevation]."""
 
+    evidence = DRAWN_HINGES
+
     A: UncertainPoint
     """the base hinge"""
+
+    @property
+    def plain(self) -> tuple[Place, ...]:
+        """The hinges, from A on."""
+        return tuple(at for _, at in self)
 
 
 class ThreeHingesSection(HingesSection):
@@ -178,111 +132,7 @@ ArchHingesValue = Annotated[
 ]
 
 
-class RadialJointsSection(ProjectSection):
-    """Joints of an arch that all point to its centre, evenly spaced."""
-
-    centre: PlanePoint
-    """[distance along the direction, elevation]"""
-    first: Angle
-    """angle of the first joint above the direction, like "168.75 deg\""""
-    last: Angle
-    """angle of the last joint, like "11.25 deg\""""
-    count: Annotated[StrictInt, Field(ge=3, le=MOST_VOUSSOIRS)]
-    """number of voussoirs between them"""
-
-    @model_validator(mode="after")
-    def _ends_are_apart(self) -> Self:
-        if self.first == self.last:
-            raise error_at("last", "is the first joint again; give the angle of the other springing")
-        return self
-
-
-JointLine = tuple[PlanePoint, PlanePoint]
-Joints = Annotated[
-    Annotated[RadialJointsSection, Tag("<radial>")]
-    | Annotated[tuple[JointLine, ...], Field(max_length=MOST_VOUSSOIRS + 1), Tag("<lines>")],
-    Discriminator(lambda value: "<radial>" if isinstance(value, dict | RadialJointsSection) else "<lines>"),
-]
 HingeName = Literal["A", "B", "C", "D"]
-SHAPE_SIZES = {
-    "rectangle": "[t, l]",
-    "hollow_rectangle": "[t, l, t_in, l_in]",
-    "circle": "d",
-    "annulus": "[d, d_in]",
-    "polygon": "[[x, y], …]",
-}
-JointSize = Annotated[PositiveLength, UNCERTAIN]
-
-
-def _contact_shape(value: Any) -> Any:
-    """Check that the value is "outline" or a table."""
-    if value == "outline" or isinstance(value, dict | ShapeSection):
-        return value
-    meant = [value] if value in list(SHAPE_SIZES) else list(SHAPE_SIZES)
-    forms = ", ".join(f"{{ {name} = {SHAPE_SIZES[name]} }}" for name in meant)
-    raise error_at((), f'not allowed; write "outline", or {forms}')
-
-
-def _hollow(sizes: tuple[float, ...]) -> tuple[float, ...]:
-    """Check that the hole of an outline is smaller than the outline."""
-    half = len(sizes) // 2
-    for outside, inside in zip(sizes[:half], sizes[half:], strict=True):
-        if inside >= outside:
-            raise error_at((), f"the hole, {inside:g} m, must be smaller than the outside, {outside:g} m")
-    return sizes
-
-
-class ShapeSection(ProjectSection):
-    """The contact by one of its sizes, the first along the direction of motion, the second across."""
-
-    rectangle: tuple[JointSize, JointSize] | None = None
-    """[thickness, length]"""
-    hollow_rectangle: Annotated[tuple[JointSize, JointSize, JointSize, JointSize], AfterValidator(_hollow)] | None = (
-        None
-    )
-    """[thickness, length, inner thickness, inner length]"""
-    circle: JointSize | None = None
-    """diameter"""
-    annulus: Annotated[tuple[JointSize, JointSize], AfterValidator(_hollow)] | None = None
-    """[diameter, inner diameter]"""
-    polygon: Corners | None = None
-    """corners [[x, y], …] in plan"""
-
-    @model_validator(mode="after")
-    def _one(self) -> Self:
-        given = [key for key, value in self.entries().items() if value is not None]
-        if len(given) != 1:
-            raise error_at(given[-1] if given else "rectangle", f"one shape is needed, not {len(given)}")
-        return self
-
-
-class InterfaceSection(ProjectSection):
-    """What a hinge presses on: without tension, linear up to the strength, then plastic without memory."""
-
-    model: Literal["rigid", "flexible", "semi-flexible", "flexible-thesis"] = "rigid"
-    """"rigid" (with strength: crushing only), "flexible"; with its moment, but inertia about a fixed hinge:
-    "semi-flexible", about the resultant: "flexible-thesis\""""
-    stiffness: Annotated[JointStiffness, UNCERTAIN] | None = None
-    """normal stiffness per area, like "10 GPa/m"; or give course_thickness"""
-    course_thickness: Annotated[PositiveLength, UNCERTAIN] | None = None
-    """thickness of the layer that yields: stiffness = young_modulus of the material / course_thickness"""
-    strength: Annotated[Strength, UNCERTAIN] | None = None
-    """in compression, like "1 MPa", or "inf"; the material's if absent (not for a rigid one)"""
-    shape: Annotated[
-        Annotated[Literal["outline"], Tag("<outline>")] | Annotated[ShapeSection, Tag("<shape>")],
-        Discriminator(lambda value: "<shape>" if isinstance(value, dict | ShapeSection) else "<outline>"),
-        BeforeValidator(_contact_shape),
-    ] = "outline"
-    """"outline" of the mesh at the hinge, or { rectangle | hollow_rectangle | circle | annulus | polygon = … }"""
-
-    @model_validator(mode="after")
-    def _stiffness_is_given_once(self) -> Self:
-        given = [key for key in ("stiffness", "course_thickness") if getattr(self, key) is not None]
-        if self.model == "rigid" and given:
-            raise error_at(given[0], 'is for flexible interfaces; write model = "flexible", or remove it')
-        if self.model != "rigid" and len(given) != 1:
-            raise error_at("stiffness", "give either stiffness or course_thickness")
-        return self
 
 
 class _OneForBoth:
@@ -298,18 +148,19 @@ ONE_FOR_BOTH = _OneForBoth()
 
 
 def _restitution(value: Any) -> float | str:
-    if isinstance(value, str):
-        if value not in RESTITUTIONS:
-            raise ValueError(f"not a known restitution; write a number in [0, 1] or one of {quote_names(RESTITUTIONS)}")
+    if isinstance(value, str) and value in RESTITUTIONS:
         return value
-    number = key_value(value, KINDS["ratio"])
-    if not 0.0 <= number <= 1.0:
-        raise ValueError("outside [0, 1]; restitution is velocity after over velocity before the impact")
-    return number
+    number = RESTITUTION_NUMBER
+    if isinstance(value, str):
+        raise ValueError(number.form)
+    found = key_value(value, KINDS["ratio"])
+    if fault := number.fault(found):
+        raise ValueError(fault)
+    return found
 
 
 RestitutionValue = Annotated[
-    float | Literal["thesis", "housner", "sorrentino", "momentum"],
+    float | RestitutionRule,
     BeforeValidator(_restitution),
     Field(description='a number in [0, 1], or "thesis", "housner", "sorrentino", "momentum"'),
     KINDS["ratio"],
@@ -320,10 +171,15 @@ RestitutionValue = Annotated[
 class RestitutionSection(ProjectSection):
     """Velocity after over velocity before the impact that ends a rotation, for each direction."""
 
-    positive: RestitutionValue | None = None
+    positive: Annotated[RestitutionValue | None, BY_FORMULA] = None
     """momentum where a load moves with the mechanism, else the thesis' rule for the kind"""
-    negative: RestitutionValue | None = None
+    negative: Annotated[RestitutionValue | None, BY_FORMULA] = None
     """the same for the impact that ends negative rotation"""
+
+    @property
+    def plain(self) -> Restitution:
+        """The data that the table stands for."""
+        return Restitution(self.positive, self.negative)
 
     @model_validator(mode="before")
     @classmethod
@@ -331,44 +187,56 @@ class RestitutionSection(ProjectSection):
         return value if isinstance(value, dict | RestitutionSection) else {"positive": value, "negative": value}
 
 
+AMPLIFIED = Evidence("chosen", "either", "the other methods that can be computed stand beside it")
+FIRST_MODE = Evidence("measured", "either", "the worst over the range that holds the code's value and Rayleigh's")
+
+
 class NoAmplification(ProjectSection):
     """The ground's motion as it is."""
 
-    method: Literal["none"] = "none"
+    method: Annotated[Literal["none"], AMPLIFIED] = "none"
     """"none\""""
 
 
 class RaisedAmplification(ProjectSection):
     """What every method that amplifies needs."""
 
-    height: NotNegativeLength | None = None
+    height: Annotated[NotNegativeLength | None, Evidence("drawn", "down", "its base as drawn over the ground")] = None
     """of the mechanism's base above the ground; by its elevation if absent"""
 
 
 class FirstModeAmplification(RaisedAmplification):
     """The first mode of the structure, its shape linear in height."""
 
-    method: Literal["srss", "srss-relative", "modal-filter"]
+    method: Annotated[Literal["srss", "srss-relative", "modal-filter"], AMPLIFIED]
     """"srss" (thesis 3.48), "srss-relative" (pulses by 3.47), or "modal-filter": through the first mode"""
-    natural_frequency: PositiveFrequency | None = None
+    natural_frequency: Annotated[PositiveFrequency | None, FIRST_MODE] = None
     """first natural frequency, like "2.5 Hz"; [building]'s, or Rayleigh's of the bodies if absent"""
-    effective_height: PositiveLength | None = None
+    effective_height: Annotated[
+        PositiveLength | None,
+        Evidence(
+            "measured",
+            "up",
+            "Rayleigh's, or two thirds of the drawn height",
+            judged="the higher that resultant, the less the mode moves the mechanism's base",
+        ),
+    ] = None
     """height of the resultant of the first mode's inertia; [building]'s, or Rayleigh's of the bodies if absent"""
 
 
 class FloorAmplification(RaisedAmplification):
     """A floor factor of a code, from the height of [building]."""
 
-    method: Literal["ec8", "ec8-resonance", "nzs1170.5"]
+    method: Annotated[Literal["ec8", "ec8-resonance", "nzs1170.5"], AMPLIFIED]
     """"ec8" (EN 1998-1 4.3.5.2, rigid part), "ec8-resonance" (T_a = T_1), or "nzs1170.5" (8.3)"""
 
 
 class PrintedAmplification(RaisedAmplification):
     """The floor factor of EN 1998-1 as thesis eq. 3.49 prints it."""
 
-    method: Literal["ec8-printed"]
+    method: Annotated[Literal["ec8-printed"], AMPLIFIED]
     """"ec8-printed": S [3 (1 + h/H) - 0.5]"""
-    soil_factor: PositiveRatio
+    soil_factor: Annotated[PositiveRatio, Evidence("code", "down", "the code's factor of the ground type")]
     """soil factor S, like 1.15"""
 
 
@@ -403,201 +271,104 @@ AmplificationSection = Annotated[
 ]
 
 
-class ChainSection(ProjectSection):
-    """What all mechanisms of blocks share."""
+EXAMINED = Evidence("chosen", "either", "as its kind tells")
 
-    number_of_blocks: ClassVar[int] = 1
-    blocks: Blocks
-    """bodies from the base on; an entry may join several that move as one, [["wall", "buttress"]]"""
-    label: StrictStr = ""
-    """what the report calls it; the name of the table if absent"""
+
+class ChainSection(DeclaredSection):
+    """A mechanism of blocks."""
+
+
+class ChainKeys(ProjectSection):
+    """What a project file says of a mechanism of blocks in its own form, and of where it stands."""
+
     direction: SoughtDirection | None = None
-    """horizontal, positive rotation topples this way; the weakest if absent (four-hinge: +x); or "sweep\""""
-    cut: Cut | None = None
-    """only what lies above moves: an elevation like "4.77 m", or a crack, { point, normal } or { point, angle }"""
-    sides: Literal["one", "two"] | None = None
-    """"two", or "one": positive rotation only, the building behind stops the other; if absent, as bodies touch it"""
     loads: tuple[LoadSection, ...] = ()
-    """[ { kind = "mass" | "force" | "tie" | "overburden" | "body", … }, … ]"""
     restitution: Annotated[RestitutionSection, ONE_FOR_BOTH, UNCERTAIN_RESTITUTION] = Field(
         default_factory=RestitutionSection
     )
-    """a number in [0, 1], a name, or { positive, negative }"""
-    interface: InterfaceSection = Field(default_factory=InterfaceSection)
-    """what the hinges press on: { model = "flexible", stiffness = "10 GPa/m", strength, shape }"""
-    interfaces: dict[HingeName, InterfaceSection] = Field(default_factory=dict)
-    """the same for single hinges of a chain, { A = { … }, B = { … } }"""
+    interfaces: dict[HingeName, Interface] = Field(default_factory=dict)
     amplification: AmplificationSection = Field(default_factory=NoAmplification)
     """{ method = "srss" | "modal-filter" | "ec8" | "nzs1170.5" | …, height, … }: the motion's way up to its base"""
-    base_elevation: Length | None = None
+    base_elevation: Annotated[Length | None, Evidence("drawn", "down", "as drawn over the ground")] = None
     """of its base above the ground, where it is drawn alone and not in its place"""
-    examines: ItemKeys | None = None
+    examines: Annotated[ItemKeys | None, EXAMINED] = None
     """what of the report's list of possible mechanisms it examines, like "gable"; if absent, as its kind tells"""
 
-    @model_validator(mode="after")
-    def _interfaces_are_at_hinges(self) -> Self:
-        known = "ABCD"[: HINGES[self.number_of_blocks]]
-        for hinge_name in self.interfaces:
-            if hinge_name not in known:
-                raise error_at(("interfaces", hinge_name), f"no such hinge; known: {', '.join(known)}")
-        return self
 
-    def points(self) -> dict[str, tuple[tuple[float, ...], ...] | None]:
-        """The hinges that are given as points, from A on, by key."""
-        given = {key: getattr(self, key, None) for key in ("hinges", "hinges_negative")}
-        return {
-            key: tuple(at for _, at in each) if isinstance(each, HingesSection) else None for key, each in given.items()
-        }
+class SingleBlockKeys(ChainKeys):
+    """What a project file says of one block in its own form."""
 
-    @model_validator(mode="after")
-    def _nothing_turns_with_a_sought_direction(self) -> Self:
-        for key, reason in sweep_faults(self, hinges=self.points()):
-            raise error_at(key, reason)
-        return self
-
-    @model_validator(mode="after")
-    def _loads_find_their_block(self) -> Self:
-        kind = getattr(self, "kind", "")
-        for number, key, reason in block_faults(self.loads, kind, number_of_blocks=self.number_of_blocks):
-            raise error_at(("loads", number, key), reason)
-        return self
-
-
-class SingleBlockSection(ChainSection):
-    """One block that rocks about its base."""
-
-    kind: Literal["single-block"]
-    """"single-block\""""
     blocks: Annotated[Blocks, Field(min_length=1, max_length=1)]
-    """the body that rocks, ["wall"], or several that move as one, [["wall", "buttress"]]"""
     hinges: HingesSection | None = None
-    """hinge of positive rotation; the extreme line of the base (of the cut) if absent"""
     hinges_negative: HingesSection | None = None
-    """hinge of negative rotation; the extreme line of the base (of the cut) if absent"""
 
 
-class TwoBlockSection(ChainSection):
-    """A wall held at its base and its top that opens at a crack between."""
+class TwoBlockKeys(ChainKeys):
+    """What a project file says of a wall of two blocks in its own form."""
 
-    number_of_blocks: ClassVar[int] = 2
-    kind: Literal["two-block"]
-    """"two-block\""""
     blocks: Annotated[Blocks, Field(min_length=1, max_length=2)]
-    """one body, cut at the crack, or two, the lower first"""
     hinges: ThreeHingesSection | None = None
-    """hinges of positive rotation; the edges of base, crack and top if absent"""
     hinges_negative: ThreeHingesSection | None = None
-    """hinges of negative rotation; the edges of base, crack and top if absent"""
     crack: CrackElevation | None = None
-    """"sorrentino" (eq. 3.27), "minimum" (least uplift multiplier), or an elevation; hinge B's if hinges are given"""
-
-    @model_validator(mode="after")
-    def _one_body_cracks(self) -> Self:
-        if len(self.blocks) == 2 and self.crack is not None:
-            raise error_at("crack", "is for one body; two bodies part at their joint, so remove one of them")
-        return self
 
 
-class FourHingeSection(ChainSection):
-    """Three blocks between two fixed hinges: portal, frame, arch, side-aisle vault, belfry."""
+class FourHingeKeys(ChainKeys):
+    """What a project file says of three blocks in its own form."""
 
-    number_of_blocks: ClassVar[int] = 3
-    kind: Literal["four-hinge"]
-    """"four-hinge\""""
     blocks: Annotated[Blocks, Field(min_length=1, max_length=3)]
-    """the bodies A-B, B-C and C-D; or one arch, with joints and hinges = "minimum\""""
     hinges: ArchHingesValue
-    """hinges A, B, C, D of positive rotation, or "minimum": where the arch resists least"""
     hinges_negative: FourHingesSection | None = None
-    """hinges A, B, C, D of negative rotation"""
-    joints: Joints | None = None
-    """of an arch, in order: [[[x, z], [x, z]], …], or { centre, first, last, count } for radial ones"""
-
-    @model_validator(mode="after")
-    def _hinges_suit_the_bodies(self) -> Self:
-        if self.hinges != "minimum":
-            if len(self.blocks) != 3:
-                raise error_at("blocks", f"{len(self.blocks)} of them with four hinges; name three, base first")
-            if (self.hinges_negative is None) == (self.sides != "one"):
-                two, one = (
-                    'missing; two-sided rocking has hinges of its own each way: give them, or sides = "one"',
-                    "beside one-sided rocking; remove it",
-                )
-                raise error_at("hinges_negative", two if self.sides != "one" else one)
-            if self.joints is not None:
-                raise error_at("joints", 'are for an arch with hinges = "minimum"; remove one of them')
-            return self
-        if self.hinges_negative is not None:
-            raise error_at("hinges_negative", 'are looked for too with hinges = "minimum"; remove them')
-        if len(self.blocks) != 1 or self.joints is None:
-            raise error_at("joints", 'hinges = "minimum" needs one arch in blocks, and joints where it may open')
-        if self.loads:
-            raise error_at("loads", 'not with hinges = "minimum"; write the hinges that `assess check` prints')
-        return self
 
 
-class EquivalentBlockSection(ProjectSection):
-    """A mechanism by its rocking parameters, as published tables give them."""
+class EquivalentBlockKeys(ProjectSection):
+    """What a project file says beside published parameters."""
 
-    kind: Literal["equivalent-block"]
-    """"equivalent-block\""""
-    p: Annotated[PositiveRate, UNCERTAIN]
-    """frequency parameter, like "1.60 1/s\""""
-    uplift: Annotated[Uplift, UNCERTAIN_UPLIFT]
-    """multiplier that starts rocking, taken as the slenderness [rad], like 0.14"""
-    radius: PositiveLength
-    """distance from hinge to centre of mass, like "2.84 m\""""
-    label: StrictStr = ""
-    """what the report calls it; the name of the table if absent"""
-    sides: Literal["one", "two"] = "two"
-    """"two", or "one": positive rotation only, the building behind stops the other"""
     restitution: Annotated[RestitutionSection, ONE_FOR_BOTH, UNCERTAIN_RESTITUTION] = Field(
         default_factory=RestitutionSection
     )
-    """a number in [0, 1], a name, or { positive, negative }"""
-    mass: PositiveMass = 1.0
-    """mass of the mechanism"""
-    disintegration: Literal["excluded", "possible"] | None = None
+    disintegration: Annotated[
+        Literal["excluded", "possible"] | None,
+        Evidence("measured", "up", "possible: procedures that need sound masonry do not answer"),
+    ] = None
     """whether its masonry may fall apart: "excluded" (by survey, quality index or test) or "possible\""""
-    elevation: Length = 0.0
-    """of the mechanism's base, in the coordinates of the bodies"""
     amplification: AmplificationSection = Field(default_factory=NoAmplification)
     """{ method = "srss" | "modal-filter" | "ec8" | "nzs1170.5" | …, height, … }: the motion's way up to its base"""
-    examines: ItemKeys | None = None
+    examines: Annotated[ItemKeys | None, EXAMINED] = None
     """what of the report's list of possible mechanisms it examines, like "gable\""""
 
-    @model_validator(mode="after")
-    def _p_suits_the_radius(self) -> Self:
-        least, most = INERTIA_RATIOS
-        ratio = g / (self.p**2 * self.radius)
-        if not least <= ratio <= most:
-            low, high = (sqrt(g / (each * self.radius)) for each in (most, least))
-            raise error_at(
-                "p",
-                f"with a radius of {self.radius:.4g} m the inertia about the hinge is {ratio:.3g} M R^2, which no "
-                f"mechanism has; give {low:.3g} to {high:.3g} 1/s (a slender block has sqrt(3 g / (4 R)) = "
-                f"{sqrt(0.75 * g / self.radius):.3g} 1/s), or another radius",
-            )
-        return self
 
-
-MECHANISMS = tuple(MECHANISM_KINDS)
+FILE_KEYS: dict[str, type[ProjectSection]] = {
+    "single-block": SingleBlockKeys,
+    "two-block": TwoBlockKeys,
+    "four-hinge": FourHingeKeys,
+    "equivalent-block": EquivalentBlockKeys,
+}
+"""The keys of each kind that a project file writes in a form of its own; all others are those of its definition."""
+MECHANISM_TABLES = {
+    name: table_of(
+        cast(Any, kind.definition),
+        ChainSection if issubclass(kind.definition, BlockMechanism) else DeclaredSection,
+        FILE_KEYS[name],
+    )
+    for name, kind in MECHANISM_KINDS.items()
+}
+"""What reads each kind of mechanism."""
 
 
 def _mechanism_tag(values: Any) -> str | None:
     kind = values.get("kind") if isinstance(values, dict) else None
-    return f"<{kind}>" if kind in MECHANISMS else None
+    return f"<{kind}>" if kind in MECHANISM_TABLES else None
 
 
-MechanismSection = Annotated[
-    Annotated[SingleBlockSection, Tag("<single-block>")]
-    | Annotated[TwoBlockSection, Tag("<two-block>")]
-    | Annotated[FourHingeSection, Tag("<four-hinge>")]
-    | Annotated[EquivalentBlockSection, Tag("<equivalent-block>")],
-    Discriminator(
-        _mechanism_tag,
-        custom_error_type="choice",
-        custom_error_message="write one of {names}",
-        custom_error_context={"key": ("kind",), "names": quote_names(MECHANISMS)},
-    ),
-]
+if TYPE_CHECKING:
+    MechanismSection = DeclaredSection
+else:
+    MechanismSection = Annotated[
+        reduce(or_, (Annotated[table, Tag(f"<{kind}>")] for kind, table in MECHANISM_TABLES.items())),
+        Discriminator(
+            _mechanism_tag,
+            custom_error_type="choice",
+            custom_error_message="write one of {names}",
+            custom_error_context={"key": ("kind",), "names": quote_names(MECHANISM_TABLES)},
+        ),
+    ]

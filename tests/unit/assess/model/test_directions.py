@@ -200,7 +200,7 @@ def test_the_parameters_are_those_of_the_mechanism_towards_each_angle(tmp_path: 
             "loads = [{ kind = 'tie', force = 9, at = [0, 0, 9], anchor = [9, 9] }]",
             r"loads\[1\]\.anchor: .*two numbers",
         ),
-        ("cut = { point = [0, 0, 4], angle = 0.2, normal = [0, 0, 1] }", r"cut\.normal: .*beside angle"),
+        ("cut = { point = [0, 0, 4], angle = 0.2, normal = [0, 0, 1] }", r"cut\.angle: .*beside normal"),
         ("cut = { point = [0, 0, 4], angle = '90 deg' }", r"cut\.angle: \"90 deg\": not between"),
         ("cut = { point = [0, 0, 4] }", r"cut\.normal: missing; .*or give angle"),
     ],

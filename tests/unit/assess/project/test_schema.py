@@ -11,7 +11,6 @@ from scipy.constants import g
 from assess.errors import ProjectError
 from assess.project.project_file import json_schema, load, resolve
 from assess.project.sections.bodies_and_loads import BoxBody, DirectBody, MeshBody, ProfileBody
-from assess.project.sections.mechanisms import EquivalentBlockSection, SingleBlockSection
 from tests.support.projects import load_project, replace_once, write_project
 
 PROJECT = """
@@ -54,14 +53,14 @@ def test_quantities_are_si(tmp_path: Path) -> None:
     assert (wall.box.thickness, wall.box.length, wall.box.height) == (0.6, 3.0, 4.0)
     assert content.analysis.levels == pytest.approx((0.1 * g, 0.2 * g), rel=1e-15)
     other = content.mechanisms["other"]
-    assert isinstance(other, EquivalentBlockSection)
+    assert other.kind == "equivalent-block"
     assert (other.p, other.uplift, other.radius, other.mass, other.elevation) == (1.6, 0.14, 2.84, 1.0, 0.0)
 
 
 def test_defaults(tmp_path: Path) -> None:
     content = load_project(tmp_path, PROJECT).content
     wall = content.mechanisms["wall"]
-    assert isinstance(wall, SingleBlockSection)
+    assert wall.kind == "single-block"
     assert (wall.blocks, wall.direction, wall.sides, wall.hinges) == ((("wall",),), None, None, None)
     assert (wall.restitution.positive, wall.restitution.negative) == (0.9, 0.9)
     assert content.mechanisms["other"].restitution.positive is None

@@ -306,7 +306,13 @@ def meanings_of(kind: type) -> dict[str, str]:
 
 
 def unknown_key(key: str, known: Collection[str]) -> str:
-    """Say that a key is unknown, with the nearest of those known, or all."""
+    """Say that a key is unknown, with the nearest of those known, or all.
+
+    Parameters
+    ----------
+    key : as it was given
+    known : in their order
+    """
     from difflib import get_close_matches
 
     near = get_close_matches(key, known, n=1)

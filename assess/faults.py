@@ -44,6 +44,10 @@ def declared_problems(data: Any, where: str = "", *, forms: Mapping[str, str] | 
 def value_fault(value: Any, annotation: Any, form: str = "") -> str:
     """Return what is wrong with a value by its annotation, and what to give; empty if nothing is.
 
+    Parameters
+    ----------
+    value : as it was given
+    annotation : its type, with the marks of a declaration
     form : the words for a value of another form; "" for those of its type
     """
     origin, inner = get_origin(annotation), get_args(annotation)

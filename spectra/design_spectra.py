@@ -381,7 +381,13 @@ SPECTRA: Mapping[str, tuple[type[DesignSpectrum], ...]] = {
 
 
 def way_of(code: str, keys: Collection[str]) -> type[DesignSpectrum]:
-    """Return the way of a code that is told by a key among those given; else the usual one."""
+    """Return the way of a code that is told by a key among those given; else the usual one.
+
+    Parameters
+    ----------
+    code : a key of `SPECTRA`
+    keys : that are given
+    """
     return next((way for way in SPECTRA[code] if any(key in keys for key in way.told_by)), SPECTRA[code][0])
 
 

@@ -58,7 +58,13 @@ def spectrum(code: str, *, damping: float = 0.05, pga: float | None = None, **pa
 
 
 def horizontal_spectrum(way: DesignSpectrum, *, pga: float | None = None) -> Spectrum:
-    """Return the horizontal spectrum at its damping, its ordinates scaled to a peak ground acceleration [m/s2]."""
+    """Return the horizontal spectrum at its damping.
+
+    Parameters
+    ----------
+    way : to give it
+    pga : peak ground acceleration that the ordinates are scaled to [m/s2]; None leaves them
+    """
     found = replace(way.horizontal(pga=pga), damping=way.damping)
     if pga is None:
         return found
@@ -66,7 +72,15 @@ def horizontal_spectrum(way: DesignSpectrum, *, pga: float | None = None) -> Spe
 
 
 def vertical_spectrum(way: DesignSpectrum, *, pga: float | None = None) -> Spectrum:
-    """Return the vertical spectrum at its damping, with the factor by which `pga` [m/s2] scales the horizontal one."""
+    """Return the vertical spectrum at its damping, with the factor by which `pga` scales the horizontal one.
+
+    Parameters
+    ----------
+    way : to give both
+    pga : peak ground acceleration of the horizontal spectrum [m/s2]; None leaves both
+
+    Raises SpectrumError for codes without one here.
+    """
     found = replace(way.vertical(), damping=way.damping)
     return replace(found, factor=horizontal_spectrum(way, pga=pga).factor)
 

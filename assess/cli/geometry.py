@@ -96,7 +96,7 @@ def _length_of_unit(unit: str | None) -> float | None:
     """Return the length of a unit [m], given as the project file's `mesh_unit`."""
     if unit is None:
         return None
-    from assess.project.section import length_of_unit
+    from assess.project.values import length_of_unit
 
     try:
         return length_of_unit(unit)

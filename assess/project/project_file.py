@@ -40,7 +40,6 @@ from assess.project.keys import (
 )
 from assess.project.section import (
     EVIDENCE,
-    PATTERN_MARK,
     UNCERTAIN_MARK,
     KeyPath,
     ProjectSection,
@@ -57,6 +56,7 @@ from assess.project.units import (
     is_weight,
     quantity_pattern,
 )
+from assess.project.values import PATTERN_MARK
 from assess.results import ResolvedValue
 from records.reading import relative_path
 from spectra.arrays import is_number

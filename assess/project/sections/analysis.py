@@ -33,19 +33,10 @@ from assess.declaration import (
     PositiveYears,
     Ratio,
 )
-from assess.project.section import (
-    PATTERN_MARK,
-    SCATTER,
-    WRITTEN_QUANTITY_SCHEMA,
-    InputFile,
-    ProjectSection,
-    error_at,
-    number_or_text,
-    quote_names,
-    unique,
-)
+from assess.project.section import SCATTER, ProjectSection, error_at, quote_names
 from assess.project.sections.procedures import ProcedureNames
 from assess.project.units import KINDS, SHARE_UNITS, QuantityError, key_value, number_and_unit
+from assess.project.values import PATTERN_MARK, WRITTEN_QUANTITY_SCHEMA, InputFile, number_or_text, unique
 
 MOST_PULSES = 1000  # frequencies or amplitudes
 WITH_GAMMA = "mavroeidis-papageorgiou"

@@ -22,12 +22,9 @@ from assess.declaration import (
 )
 from assess.geometry.solid import Corners
 from assess.loads.load import LOADS, LoadDefinition
-from assess.project.section import (
-    InputFile,
-    LengthUnit,
-    ProjectSection,
-)
+from assess.project.section import ProjectSection
 from assess.project.tables import table_by_kind
+from assess.project.values import InputFile, LengthUnit
 
 DENSITY = Evidence(
     "defines",

@@ -21,21 +21,7 @@ from assess.declaration import (
     Name,
 )
 from assess.loads.load import body_faults
-from assess.project.section import (
-    DateText,
-    GeographicCoordinates,
-    InputFile,
-    ItemKeys,
-    KeyPath,
-    NumberText,
-    Paragraph,
-    ProjectSection,
-    TextLine,
-    error_at,
-    quote_names,
-    text_of_date,
-    value_text,
-)
+from assess.project.section import KeyPath, ProjectSection, error_at, quote_names, value_text
 from assess.project.sections.analysis import Analysis
 from assess.project.sections.bodies_and_loads import (
     BodySection,
@@ -48,6 +34,16 @@ from assess.project.sections.mechanisms import (
     MechanismSection,
 )
 from assess.project.sections.procedures import Procedures, VerdictSection
+from assess.project.values import (
+    DateText,
+    GeographicCoordinates,
+    InputFile,
+    ItemKeys,
+    NumberText,
+    Paragraph,
+    TextLine,
+    text_of_date,
+)
 from assess.results import ChecklistItem
 
 ASSUMED = "assumed"

@@ -29,17 +29,9 @@ from assess.declaration import (
     Speed,
     Time,
 )
-from assess.project.section import (
-    AccelerationUnit,
-    DeclaredSection,
-    FilePlace,
-    InputFile,
-    InputFiles,
-    ProjectSection,
-    error_at,
-    quote_names,
-)
+from assess.project.section import DeclaredSection, ProjectSection, error_at, quote_names
 from assess.project.tables import table_by_code
+from assess.project.values import AccelerationUnit, FilePlace, InputFile, InputFiles
 from records.compliance import CodeName
 from spectra import ntc
 from spectra.design_spectra import SPECTRA, NtcHazardSpectrum, way_of

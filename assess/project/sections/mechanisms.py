@@ -40,16 +40,15 @@ from assess.mechanisms.two_block import CRACKS
 from assess.project.section import (
     A_POINT,
     DeclaredSection,
-    ItemKeys,
     ProjectSection,
     SoughtDirection,
     quantity_schema,
     quote_names,
     table_of,
-    unique,
 )
 from assess.project.sections.bodies_and_loads import LoadSection
 from assess.project.units import KINDS, key_value
+from assess.project.values import ItemKeys, unique
 
 
 def _block_names(value: Any) -> Any:

@@ -30,12 +30,8 @@ from assess.declaration import (
     Ratio,
     Share,
 )
-from assess.project.section import (
-    ProjectSection,
-    error_at,
-    quote_names,
-    unique,
-)
+from assess.project.section import ProjectSection, error_at, quote_names
+from assess.project.values import unique
 
 Procedure = Literal[
     "asce43-05-spectrum",

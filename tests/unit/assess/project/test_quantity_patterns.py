@@ -14,9 +14,9 @@ from pydantic import TypeAdapter, ValidationError
 
 from assess.examples import EXAMPLES, source
 from assess.project.project_file import json_schema
-from assess.project.section import length_of_unit
 from assess.project.sections.analysis import DensityChange, ForceChange, LengthChange, ShareChange, StressChange
 from assess.project.units import KINDS, USUAL, prefixes_and_names, quantity_pattern, reads_unit, to_si
+from assess.project.values import length_of_unit
 from tests.support.projects import as_editors_see
 
 CHANGES = {

@@ -44,6 +44,7 @@ from assess.messages.message import Message, Quantity, distinct, warning, whole_
 
 CrackRule = Literal["sorrentino", "minimum"]
 CRACKS: tuple[str, ...] = get_args(CrackRule)
+CRACK_ELEVATION = Number("length", form='not a crack; write an elevation, or one of "sorrentino", "minimum"')
 Hinges = tuple[Point, Point, Point]
 
 
@@ -61,7 +62,7 @@ class TwoBlock(BlockMechanism):
     """hinges of negative rotation; the edges of base, crack and top if absent"""
     crack: Annotated[
         float | CrackRule | None,
-        Number("length", form='give an elevation [m], "sorrentino" or "minimum"'),
+        CRACK_ELEVATION,
         Evidence("chosen", "either", "the weakest height, where it is weaker by more than 10 %"),
     ] = None
     """"sorrentino" (eq. 3.27), "minimum" (least uplift multiplier), or an elevation; hinge B's if hinges are given"""

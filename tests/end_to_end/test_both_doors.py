@@ -1,4 +1,6 @@
-"""A load that a project file refuses is refused from Python too, at the same key for the same reason."""
+"""What a project file refuses of a load or a mechanism is refused from Python too, at the same key and for the same
+reason.
+"""
 
 from __future__ import annotations
 
@@ -11,6 +13,8 @@ import pytest
 import assess
 from assess.declaration import Evidence, NotAKey, annotations_of, descriptions, marks_of
 from assess.errors import MechanismError, ProjectError
+from assess.interfaces.contact import Interface
+from assess.interfaces.section import Shape
 from assess.loads.load import LOADS, LoadDefinition
 from assess.project.project_file import load
 from tests.support.projects import block, project_toml, wall, write_project
@@ -136,6 +140,64 @@ OF_MECHANISMS: list[tuple[list[dict[str, Any]], dict[str, Any], str, str]] = [
         "not between -90 deg and 90 deg; measure the crack from the horizontal",
     ),
 ]
+RIGID_STIFF = 'is for flexible interfaces; write model = "flexible", or remove it'
+BOW_TIE = [[0.0, 0.0], [1.0, 1.0], [1.0, 0.0], [0.0, 1.0]]
+OF_KEYS: list[tuple[dict[str, Any], str, str]] = [
+    # joints
+    ({"interface": {"stiffness": 1e10}}, "interface.stiffness", RIGID_STIFF),
+    ({"interface": {"course_thickness": 0.02}}, "interface.course_thickness", RIGID_STIFF),
+    ({"interface": {"model": "flexible"}}, "interface.stiffness", "give either stiffness or course_thickness"),
+    ({"interface": {"model": "flexible", "stiffness": -1e9}}, "interface.stiffness", ABOVE_0),
+    ({"interface": {"strength": 0.0}}, "interface.strength", ABOVE_0),
+    (
+        {"interface": {"model": "stiff"}},
+        "interface.model",
+        'not allowed; write "rigid", "flexible", "semi-flexible" or "flexible-thesis"',
+    ),
+    ({"interface": {"shape": {}}}, "interface.shape.rectangle", "one shape is needed, not 0"),
+    (
+        {"interface": {"shape": {"circle": 1.0, "rectangle": [1.0, 2.0]}}},
+        "interface.shape",
+        "one shape is needed, not 2",
+    ),
+    ({"interface": {"shape": {"circle": 0.0}}}, "interface.shape.circle", ABOVE_0),
+    (
+        {"interface": {"shape": {"annulus": [1.0, 1.5]}}},
+        "interface.shape.annulus",
+        "the hole, 1.5 m, must be smaller than the outside, 1 m",
+    ),
+    (
+        {"interface": {"shape": {"polygon": BOW_TIE}}},
+        "interface.shape.polygon",
+        "its sides cross or touch one another at [0.5, 0.5] m; list its corners in order around the outline",
+    ),
+    ({"interface": {"shape": {"polygon": BOW_TIE[:2]}}}, "interface.shape.polygon", "too few; give at least 3"),
+    (
+        {"interface": {"shape": {"polygon": [[0.0, 0.0], [1.0, 0.0], [2.0, 0.0]]}}},
+        "interface.shape.polygon",
+        "no area, its corners lie on a line; give corners that enclose one",
+    ),
+    (TWO_BLOCK | {"interfaces": {"D": {}}}, "interfaces.D", "no such hinge; known: A, B, C"),
+    # which way, how far, how often
+    ({"direction": [1.0, 0.0, 0.5]}, "direction", "not horizontal; its third number, the vertical one, must be 0"),
+    ({"direction": [0.0, 0.0, 0.0]}, "direction", "no direction; write [1, 0, 0] for +x"),
+    ({"sides": "three"}, "sides", 'not allowed; write "one" or "two"'),
+    (
+        {"restitution": 1.5},
+        "restitution",
+        "outside [0, 1]; restitution is velocity after over velocity before the impact",
+    ),
+    (
+        {"restitution": "newton"},
+        "restitution",
+        'not a known restitution; write a number in [0, 1], "thesis", "housner", "sorrentino" or "momentum"',
+    ),
+    (
+        TWO_BLOCK | {"crack": "middle"},
+        "crack",
+        'not a crack; write an elevation, or one of "sorrentino", "minimum"',
+    ),
+]
 OWN_REMEDIES: list[tuple[dict[str, Any], dict[str, Any], str, str]] = [
     # the project file names units and its own tables, Python what it takes
     (MASS, {"mass": nan}, "mass", "not a finite number"),
@@ -181,12 +243,21 @@ def refusals(loads: list[dict[str, Any]], mechanism: dict[str, Any], folder: Pat
     given = {key: value for key, value in more.items() if key not in ("kind", "loads", "cut")}
     if "cut" in more:
         given["cut"] = assess.CutAngle(**more["cut"])
+    if "interface" in more:
+        given["interface"] = _interface(more["interface"])
+    if "interfaces" in more:
+        given["interfaces"] = {name: _interface(each) for name, each in more["interfaces"].items()}
     stated_in_python = [LOADS[each["kind"]](**{key: each[key] for key in each if key != "kind"}) for each in stated]
     try:
         make(bodies["wall"], name="m", around=(bodies["floor"], bodies["roof"]), loads=stated_in_python, **given)
     except MechanismError as error:
         by_python = str(error).removeprefix('mechanism "m": ')
     return by_file, by_python
+
+
+def _interface(keys: dict[str, Any]) -> Interface:
+    shape = {"shape": Shape(**keys["shape"])} if "shape" in keys else {}
+    return Interface(**(keys | shape))
 
 
 @pytest.mark.parametrize(("sound", "fault", "key", "said"), FAULTS)
@@ -200,6 +271,13 @@ def test_a_load_is_refused_for_one_reason(sound, fault, key, said, tmp_path):
 @pytest.mark.parametrize(("loads", "mechanism", "key", "said"), OF_MECHANISMS)
 def test_a_mechanism_is_refused_for_one_reason(loads, mechanism, key, said, tmp_path):
     for refusal in refusals(loads, mechanism, tmp_path):
+        assert refusal.startswith(key)
+        assert refusal.endswith(f": {said}")
+
+
+@pytest.mark.parametrize(("mechanism", "key", "said"), OF_KEYS)
+def test_a_key_of_a_mechanism_is_refused_for_one_reason(mechanism, key, said, tmp_path):
+    for refusal in refusals([], mechanism, tmp_path):
         assert refusal.startswith(key)
         assert refusal.endswith(f": {said}")
 

@@ -36,7 +36,7 @@ from assess.loads.load import Place
 from assess.mechanisms.kinds import MECHANISM_KINDS
 from assess.mechanisms.mechanism import DRAWN_HINGES, BlockMechanism
 from assess.mechanisms.restitution import BY_FORMULA, RESTITUTION_NUMBER, RESTITUTIONS, Restitution, RestitutionRule
-from assess.mechanisms.two_block import CRACKS
+from assess.mechanisms.two_block import CRACK_ELEVATION, CRACKS
 from assess.project.section import (
     A_POINT,
     DeclaredSection,
@@ -69,7 +69,7 @@ def _crack(value: Any) -> float | str:
     if isinstance(value, str) and value in CRACKS:
         return value
     if isinstance(value, str) and not any(character.isdigit() for character in value):
-        raise ValueError(f"not a crack; write an elevation, or one of {quote_names(CRACKS)}")
+        raise ValueError(CRACK_ELEVATION.form)
     return key_value(value, KINDS["length"])
 
 

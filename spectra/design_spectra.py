@@ -282,7 +282,7 @@ class NtcHazardSpectrum(DesignSpectrum):
         Literal["I", "II", "III", "IV"] | None, Evidence("defines", "down", "that of the use of the building")
     ] = None
     """class of use "I" to "IV"; that of [building] if absent"""
-    limit_state: Annotated[LimitState | None, Evidence("chosen", "either", "that of the verdict, else SLV")] = None
+    limit_state: Annotated[LimitState | None, Evidence("defines", "either", "as [site] limit_state")] = None
     """old spelling of [site] limit_state"""
     soil: NtcSoil
     """subsoil category "A" to "E\""""

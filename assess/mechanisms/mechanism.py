@@ -13,7 +13,7 @@ from typing import Annotated, ClassVar, Literal
 
 import numpy as np
 
-from assess.declaration import Evidence, Inclination, IsHorizontal, KeyFault, Length, Name, Ratio, SpacePoint
+from assess.declaration import FREE, Evidence, Inclination, IsHorizontal, KeyFault, Length, Name, Ratio, SpacePoint
 from assess.geometry.planar import Outline
 from assess.interfaces.contact import Interface
 from assess.loads.load import (
@@ -55,7 +55,7 @@ class BlockMechanism:
     number_of_blocks: ClassVar[int] = 1
     blocks: Annotated[tuple[tuple[Name, ...], ...], Evidence("defines", "either", "as drawn")]
     """bodies from the base on; an entry may join several that move as one, [["wall", "buttress"]]"""
-    label: Annotated[str, Evidence("free", "none", "nothing")] = ""
+    label: Annotated[str, FREE] = ""
     """what the report calls it; the name of the table if absent"""
     direction: Annotated[Vector | Literal["sweep"] | None, IsHorizontal(), WEAKEST] = None
     """horizontal, positive rotation topples this way; the weakest if absent (four-hinge: +x); or "sweep\""""

@@ -10,6 +10,7 @@ from typing import Annotated, ClassVar, Literal
 from scipy.constants import g
 
 from assess.declaration import (
+    FREE,
     UNCERTAIN,
     UNCERTAIN_UPLIFT,
     Evidence,
@@ -159,7 +160,7 @@ class EquivalentBlock:
     """multiplier that starts rocking, taken as the slenderness [rad], like 0.14"""
     radius: Annotated[PositiveLength, Evidence("defines", "up", "as published")]
     """distance from hinge to centre of mass, like "2.84 m\""""
-    label: Annotated[str, Evidence("free", "none", "nothing")] = ""
+    label: Annotated[str, FREE] = ""
     """what the report calls it; the name of the table if absent"""
     sides: Annotated[Sides, Evidence("chosen", "either", "two, unless the drawing shows what stops it")] = "two"
     """"two", or "one": positive rotation only, the building behind stops the other"""

@@ -11,6 +11,7 @@ from typing import Annotated, Any, TypeVar
 
 from pydantic import AfterValidator, BeforeValidator, Field, PlainValidator, StrictStr, ValidationInfo, WithJsonSchema
 
+from assess.declaration import Evidence
 from assess.project.units import KINDS, si_value
 from spectra.columns import ACCELERATION_UNITS, ColumnError, factor_of
 
@@ -218,6 +219,10 @@ def _listed(value: Any) -> Any:
     return tuple(_text_or_number(each) for each in listed)
 
 
+CHECKLIST = Evidence(
+    "free", "none", "nothing", judged='what is not examined makes the index "at most" and changes no outcome of what is'
+)
+"""Of the keys that say what is examined of the list of possible mechanisms."""
 _AN_ITEM = {"type": ["string", "integer"]}
 ItemKeys = Annotated[
     tuple[TextLine, ...],

@@ -35,6 +35,7 @@ from assess.project.sections.mechanisms import (
 )
 from assess.project.sections.procedures import Procedures, VerdictSection
 from assess.project.values import (
+    CHECKLIST,
     DateText,
     GeographicCoordinates,
     InputFile,
@@ -92,9 +93,6 @@ class FigureSection(ProjectSection, title="FigureSection"):
     """what it shows"""
 
 
-CHECKLIST = Evidence(
-    "free", "none", "nothing", judged='what is not examined makes the index "at most" and changes no outcome of what is'
-)
 SOURCE = Evidence("measured", "up", '"assumed: …"', judged="a source vouches for other keys, which then count as typed")
 
 

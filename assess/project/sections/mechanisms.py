@@ -48,7 +48,7 @@ from assess.project.section import (
 )
 from assess.project.sections.bodies_and_loads import LoadSection
 from assess.project.units import KINDS, key_value
-from assess.project.values import ItemKeys, unique
+from assess.project.values import CHECKLIST, ItemKeys, unique
 
 
 def _block_names(value: Any) -> Any:
@@ -270,9 +270,6 @@ AmplificationSection = Annotated[
 ]
 
 
-EXAMINED = Evidence("chosen", "either", "as its kind tells")
-
-
 class ChainSection(DeclaredSection):
     """A mechanism of blocks."""
 
@@ -290,7 +287,7 @@ class ChainKeys(ProjectSection):
     """{ method = "srss" | "modal-filter" | "ec8" | "nzs1170.5" | …, height, … }: the motion's way up to its base"""
     base_elevation: Annotated[Length | None, Evidence("drawn", "down", "as drawn over the ground")] = None
     """of its base above the ground, where it is drawn alone and not in its place"""
-    examines: Annotated[ItemKeys | None, EXAMINED] = None
+    examines: Annotated[ItemKeys | None, CHECKLIST] = None
     """what of the report's list of possible mechanisms it examines, like "gable"; if absent, as its kind tells"""
 
 
@@ -332,7 +329,7 @@ class EquivalentBlockKeys(ProjectSection):
     """whether its masonry may fall apart: "excluded" (by survey, quality index or test) or "possible\""""
     amplification: AmplificationSection = Field(default_factory=NoAmplification)
     """{ method = "srss" | "modal-filter" | "ec8" | "nzs1170.5" | …, height, … }: the motion's way up to its base"""
-    examines: Annotated[ItemKeys | None, EXAMINED] = None
+    examines: Annotated[ItemKeys | None, CHECKLIST] = None
     """what of the report's list of possible mechanisms it examines, like "gable\""""
 
 

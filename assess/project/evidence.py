@@ -11,7 +11,6 @@ from dataclasses import dataclass
 from types import NoneType
 from typing import Annotated, Any, get_args, get_origin
 
-from annotated_types import Ge, Gt, Le, Lt
 from pydantic import Tag
 from pydantic.fields import FieldInfo
 
@@ -23,7 +22,8 @@ from assess.project.units import QuantityKind
 Table = type[ProjectSection]
 Place = tuple[str, str, Table | None]
 """Where a value stands, the form of the table that it is, and that table; None for what is no table."""
-_BOUNDS = {"above": (Gt, "gt"), "least": (Ge, "ge"), "below": (Lt, "lt"), "most": (Le, "le")}
+_BOUNDS = {"above": "gt", "least": "ge", "below": "lt", "most": "le"}
+"""The names of bounds, ours and pydantic's."""
 
 
 @dataclass(frozen=True)
@@ -55,9 +55,9 @@ class Key:
         """The bounds of its number [SI], by their names in `assess.declaration.BOUNDS`."""
         found: dict[str, float] = {}
         for mark in field_marks(self.field):
-            for name, (kind, attribute) in _BOUNDS.items():
+            for name, attribute in _BOUNDS.items():
                 bound = getattr(mark, name if isinstance(mark, Number) else attribute, None)
-                if isinstance(mark, kind | Number) and isinstance(bound, int | float):
+                if isinstance(bound, int | float):
                     found[name] = bound
         return {name: found[name] for name in BOUNDS if name in found}
 

@@ -144,9 +144,9 @@ def test_figures_and_tables_of_a_run(run):
 @pytest.mark.parametrize(
     ("given", "said"),
     [
-        ({"restitution": 1.5}, r"restitution = 1.5: outside \[0, 1\]"),
+        ({"restitution": 1.5}, r"restitution.positive = 1.5: outside \[0, 1\]"),
         ({"restitution": "houser"}, "housner"),
-        ({"direction": (0.0, 0.0, 1.0)}, "must be horizontal"),
+        ({"direction": (0.0, 0.0, 1.0)}, "not horizontal"),
         ({"direction": (float("nan"), 0.0, 0.0)}, "finite"),
         ({"loads": [assess.MassLoad(mass=-3.0, at=(0.0, 1.0))]}, r"loads\[1\].mass = -3: must be greater than 0"),
         ({"loads": [assess.BodyLoad(body="floor")]}, 'no such body; known: "box"; give it in `around`'),
@@ -184,7 +184,7 @@ def test_values_no_mechanism_has_are_refused(given, said):
 def test_what_a_wall_of_two_blocks_would_ignore_is_refused():
     lower = assess.box(thickness=0.6, length=4.0, height=2.0, density=2000.0, name="lower")
     upper = assess.box(thickness=0.6, length=4.0, height=2.0, density=2000.0, base=(0.0, 0.0, 2.0), name="upper")
-    with pytest.raises(MechanismError, match="crack: is for one body"):
+    with pytest.raises(MechanismError, match="crack = 1: is for one body"):
         assess.two_block([lower, upper], crack=1.0)
     with pytest.raises(MechanismError, match='remove eccentricity, or write "fixed"'):
         assess.two_block(lower, loads=[assess.OverburdenLoad(force=1e4, eccentricity=0.1, through="joint")])
@@ -241,14 +241,14 @@ def test_loads_of_an_arch_that_would_not_count_are_refused():
     joints = assess.RadialJoints(centre=(0.0, 0.0), first=np.radians(168.75), last=np.radians(11.25), count=14)
     with pytest.raises(MechanismError, match="loads: not with hinges"):
         assess.four_hinge(arch, hinges="minimum", joints=joints, loads=[assess.MassLoad(mass=1e5, at=(0.0, 3.0))])
-    with pytest.raises(MechanismError, match="hinges_negative: are searched for too"):
+    with pytest.raises(MechanismError, match="hinges_negative: are looked for too"):
         assess.four_hinge(arch, hinges="minimum", joints=joints, hinges_negative=PORTAL)
 
 
 @pytest.mark.parametrize(
     ("given", "text"),
     [
-        ({"uplift": 3.0}, "less than pi / 2"),
+        ({"uplift": 3.0}, "uplift = 3: must be less than 1.5708"),
         ({"p": 1e4}, "which no mechanism has"),
         ({"radius": -1.0}, "greater than 0"),
     ],
@@ -389,9 +389,9 @@ SIZES = {"thickness": 0.6, "length": 4.0, "height": 4.5, "density": 2000.0}
         ({"around": WALL}, "give a list of bodies"),
         ({"interface": "flexible"}, "interface = 'flexible': give an Interface"),
         ({"interface": assess.Interface(model="flexible", stiffness="10 GPa/m")}, "give a number"),
-        ({"interface": assess.Interface(model="flexible", stiffness=1e10, shape="round")}, '"outline" or a Shape'),
-        ({"restitution": {"positive": 0.9}}, "give a number"),
-        ({"restitution": True}, "give a number"),
+        ({"interface": assess.Interface(model="flexible", stiffness=1e10, shape="round")}, 'write "outline", or'),
+        ({"restitution": {"positive": 0.9}}, "write a number"),
+        ({"restitution": True}, "write a number"),
         ({"name": 3}, "give a text"),
     ],
 )

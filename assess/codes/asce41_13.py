@@ -10,13 +10,14 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from typing import Literal
+from typing import Annotated, Literal
 
 from scipy.constants import g
 
 from assess.codes.calculation_sheet import UNANSWERED, Step, step
 from assess.codes.check import (
     AMERICAN,
+    ORDINATE,
     TABLE_SPECTRUM,
     BranchName,
     Check,
@@ -31,6 +32,7 @@ from assess.codes.check import (
     reason_message,
 )
 from assess.codes.context import PLINTH, Building, Context, Wall
+from assess.declaration import Evidence, PositiveAcceleration
 from assess.messages.message import Message, Quantity, Severity, Term, message
 from assess.oscillator import Branch, Oscillator, threshold
 
@@ -50,19 +52,32 @@ Masonry = Literal["coursed", "rubble"]
 Seismicity = Literal["moderate", "high"]
 
 
+POSITION = Evidence(
+    "code",
+    "either",
+    "by storeys and elevation, else the strictest row for a pass",
+    judged="the wall of a top storey may be less slender, that of a first storey more",
+)
+MASONRY = Evidence(
+    "measured",
+    "up",
+    'absent: "coursed" is a condition of a pass',
+    judged='"coursed" takes a condition from a pass, "rubble" leaves the wall without an answer',
+)
+
+
 @dataclass(frozen=True)
 class Asce41Options:
-    """Options of the permissible h/t.
+    """Options of the permissible h/t of ASCE 41-13."""
 
-    position : row of Table 11-5; None where storeys and elevation decide
-    masonry : None where it is not given; seismicity : of the site, for parapets
-    s_x1 : at the site's own PGA [g]; None for the ordinate of the spectrum at 1 s
-    """
-
-    position: Position | None = None
-    masonry: Masonry | None = None
-    seismicity: Seismicity = "high"
-    s_x1: float | None = None
+    position: Annotated[Position | None, POSITION] = None
+    """row of Table 11-5: "one-storey", "first-storey", "top-storey" or "other"; if absent by [building], elevation"""
+    masonry: Annotated[Masonry | None, MASONRY] = None
+    """"coursed", or "rubble", which the table is not for; if absent a pass holds on condition that it is coursed"""
+    seismicity: Annotated[Seismicity, Evidence("code", "down", '"high"')] = "high"
+    """level of seismicity, on which the limit of parapets hangs: "high", h/t 1.5, or "moderate", 2.5"""
+    s_x1: Annotated[PositiveAcceleration | None, ORDINATE] = None
+    """S_X1 at the site's own peak ground acceleration; if absent the spectrum at 1 s; needed where that is a table"""
 
 
 def assess_slenderness(oscillator: Oscillator, context: Context, *, options: Asce41Options) -> tuple[Check, ...]:
@@ -78,7 +93,7 @@ def s_x1_over_pga(context: Context, options: Asce41Options) -> float:
     """Return S_X1 over the PGA of the same level [-]."""
     pga = context.spectrum.pga
     if options.s_x1 is not None:
-        return options.s_x1 * g / pga
+        return options.s_x1 / pga
     return float(context.spectrum.acceleration(PERIOD, damping=DAMPING)) / pga
 
 

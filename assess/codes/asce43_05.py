@@ -15,7 +15,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
-from typing import Literal
+from typing import Annotated, Literal
 
 import numpy as np
 from scipy.constants import g
@@ -57,6 +57,7 @@ from assess.codes.pga_rotation import (
     to_equivalent_blocks,
     to_pga_curve,
 )
+from assess.declaration import Evidence, PositiveLength
 from assess.messages.message import Severity, Term, message
 from assess.oscillator import (
     Branch,
@@ -80,17 +81,18 @@ THIRD = 1.0 / 3.0  # of the same: allowed by A.2
 THESIS_DAMPING = 0.05
 
 
+ALLOWABLE = Evidence("chosen", "up", "absent: sliding is for information")
+
+
 @dataclass(frozen=True)
-class Asce43Options:
-    """Options of ASCE 43-05.
+class Asce4305Options:
+    """Options of ASCE/SEI 43-05."""
 
-    allowable_sliding : of a rigid body on its base [m]; None: sliding is given for information
-    """
-
-    allowable_sliding: float | None = None
+    allowable_sliding: Annotated[PositiveLength | None, ALLOWABLE] = None
+    """how far a body may slide on its base (A.1), like "0.05 m"; if absent its sliding is shown for information"""
 
 
-def assess_spectrum(oscillator: Oscillator, context: Context, *, options: Asce43Options) -> tuple[Check, ...]:
+def assess_spectrum(oscillator: Oscillator, context: Context, *, options: Asce4305Options) -> tuple[Check, ...]:
     """Return the checks of A.2 with the demand at f_e and beta_e from uplift on, one for each level."""
 
     def reading(branch: Branch, f_v: float) -> SpectrumReading:
@@ -113,7 +115,7 @@ ASCE43_05_SPECTRUM = CodeProcedure(
 )
 
 
-def _assess_spectrum_thesis(oscillator: Oscillator, context: Context, *, options: Asce43Options) -> tuple[Check, ...]:
+def _assess_spectrum_thesis(oscillator: Oscillator, context: Context, *, options: Asce4305Options) -> tuple[Check, ...]:
     """Return the checks of the thesis' reading (8.3.2): 5 % damping, limit k alpha / sin 2 alpha, no uplift."""
 
     def reading(branch: Branch, f_v: float) -> SpectrumReading:

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.constants import g
 
-from assess.codes.asce43_05 import EDITION, HALF, Asce43Options, warn_at_height
+from assess.codes.asce43_05 import EDITION, HALF, Asce4305Options, warn_at_height
 from assess.codes.calculation_sheet import Step, instability_step, step
 from assess.codes.check import (
     Check,
@@ -54,7 +54,7 @@ CAVEAT = "the method was read in the thesis, not in the printed standard"
 LEAST_RECORDS = 5
 
 
-def assess_history(oscillator: Oscillator, context: Context, *, options: Asce43Options) -> tuple[Check, ...]:
+def assess_history(oscillator: Oscillator, context: Context, *, options: Asce4305Options) -> tuple[Check, ...]:
     """Return one check for each level that has a suite of time histories."""
 
     def passes(suite: SuiteResponse) -> bool:

@@ -9,6 +9,7 @@ from math import inf
 from typing import Literal, TypedDict
 
 from assess.codes.calculation_sheet import Bound, Step
+from assess.declaration import Evidence
 from assess.messages.message import Message, Severity, Term, Value, message
 from assess.oscillator import Branch, Oscillator
 from assess.short_repr import ShortRepr
@@ -23,6 +24,8 @@ AMERICAN = ("asce7-05", "ibc2009", "asce7-10", "asce7-16")
 EUROPEAN = ("ec8", "ntc2008", "ntc2018")
 NEW_ZEALAND = ("nzs1170.5",)
 TABLE_SPECTRUM = "table"  # the engineer's own spectrum, for any code
+ORDINATE = Evidence("code", "down", "that of the site's spectrum; on a table not answered")
+"""Of the ordinate by which a code's own clause begins."""
 
 NEEDED = 0.84
 """Share of the draws among the runs of histories in which a rule must hold for a pass."""

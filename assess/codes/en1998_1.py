@@ -11,12 +11,14 @@ function for each formula.
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from typing import Annotated
 
 from scipy.constants import g
 
 from assess.codes.calculation_sheet import Step, multiplier_step, step
 from assess.codes.check import (
     EUROPEAN,
+    ORDINATE,
     TABLE_SPECTRUM,
     BranchName,
     Check,
@@ -30,6 +32,7 @@ from assess.codes.check import (
     reason_message,
 )
 from assess.codes.context import Context, WallSupport
+from assess.declaration import Evidence, Number, PositiveAcceleration
 from assess.messages.message import Term
 from assess.oscillator import Branch, Oscillator, elastic_frequency, linear_multiplier, threshold
 from spectra.floor import ec8_floor_factor
@@ -49,17 +52,20 @@ ELEMENTS: dict[WallSupport, str] = {
 RESONANCE = 1.0  # T_a / T_1 where the building is not known: the worst
 
 
+BEHAVIOUR_FACTOR = Evidence("code", "up", "1.0 for what stands free, 2.0 for what spans or is held by the drawing")
+IMPORTANCE = Evidence("code", "down", "1.0; 1.5 where life depends on it")
+
+
 @dataclass(frozen=True)
 class Ec8Options:
-    """Options of EN 1998-1, 4.3.5.
+    """Options of the check of non-structural elements of EN 1998-1, 4.3.5."""
 
-    behaviour_factor : q_a [-], None for that of Table 4.4; importance_factor : gamma_a [-] of the element
-    alpha_s : alpha S at the site's own PGA [g]; None where the spectrum is of a code, and begins with it
-    """
-
-    behaviour_factor: float | None = None
-    importance_factor: float = 1.0
-    alpha_s: float | None = None
+    behaviour_factor: Annotated[float, Number("ratio", least=1, most=2), BEHAVIOUR_FACTOR] | None = None
+    """q_a of Table 4.4, 1 to 2; if absent 2.0 for walls that span, 1.0 for what stands free"""
+    importance_factor: Annotated[float, Number("ratio", least=1), IMPORTANCE] = 1.0
+    """gamma_a of the element, no less than 1: 1.5 where life depends on it"""
+    alpha_s: Annotated[PositiveAcceleration | None, ORDINATE] = None
+    """alpha S at the site's own peak ground acceleration; needed where the spectrum is a table"""
 
 
 def assess_element(oscillator: Oscillator, context: Context, *, options: Ec8Options) -> tuple[Check, ...]:
@@ -121,7 +127,7 @@ def element_demand(branch: Branch, context: Context, options: Ec8Options, level:
     amplified = amplification(ratio, context)
     q_a = BEHAVIOUR[context.support] if options.behaviour_factor is None else options.behaviour_factor
     gamma_a = options.importance_factor
-    surface = 1.0 if options.alpha_s is None else options.alpha_s * g / context.spectrum.pga
+    surface = 1.0 if options.alpha_s is None else options.alpha_s / context.spectrum.pga
     alpha_s = surface * level / g
     force = force_over_weight(alpha_s * amplified, behaviour_factor=q_a, importance_factor=gamma_a)
     return ElementDemand(alpha_s, surface, ratio, amplified, q_a, gamma_a, force)

@@ -28,6 +28,7 @@ each.
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from typing import Annotated
 
 import numpy as np
 from scipy.constants import g
@@ -35,6 +36,7 @@ from scipy.constants import g
 from assess.codes.calculation_sheet import Step, instability_step, integral_step, moment_column, step
 from assess.codes.check import (
     NEW_ZEALAND,
+    ORDINATE,
     TABLE_SPECTRUM,
     BranchName,
     Check,
@@ -51,6 +53,7 @@ from assess.codes.check import (
 )
 from assess.codes.context import Context, Gravity, WallSupport
 from assess.codes.pga_rotation import pga_rotation, to_pga_curve
+from assess.declaration import Evidence, Number, PositiveAcceleration, Share
 from assess.messages.message import Message, Quantity, Term, message
 from assess.oscillator import Branch, Oscillator, energy, threshold
 from spectra.arrays import FloatArray
@@ -70,17 +73,21 @@ LET_GO: dict[WallSupport, float] = {"spanning": 0.6, "free": 0.8}  # rotation fr
 LARGEST_FLOOR_FACTOR = 3.0  # C_Hi, NZS 1170.5, 8.3
 
 
+USABLE_ROTATION = Evidence("code", "up", "0.6 of walls that span, 0.3 of others; a larger one is for comparison")
+RISK_FACTOR = Evidence("code", "down", "1.0, where less")
+
+
 @dataclass(frozen=True)
 class Nzsee2017Options:
-    """Options of face-loaded walls.
+    """Options of the face-loaded walls of NZSEE 2017, C8."""
 
-    usable : phi_m / phi_i [-], None for 0.6 (spanning) and 0.3 (free); risk_factor : R_p, NZS 1170.5 Table 8.1 [-]
-    c_0 : C(0) at the site's own PGA [g]; None where the spectrum is that of NZS 1170.5, which begins with it
-    """
-
-    usable: float | None = None
-    risk_factor: float = 1.0
-    c_0: float | None = None
+    usable: Annotated[Share | None, USABLE_ROTATION] = None
+    """usable rotation over that at instability; if absent 0.6 for walls that span, 0.3 for those that stand free; a
+    larger one is shown for comparison"""
+    risk_factor: Annotated[float, Number("ratio", least=0.9), RISK_FACTOR] = 1.0
+    """risk factor R_p of the part, NZS 1170.5 Table 8.1"""
+    c_0: Annotated[PositiveAcceleration | None, ORDINATE] = None
+    """C(0) at the site's own peak ground acceleration; needed where the spectrum is a table"""
 
 
 def assess_face_loaded_wall(
@@ -165,7 +172,7 @@ def wall_response(branch: Branch, name: BranchName, context: Context, options: N
     wall = whole if gravity is None else with_effective_thickness(whole, gravity)
     Tp, R_p, at_rest = part_period(wall, support=context.support), options.risk_factor, threshold(branch)
     multiplier = None if at_rest is None else at_rest * (wall.line.b / wall.B) / (whole.line.b / whole.B)
-    surface = 1.0 if options.c_0 is None else options.c_0 * g / context.spectrum.pga
+    surface = 1.0 if options.c_0 is None else options.c_0 / context.spectrum.pga
     return WallResponse(
         nominal=whole,
         effective=wall,

@@ -17,7 +17,7 @@ from functools import partial
 from scipy.constants import g
 
 from assess.codes.asce41_13 import ASCE41_13_SLENDERNESS, Asce41Options
-from assess.codes.asce43_05 import ASCE43_05_SPECTRUM, ASCE43_05_SPECTRUM_THESIS, Asce43Options
+from assess.codes.asce43_05 import ASCE43_05_SPECTRUM, ASCE43_05_SPECTRUM_THESIS, Asce4305Options
 from assess.codes.asce43_05_history import ASCE43_05_HISTORY
 from assess.codes.check import Check, CodeProcedure, Family, Outcome, Reason, reason_message
 from assess.codes.context import Context
@@ -62,7 +62,7 @@ KNOWLEDGE_CODES = tuple(dict.fromkeys(each.knowledge_code for each in PROCEDURES
 class CodeOptions:
     """The options of every code."""
 
-    asce43_05: Asce43Options = field(default_factory=Asce43Options)
+    asce43_05: Asce4305Options = field(default_factory=Asce4305Options)
     dmi2008: ItalianOptions = field(default_factory=ItalianOptions)
     ntc2018: ItalianOptions = field(default_factory=ItalianOptions)
     nzsee2017: Nzsee2017Options = field(default_factory=Nzsee2017Options)

@@ -26,7 +26,7 @@ import numpy as np
 from scipy.constants import g
 from scipy.optimize import brentq
 
-from assess.codes.asce43_05 import EDITION, Asce43Options, warn_at_height
+from assess.codes.asce43_05 import EDITION, Asce4305Options, warn_at_height
 from assess.codes.calculation_sheet import UNANSWERED, Given, Step, step
 from assess.codes.check import (
     CaveatFields,
@@ -105,7 +105,7 @@ HIGHEST, HALVINGS = 100.0 * g, 60  # PGA [m/s2] up to which its capacity is look
 LEVEL_FACE = 1e-6  # of a unit normal: faces less inclined are level
 
 
-def assess_sliding_distance(oscillator: Oscillator, context: Context, *, options: Asce43Options) -> tuple[Check, ...]:
+def assess_sliding_distance(oscillator: Oscillator, context: Context, *, options: Asce4305Options) -> tuple[Check, ...]:
     """Return one check for each level, against `options.allowable_sliding`; without that, for information only."""
     lifts = least_if_all_known([threshold(branch) for branch in oscillator.branches])
     checks = tuple(

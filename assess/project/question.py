@@ -7,24 +7,19 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
-from typing import Any
 
 from scipy.constants import g
 
-from assess.codes.asce41_13 import Asce41Options
-from assess.codes.asce43_05 import Asce43Options
 from assess.codes.bases import BASES, BY_SITE, Basis, Premise, stated_basis
 from assess.codes.context import FreePeriod, SiteHazard
-from assess.codes.en1998_1 import Ec8Options
 from assess.codes.italian_limit_states import ItalianOptions
 from assess.codes.ntc2018_clauses import free_period
-from assess.codes.nzsee2017 import Nzsee2017Options
 from assess.codes.procedures import KNOWLEDGE_CODES, PROCEDURES, CodeOptions, default_procedures
 from assess.codes.question import SOURCES, Action, Missing, Question, methods_of, missing_input
 from assess.errors import ProjectError, locate_errors
 from assess.messages.message import Message, Quantity, Severity, message
 from assess.project import sections
-from assess.project.section import ProjectSection, value_text
+from assess.project.section import plain_data, value_text
 from assess.results import ResolvedValue
 from assess.results.fragility import HazardResult, StateResult
 from assess.risk.hazard import read_hazard
@@ -225,19 +220,13 @@ def options_of(content: sections.Content) -> CodeOptions:
     section, deciding = content.procedures, deciding_limit_states(question_of(content, site_pga=0.0))
     dmi2008, ntc2018 = section.dmi2008, section.ntc2018
     return CodeOptions(
-        asce43_05=Asce43Options(**section.asce43_05.model_dump()),
-        nzsee2017=Nzsee2017Options(**in_g(section.nzsee2017, "c_0")),
-        asce41_13=Asce41Options(**in_g(section.asce41_13, "s_x1")),
-        ec8=Ec8Options(**in_g(section.ec8, "alpha_s")),
+        asce43_05=plain_data(section.asce43_05),
+        nzsee2017=plain_data(section.nzsee2017),
+        asce41_13=plain_data(section.asce41_13),
+        ec8=plain_data(section.ec8),
         dmi2008=ItalianOptions(dmi2008.confidence_factor, _limit_states(dmi2008.limit_states, deciding)),
         ntc2018=ItalianOptions(ntc2018.confidence_factor, _limit_states(ntc2018.limit_states, deciding)),
     )
-
-
-def in_g(section: ProjectSection, key: str) -> dict[str, Any]:
-    """Return the options of a section, with one acceleration in g as its clause takes it."""
-    options = section.model_dump()
-    return {**options, key: None if options[key] is None else options[key] / g}
 
 
 def _limit_states(requested: tuple[str, ...], deciding: tuple[str, ...]) -> tuple[str, ...]:

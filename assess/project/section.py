@@ -463,11 +463,16 @@ def table_of(
         evidence = [each for each in marks_of(annotations_of(declared).get(name)) if isinstance(each, Evidence)]
         reads: Any = given.annotation
         keys[name] = (Annotated[reads, *evidence] if evidence else reads, given)
-    name = f"{declared.__name__}Section"
+    name = f"{declared.__name__.removesuffix('Options')}Section"
     table = create_model(name, __base__=base, __doc__=declared.__doc__, __module__=__name__, **keys)
     table.declares, table.beside = declared, beside
     table.elsewhere = getattr(declared, "elsewhere", {})
     return table
+
+
+def default_table(declared: Any, *, alias: str | None = None) -> Any:
+    """Return the default of a key whose table is made of a class: a table in which nothing is given."""
+    return Field(default_factory=table_of(declared), alias=alias)
 
 
 A_POINT = _row_of(IsPlace())

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from scipy.constants import g
 
 from assess.codes.asce41_13 import Asce41Options
-from assess.codes.asce43_05 import Asce43Options
+from assess.codes.asce43_05 import Asce4305Options
 from assess.codes.check import Reason
 from assess.codes.context import Building, Context, Wall
 from assess.codes.histories import SuiteResponse
@@ -79,7 +79,7 @@ def answers(name, rocker=None, context=None, *, size=1.0):
 
 def procedure_of(name, *, size=1.0):
     known = Asce41Options(position="other")  # of a wall whose storey nobody gave, nothing between is answered
-    return with_options(name, CodeOptions(asce43_05=Asce43Options(allowable_sliding=0.02 * size), asce41_13=known))
+    return with_options(name, CodeOptions(asce43_05=Asce4305Options(allowable_sliding=0.02 * size), asce41_13=known))
 
 
 @EVERY

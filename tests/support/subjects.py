@@ -11,7 +11,7 @@ import numpy as np
 from scipy.constants import g
 
 from assess.codes.asce41_13 import Asce41Options
-from assess.codes.asce43_05 import Asce43Options
+from assess.codes.asce43_05 import Asce4305Options
 from assess.codes.check import Check, branch_of
 from assess.codes.context import Building, Context, FreePeriod, LocalLimit, SiteHazard, StatedFirstMode
 from assess.codes.histories import SuiteResponse
@@ -50,7 +50,7 @@ HOUSE = Building(height=8.0, storeys=2, period=0.24, damping=0.05)
 SPECTRUM = design_spectrum(s_ds=0.5 * g, s_d1=0.25 * g, t_l=6.0)
 VERTICAL, FRICTION, SLIDING, AMPLIFIED, S_X1 = 0.5, 0.3, 0.02, 1.5, 0.3
 OPTIONS = CodeOptions(
-    asce43_05=Asce43Options(allowable_sliding=SLIDING), asce41_13=Asce41Options(masonry="coursed", s_x1=S_X1)
+    asce43_05=Asce4305Options(allowable_sliding=SLIDING), asce41_13=Asce41Options(masonry="coursed", s_x1=S_X1 * g)
 )
 
 

@@ -13,24 +13,25 @@ from pydantic import (
     model_validator,
 )
 
-from assess.codes.asce41_13 import Masonry, Position, Seismicity
+from assess.codes.asce41_13 import Asce41Options
+from assess.codes.asce43_05 import Asce4305Options
 from assess.codes.bases import BASES
+from assess.codes.en1998_1 import Ec8Options
+from assess.codes.nzsee2017 import Nzsee2017Options
 from assess.codes.procedures import THESIS_READINGS
 from assess.declaration import (
     FREE,
     Evidence,
     Name,
     NotNegativeLength,
-    PositiveAcceleration,
     PositiveDensity,
     PositiveLength,
     PositiveRatio,
     PositiveStress,
     PositiveTime,
     Ratio,
-    Share,
 )
-from assess.project.section import ProjectSection, error_at, quote_names
+from assess.project.section import ProjectSection, default_table, error_at, quote_names
 from assess.project.values import unique
 
 Procedure = Literal[
@@ -209,86 +210,18 @@ class Ntc2018(Italian):
     place of the period { length, thickness, young_modulus, density, support }"""
 
 
-USABLE = Evidence("code", "up", "0.6 of walls that span, 0.3 of others; a larger one is for comparison")
-ORDINATE = Evidence("code", "down", "that of the site's spectrum; on a table not answered")
-
-
-class Nzsee2017(ProjectSection):
-    """Options of the face-loaded walls of NZSEE 2017, C8."""
-
-    usable: Annotated[Share | None, USABLE] = None
-    """usable rotation over that at instability; if absent 0.6 for walls that span, 0.3 for those that stand free; a
-    larger one is shown for comparison"""
-    risk_factor: Annotated[Ratio, Field(ge=0.9), Evidence("code", "down", "1.0, where less")] = 1.0
-    """risk factor R_p of the part, NZS 1170.5 Table 8.1"""
-    c_0: Annotated[PositiveAcceleration | None, ORDINATE] = None
-    """C(0) at the site's own peak ground acceleration; needed where the spectrum is a table"""
-
-
-POSITION = Evidence(
-    "code",
-    "either",
-    "by storeys and elevation, else the strictest row for a pass",
-    judged="the wall of a top storey may be less slender, that of a first storey more",
-)
-MASONRY = Evidence(
-    "measured",
-    "up",
-    'absent: "coursed" is a condition of a pass',
-    judged='"coursed" takes a condition from a pass, "rubble" leaves the wall without an answer',
-)
-
-
-class Asce41(ProjectSection):
-    """Options of the permissible h/t of ASCE 41-13."""
-
-    position: Annotated[Position | None, POSITION] = None
-    """row of Table 11-5: "one-storey", "first-storey", "top-storey" or "other"; if absent by [building], elevation"""
-    masonry: Annotated[Masonry | None, MASONRY] = None
-    """"coursed", or "rubble", which the table is not for; if absent a pass holds on condition that it is coursed"""
-    seismicity: Annotated[Seismicity, Evidence("code", "down", '"high"')] = "high"
-    """level of seismicity, on which the limit of parapets hangs: "high", h/t 1.5, or "moderate", 2.5"""
-    s_x1: Annotated[PositiveAcceleration | None, ORDINATE] = None
-    """S_X1 at the site's own peak ground acceleration; if absent the spectrum at 1 s; needed where that is a table"""
-
-
-BEHAVIOUR_FACTOR = Evidence("code", "up", "1.0 for what stands free, 2.0 for what spans or is held by the drawing")
-
-
-class Ec8(ProjectSection):
-    """Options of the check of non-structural elements of EN 1998-1, 4.3.5."""
-
-    behaviour_factor: Annotated[Ratio, Field(ge=1, le=2), BEHAVIOUR_FACTOR] | None = None
-    """q_a of Table 4.4, 1 to 2; if absent 2.0 for walls that span, 1.0 for what stands free"""
-    importance_factor: Annotated[Ratio, Field(ge=1), Evidence("code", "down", "1.0; 1.5 where life depends on it")] = (
-        1.0
-    )
-    """gamma_a of the element, no less than 1: 1.5 where life depends on it"""
-    alpha_s: Annotated[PositiveAcceleration | None, ORDINATE] = None
-    """alpha S at the site's own peak ground acceleration; needed where the spectrum is a table"""
-
-
-class Asce4305(ProjectSection):
-    """Options of ASCE/SEI 43-05."""
-
-    allowable_sliding: Annotated[
-        PositiveLength | None, Evidence("chosen", "up", "absent: sliding is for information")
-    ] = None
-    """how far a body may slide on its base (A.1), like "0.05 m"; if absent its sliding is shown for information"""
-
-
 class Procedures(ProjectSection):
     """Options of the code procedures, one table each."""
 
-    asce43_05: Asce4305 = Field(alias="asce43-05", default_factory=Asce4305)
+    asce43_05: Asce4305Options = default_table(Asce4305Options, alias="asce43-05")
     """options of asce43-05-sliding"""
     dmi2008: Dmi2008 = Field(default_factory=Dmi2008)
     """options of the procedures dmi2008-…"""
     ntc2018: Ntc2018 = Field(default_factory=Ntc2018)
     """options of the procedures ntc2018-…"""
-    nzsee2017: Nzsee2017 = Field(default_factory=Nzsee2017)
+    nzsee2017: Nzsee2017Options = default_table(Nzsee2017Options)
     """options of nzsee2017-face-loaded"""
-    asce41_13: Asce41 = Field(default_factory=Asce41, alias="asce41-13")
+    asce41_13: Asce41Options = default_table(Asce41Options, alias="asce41-13")
     """options of asce41-13-ht"""
-    ec8: Ec8 = Field(default_factory=Ec8)
+    ec8: Ec8Options = default_table(Ec8Options)
     """options of ec8-element"""

@@ -163,5 +163,5 @@ def test_rubble_is_not_judged_and_unknown_masonry_is_a_condition() -> None:
 def test_s_x1_given_by_name_answers_on_a_table() -> None:
     """S_X1 = 0.45 g at the table's PGA of 0.4 g, so half of it at 0.2 g: 0.225 g is the first column."""
     table = dataclasses.replace(AT, spectrum=SHORT, levels=(0.2 * g, 0.4 * g))
-    half, whole = assess_slenderness(BLOCK, table, options=Asce41Options(position="top-storey", s_x1=0.45))
+    half, whole = assess_slenderness(BLOCK, table, options=Asce41Options(position="top-storey", s_x1=0.45 * g))
     assert (half.capacity, whole.capacity) == (14.0, 9.0)

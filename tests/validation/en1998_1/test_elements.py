@@ -104,7 +104,7 @@ def test_on_a_table_alpha_s_has_to_be_given_by_name() -> None:
     on_table = dataclasses.replace(at_height(10.0), spectrum=table, levels=(0.24 * g,))
     (silent,) = assess_element(PARAPET, on_table, options=Ec8Options())
     assert (silent.verdict, silent.reason.key) == ("not-answered", Reason.NOT_BY_NAME)
-    (named,) = assess_element(PARAPET, on_table, options=Ec8Options(alpha_s=0.3))
+    (named,) = assess_element(PARAPET, on_table, options=Ec8Options(alpha_s=0.3 * g))
     (code,) = assess_element(PARAPET, at_height(10.0), options=Ec8Options())
     assert (named.ratio, named.verdict) == (pytest.approx(code.ratio, rel=1e-12), code.verdict)
     assert named.capacity_pga_g == pytest.approx(0.8 * code.capacity_pga_g, rel=1e-12)

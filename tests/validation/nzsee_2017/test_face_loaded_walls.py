@@ -257,6 +257,6 @@ def test_on_a_table_c_0_has_to_be_given_by_name() -> None:
     (silent,) = assess_face_loaded_wall(wall(), on_table, options=Nzsee2017Options())
     assert (silent.verdict, silent.reason.key) == ("not-answered", Reason.NOT_BY_NAME)
     assert silent.reason.where == "procedures.nzsee2017.c_0"
-    (named,) = assess_face_loaded_wall(wall(), on_table, options=Nzsee2017Options(c_0=0.532))
+    (named,) = assess_face_loaded_wall(wall(), on_table, options=Nzsee2017Options(c_0=0.532 * g))
     (code,) = assess_face_loaded_wall(wall(), second_storey(), options=Nzsee2017Options())
     assert named.score["%NBS"] == pytest.approx(code.score["%NBS"], rel=1e-9)

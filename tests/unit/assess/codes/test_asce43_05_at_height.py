@@ -6,7 +6,7 @@ import pytest
 from scipy.constants import g
 
 from assess.codes import asce43_05, sliding
-from assess.codes.asce43_05 import Asce43Options
+from assess.codes.asce43_05 import Asce4305Options
 from assess.codes.asce43_05_history import assess_history
 from assess.codes.context import Context
 from assess.codes.histories import SuiteResponse
@@ -21,7 +21,7 @@ def checks(elevation: float, histories_at: str):
     wall = equivalent_block("w", p=1.8, uplift=0.15, radius=2.4).oscillator
     context = Context(SPECTRUM, (0.2 * g,), 0.0, elevation, None, (SUITE,), histories_at=histories_at)
     procedures = (asce43_05.assess_spectrum, assess_history, sliding.assess_sliding_distance)
-    return [check for procedure in procedures for check in procedure(wall, context, options=Asce43Options())]
+    return [check for procedure in procedures for check in procedure(wall, context, options=Asce4305Options())]
 
 
 @pytest.mark.parametrize(

@@ -10,7 +10,7 @@ import pytest
 from scipy.constants import g
 
 from assess.codes import sliding
-from assess.codes.asce43_05 import Asce43Options
+from assess.codes.asce43_05 import Asce4305Options
 from assess.codes.check import Reason
 from assess.codes.context import Context
 from assess.mechanisms.hinge_forces import hinge_forces
@@ -31,7 +31,7 @@ def context(*, mu: float | None = 0.2, level: float = 0.4 * g, vertical: float =
 
 def answer(context: Context, allowable: float | None = None):
     (check,) = sliding.assess_sliding_distance(
-        BLOCK.oscillator, context, options=Asce43Options(allowable_sliding=allowable)
+        BLOCK.oscillator, context, options=Asce4305Options(allowable_sliding=allowable)
     )
     return check
 

@@ -7,7 +7,7 @@ import pytest
 from scipy.constants import g
 
 from assess.codes import asce43_05
-from assess.codes.asce43_05 import Asce43Options
+from assess.codes.asce43_05 import Asce4305Options
 from assess.codes.check import Reason
 from assess.codes.context import Context
 from assess.mechanisms.single_block import equivalent_block
@@ -21,7 +21,7 @@ def answers(last: float):
     periods = np.concatenate([[0.0], np.linspace(0.4, last, 60)])
     site = table.table_spectrum(periods, np.where(periods > 0.0, 0.4 / np.maximum(periods, 0.4), 0.4) * g)
     wall = equivalent_block("w", p=1.8, uplift=0.15, radius=2.4).oscillator
-    return asce43_05.assess_spectrum(wall, Context(site, LEVELS, 0.0, 0.0, None), options=Asce43Options())
+    return asce43_05.assess_spectrum(wall, Context(site, LEVELS, 0.0, 0.0, None), options=Asce4305Options())
 
 
 @pytest.mark.parametrize("last", [2.2, 3.0])

@@ -14,7 +14,7 @@ from hypothesis import strategies as st
 from scipy.constants import g
 
 from assess.codes import ntc2018
-from assess.codes.asce43_05 import Asce43Options as AsceOptions
+from assess.codes.asce43_05 import Asce4305Options as AsceOptions
 from assess.codes.asce43_05_history import assess_history as assess_asce43_history
 from assess.codes.bases import BASES
 from assess.codes.check import Outcome, Reason

@@ -60,7 +60,7 @@ from assess.project.site_and_structure import (
     spectrum_of,
     structure_of,
 )
-from assess.project.variables import Cases, sampling_of, survey_of, uncertainty_messages, variables_of
+from assess.project.variables import Cases, Variants, sampling_of, survey_of, uncertainty_messages, variables_of
 from assess.results import Input
 from assess.results.provenance import file_sha256
 from assess.results.verification import AnnexResult
@@ -140,7 +140,7 @@ def study_of(project: Project, *, executor: Executor | None = None) -> Study:
     content = project.content
     report = report_matter_of(content, project.folder)
     study, files, messages = _deciding_study(project, executor=executor)
-    solids = files.solids
+    variants = Variants(project, files.solids, partial(cases_of, project=project, files=files))
     annex, annex_messages = annex_of(project, uses_of(content, study))
     return replace(
         study,
@@ -154,9 +154,9 @@ def study_of(project: Project, *, executor: Executor | None = None) -> Study:
             _sweep_of(sweep, project, files, beside={m.name: m.adjacent_bodies for m in study.mechanisms})
             for sweep in project.sweeps
         ),
-        survey=survey_of(project, study, solids, partial(_study_of_mechanism, project=project, files=files)),
-        variables=variables_of(project, study, solids, partial(_study_of_mechanism, project=project, files=files)),
-        sampling=sampling_of(project, study, solids, partial(cases_of, project=project, files=files)),
+        survey=survey_of(variants, study),
+        variables=variables_of(variants, study),
+        sampling=sampling_of(variants, study),
     )
 
 
@@ -309,16 +309,6 @@ def _sweep_of(
         raise ProjectError(f"{sweep.where}.key: {value_text(sweep.key)}: no mechanism depends on it; name another")
     cases = tuple(case_of(variant, project, files, names=names) for variant in sweep.variants)
     return Sweep(sweep.key, sweep.unit, cases)
-
-
-def _study_of_mechanism(
-    name: str, content: sections.Content, replaced: Mapping[str, Solid], *, project: Project, files: ProjectFiles
-) -> Study:
-    """Build the study of one mechanism from other content of the project, with some of its bodies replaced.
-
-    Its direction and sides stand in the content.
-    """
-    return cases_of(content, project=project, files=files).build(name, replaced)
 
 
 def _files_of_case(content: sections.Content, project: Project, files: ProjectFiles) -> ProjectFiles:

@@ -45,6 +45,8 @@ _NOT_SWEPT = (("analysis", "sweep"), ("analysis", "sensitivity"), ("analysis", "
 WrittenNumber = int | float | str
 Marks = tuple[QuantityKind | None, Scatters | None]
 NO_MARKS: Marks = (None, None)
+Setting = Mapping[KeyPath, Any]
+"""Other values of numbers of a project, by their keys."""
 
 WITHOUT_UNCERTAIN_NUMBERS = ("analysis", "report", "format")
 """Tables without numbers that may scatter."""
@@ -97,6 +99,13 @@ def with_value(node: Any, path: Sequence[str | int], value: Any, resolved: Any) 
     table = dict(node) if isinstance(node, Mapping) else {} if node is None else dict(_as_written(resolved))
     table[str(step)] = with_value(table.get(str(step)), rest, value, _step_down(resolved, step))
     return table
+
+
+def with_values(raw: Mapping[str, Any], setting: Setting, resolved: Content) -> Mapping[str, Any]:
+    """Return what the file says with other values at some keys."""
+    for path, value in setting.items():
+        raw = with_value(raw, path, value, resolved)
+    return raw
 
 
 def value_at(content: Content, path: KeyPath) -> Any:
@@ -172,16 +181,23 @@ def key_sweeps(content: Content, raw: Mapping[str, Any], folder: Path) -> tuple[
     )
 
 
-def read_case(raw: Mapping[str, Any], folder: Path, path: KeyPath, value: Any, *, name: str) -> Content:
-    """Read the content of one case, `raw` with the number `value` at `path`; name: of the case, for errors."""
+def read_case(setting: Setting, content: Content, raw: Mapping[str, Any], folder: Path, *, name: str = "") -> Content:
+    """Read a project again with other values at some keys.
+
+    content : as read from the `raw` file in `folder`
+    name : of a case of one number, for errors; these say key and value if it is empty
+
+    Raises ProjectError if the schema refuses the values.
+    """
+    raw = with_values(raw, setting, content)
     try:
-        content = Content.model_validate(raw, context={"folder": folder})
+        return Content.model_validate(raw, context={"folder": folder})
     except ValidationError as error:
-        prefix = f"{key_text(path)}: {value_text(value)}: "  # by the name of the case already
-        raise ProjectError(f"{name}: {error_line(error, raw=raw).removeprefix(prefix)}") from None
-    if not _one_number(value_at(content, path)):
-        raise ProjectError(f"{name}: not a number; only numbers can be swept")
-    return content
+        line = error_line(error, raw=raw)
+        if name:
+            ((path, value),) = setting.items()
+            line = f"{name}: {line.removeprefix(f'{key_text(path)}: {value_text(value)}: ')}"
+        raise ProjectError(line) from None
 
 
 @dataclass(frozen=True)
@@ -344,7 +360,9 @@ def _key_sweep(
     variants, units = [], []
     for given in sweep.values or _values_in_range(sweep, where=where):
         name = f"{where}: {sweep.key} = {value_text(given)}"
-        read = read_case(with_value(raw, entry.path, given, content), folder, entry.path, given, name=name)
+        read = read_case({entry.path: given}, content, raw, folder, name=name)
+        if not _one_number(value_at(read, entry.path)):
+            raise ProjectError(f"{name}: not a number; only numbers can be swept")
         number, unit = _number_and_unit_of(given, where=name)
         units.append(unit)
         if unit != units[0]:

@@ -1,20 +1,20 @@
 """Which numbers of each mechanism are varied, and its study at other values of them.
 
 The sensitivity varies one number at a time, the survey's tolerance bears on thicknesses, given hinges and loads, and
-uncertain numbers are sampled together. A number of the project file is varied at its key, and the whole is read through
-the schema again, as a sweep does; the thickness is varied on the bodies themselves. The direction and the sides that
-were found at the values given are kept.
+uncertain numbers are sampled together: each says by a `Setting` which numbers differ, and `Variants.at` builds the
+study with these. A number of the project file is set at its key, and the whole is read through the schema again, as a
+sweep does; the thickness is set on the bodies themselves. The direction and the sides that were found at the values
+given are kept.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import partial, reduce
+from functools import partial
+from itertools import chain
 from math import inf
 from typing import Any, NamedTuple
-
-from pydantic import ValidationError
 
 from assess.errors import ProjectError
 from assess.geometry.solid import Solid, Solids, scale_along
@@ -23,7 +23,7 @@ from assess.mechanisms.mechanism import BlockMechanism, Mechanism
 from assess.messages.message import Message, Term, note, warning
 from assess.model.bodies import pieces_of
 from assess.project import sections
-from assess.project.keys import UncertainValue, dependents, error_line, read_case, value_at, with_value
+from assess.project.keys import Setting, dependents, read_case, value_at, with_values
 from assess.project.project_file import Project
 from assess.project.section import KeyPath, key_text
 from assess.project.site_and_structure import bodies_of, definition_of
@@ -32,13 +32,76 @@ from assess.study.amplification import MechanismAmplification
 from assess.study.study import SampledNumber, Sampling, Study, UnvariedNumber, Variable
 from assess.study.variations import Survey
 
-StudyOfMechanism = Callable[[str, sections.Content, Mapping[str, Solid]], Study]
 AT_MOST_1 = "at most 1: more would add velocity at the impact"
 SWEPT = "a parametric study changes the mechanism; write the value of its controlling case in its place"
 
 
+class Cases(NamedTuple):
+    """The bodies of a case by name, and what builds the study of one mechanism with some of them replaced."""
+
+    solids: Solids
+    build: Callable[[str, Mapping[str, Solid]], Study]
+
+
+class Stretch(NamedTuple):
+    """The factor on the size of a mechanism's blocks along its direction, and the place that stays where it is [m]."""
+
+    factor: float
+    middle: float
+
+
 @dataclass(frozen=True)
-class VariedNumber:
+class Variants:
+    """A project that can be built again with other numbers.
+
+    solids : its bodies by name, None without geometry
+    cases_of : returns the bodies and the builder that other content of the project leads to
+    """
+
+    project: Project
+    solids: Solids
+    cases_of: Callable[[sections.Content], Cases]
+
+    def at(self, setting: Setting, *, name: str = "") -> Callable[[str], Study]:
+        """Return what builds the study of each mechanism by its name, with other numbers.
+
+        setting : values by their keys, and a `Stretch` at the thickness of a mechanism
+        name : of the case, for errors; these say key and value if it is empty
+
+        Raises ProjectError if the schema refuses the values.
+        """
+        content, project = self.project.content, self.project
+        at_keys = {path: value for path, value in setting.items() if not isinstance(value, Stretch)}
+        if at_keys:
+            content = read_case(at_keys, content, project.raw, project.folder, name=name)
+        cases = self.cases_of(content)
+
+        def build(mechanism: str) -> Study:
+            stretch = setting.get(_thickness_path(mechanism))
+            section = content.mechanisms[mechanism]
+            if stretch is None or not isinstance(section, sections.ChainSection):
+                return cases.build(mechanism, {})
+            return cases.build(mechanism, _stretched_blocks(section, cases.solids, stretch))
+
+        return build
+
+    def with_directions(self, mechanisms: Iterable[Mechanism]) -> Variants:
+        """Fix the direction and the sides that were found for mechanisms, so that they stay the same."""
+        project, found = self.project, dict[KeyPath, Any]()
+        for mechanism in mechanisms:
+            section, path = project.content.mechanisms[mechanism.name], ("mechanisms", mechanism.name)
+            if section.kind == "equivalent-block":
+                continue
+            if section.direction in (None, "sweep") and mechanism.direction is not None:
+                found[*path, "direction"] = list(mechanism.direction)
+            if section.sides is None:
+                found[*path, "sides"] = mechanism.sides
+        raw = with_values(project.raw, found, project.content)
+        content = sections.Content.model_validate(raw, context={"folder": project.folder})
+        return replace(self, project=replace(project, raw=raw, content=content))
+
+
+class VariedNumber(NamedTuple):
     """A number of the project file: what it is to the mechanism, its key, its unit in SI."""
 
     parameter: str
@@ -48,13 +111,11 @@ class VariedNumber:
 
 @dataclass(frozen=True)
 class VariedMechanism:
-    """A mechanism as built, with what the project says of it, its direction included where that was sought."""
+    """A mechanism as built, and the project that it is varied in, with its direction fixed."""
 
     mechanism: Mechanism
     amplified: MechanismAmplification
-    project: Project
-    solids: Solids
-    build_study: StudyOfMechanism
+    variants: Variants
 
     @property
     def name(self) -> str:
@@ -62,43 +123,40 @@ class VariedMechanism:
         return self.mechanism.name
 
     @property
+    def content(self) -> sections.Content:
+        """The tables of the project."""
+        return self.variants.project.content
+
+    @property
     def section(self) -> sections.MechanismSection:
         """The table of the mechanism."""
-        return self.project.content.mechanisms[self.name]
+        return self.content.mechanisms[self.name]
 
     @property
     def materials(self) -> tuple[str, ...]:
         """The materials of its bodies, and of those that load it."""
-        content = self.project.content
+        content = self.content
         return tuple(name for name in content.materials if self.name in dependents(content, ("materials", name)))
 
 
-def variables_of(
-    project: Project, study: Study, solids: Solids, build_study: StudyOfMechanism
-) -> tuple[Variable | UnvariedNumber, ...]:
-    """Return every variable of every mechanism of a study; none if no sensitivity is requested.
-
-    build_study : builds the study of one mechanism from other content, with some bodies replaced
-    """
-    sensitivity = project.content.analysis.sensitivity
+def variables_of(variants: Variants, study: Study) -> tuple[Variable | UnvariedNumber, ...]:
+    """Return every variable of every mechanism of a study; none if no sensitivity is requested."""
+    sensitivity = variants.project.content.analysis.sensitivity
     if sensitivity is None:
         return ()
-    swept = _mechanisms_in_sweeps(project)
+    swept = _mechanisms_in_sweeps(variants.project)
     found: list[Variable | UnvariedNumber] = []
     for mechanism in study.mechanisms:
         if mechanism.name in swept:
             found.append(UnvariedNumber(mechanism.name, "", SWEPT))
         else:
-            directed = _fix_direction(project, mechanism)
-            found += _variables_of_mechanism(
-                VariedMechanism(mechanism, study.amplified[mechanism.name], directed, solids, build_study), sensitivity
-            )
+            found += _variables_of_mechanism(_varied_mechanism(variants, study, mechanism), sensitivity)
     return tuple(found)
 
 
 def numbers_of(subject: VariedMechanism) -> Iterator[VariedNumber]:
     """Yield the numbers of the project file that a mechanism depends on and that are seldom well known."""
-    section, materials = subject.section, subject.project.content.materials
+    section, materials = subject.section, subject.content.materials
     if not isinstance(section, sections.ChainSection):
         yield VariedNumber("uplift", ("mechanisms", subject.name, "uplift"))
         yield VariedNumber("p", ("mechanisms", subject.name, "p"), "1/s")
@@ -122,10 +180,14 @@ class BlockBase(NamedTuple):
     width: float
     middle: float
 
+    def setting(self, mechanism: str, width: float) -> Setting:
+        """Set the width of the base, and with it the size of all blocks of the mechanism along its direction."""
+        return {_thickness_path(mechanism): Stretch(width / self.width, self.middle)}
+
 
 def fixed_thickness_reason(subject: VariedMechanism, section: sections.ChainSection) -> str:
     """Say why the thickness of a mechanism's blocks cannot be varied; empty if it can."""
-    direct = [name for block in section.blocks for name in block if subject.solids[name] is None]
+    direct = [name for name in _blocks_of(section) if subject.variants.solids[name] is None]
     if direct:
         return f'body "{direct[0]}" has no geometry'
     if section.kind == "four-hinge" and section.joints is not None:
@@ -143,18 +205,13 @@ def fixed_thickness_reason(subject: VariedMechanism, section: sections.ChainSect
 LOAD_TOLERANCE = 0.05  # share
 
 
-def survey_of(
-    project: Project, study: Study, solids: Mapping[str, Solid | None], build_study: StudyOfMechanism
-) -> Survey:
+def survey_of(variants: Variants, study: Study) -> Survey:
     """Return what gives the numbers of a mechanism that the survey's tolerance bears on, by its name."""
     mechanisms = {mechanism.name: mechanism for mechanism in study.mechanisms}
+    tolerance = variants.project.content.verdict.survey_tolerance
 
     def variables(name: str) -> tuple[Variable, ...]:
-        mechanism = mechanisms[name]
-        subject = VariedMechanism(
-            mechanism, study.amplified[name], _fix_direction(project, mechanism), solids, build_study
-        )
-        return tuple(_surveyed_variables(subject, tolerance=project.content.verdict.survey_tolerance))
+        return tuple(_surveyed_variables(_varied_mechanism(variants, study, mechanisms[name]), tolerance=tolerance))
 
     return variables
 
@@ -164,65 +221,51 @@ THICKNESS_GROUP = "thickness"
 UNCERTAINTY_KEY = "analysis.uncertainty"
 
 
-class Cases(NamedTuple):
-    """The bodies of a case by name, and what builds the study of one mechanism with some of them replaced."""
-
-    solids: Solids
-    build: Callable[[str, Mapping[str, Solid]], Study]
-
-
-CasesOf = Callable[[sections.Content], Cases]
-
-
-@dataclass(frozen=True)
-class SampledThickness:
-    """The blocks of a mechanism whose thickness is sampled: the table, and the base that they are scaled about."""
-
-    section: sections.ChainSection
-    base: BlockBase
-
-
-def sampling_of(project: Project, study: Study, solids: Solids, cases_of: CasesOf) -> Sampling | None:
+def sampling_of(variants: Variants, study: Study) -> Sampling | None:
     """Return how the uncertain numbers of a project are sampled; None if it does not ask for that.
 
     Raises ProjectError if it asks and has none.
     """
+    project = variants.project
     section = project.content.analysis.uncertainty
     if section is None:
         return None
-    changed = _mechanisms_in_sweeps(project)
-    swept = [mechanism.name for mechanism in study.mechanisms if mechanism.name in changed]
-    directed = reduce(_fix_direction, (each for each in study.mechanisms if each.name not in swept), project)
+    swept = _mechanisms_in_sweeps(project)
+    sampled = [mechanism for mechanism in study.mechanisms if mechanism.name not in swept]
+    directed = variants.with_directions(sampled)
+    content = directed.project.content
     beside = {mechanism.name: mechanism.adjacent_bodies for mechanism in study.mechanisms}
     numbers = [
         SampledNumber(
             value.given,
             value.least,
             value.most,
-            tuple(name for name in dependents(directed.content, value.path, beside=beside) if name not in swept),
+            tuple(name for name in dependents(content, value.path, beside=beside) if name not in swept),
         )
         for value in project.uncertain
     ]
-    thicknesses: dict[str, SampledThickness] = {}
-
-    def build_study(name: str, content: sections.Content, replaced: Mapping[str, Solid]) -> Study:
-        return cases_of(content).build(name, replaced)
-
-    notes = [note("uncertainty-left-out", f"mechanisms.{name}", why=Term(SWEPT)) for name in swept]
+    settings: list[Callable[[float], Setting]] = [partial(_set_at_key, value.path) for value in project.uncertain]
+    notes = [
+        note("uncertainty-left-out", f"mechanisms.{mechanism.name}", why=Term(SWEPT))
+        for mechanism in study.mechanisms
+        if mechanism.name in swept
+    ]
     if section.thickness is not None:
-        found = dict(_sampled_thicknesses(directed, study, solids, build_study, swept))
-        thicknesses = {name: each for name, each in found.items() if isinstance(each, SampledThickness)}
-        for name, each in found.items():
-            if isinstance(each, str):
-                notes.append(note("uncertainty-thickness-left-out", f"mechanisms.{name}", why=Term(each)))
-            else:
-                key, mean = _key_of_thickness(each.section), each.base.width
-                given = UncertainInput(key, "m", mean, section.thickness, "lognormal", THICKNESS_GROUP)
-                numbers.append(SampledNumber(given, 0.0, float("inf"), (name,)))
+        for name, key, base in _sampled_bases(directed, study, sampled):
+            if isinstance(base, str):
+                notes.append(note("uncertainty-thickness-left-out", f"mechanisms.{name}", why=Term(base)))
+                continue
+            given = UncertainInput(key, "m", base.width, section.thickness, "lognormal", THICKNESS_GROUP)
+            numbers.append(SampledNumber(given, 0.0, inf, (name,)))
+            settings.append(partial(base.setting, name))
     if not numbers:
         remedy = "write numbers as { mean, cov }, or thickness = 0.05 here"
         raise ProjectError(f"{UNCERTAINTY_KEY}: no number of the project is uncertain; {remedy}")
-    study_at = partial(_study_at_samples, directed, project.uncertain, thicknesses, cases_of)
+
+    def study_at(values: Sequence[float]) -> Callable[[str], Study]:
+        found = (setting(value).items() for setting, value in zip(settings, values, strict=True))
+        return directed.at(dict(chain.from_iterable(found)))
+
     return Sampling(section.samples, section.seed, tuple(numbers), study_at, tuple(notes))
 
 
@@ -246,17 +289,14 @@ def _mechanisms_in_sweeps(project: Project) -> set[str]:
     return {name for each in project.sweeps for name in dependents(project.content, each.path)}
 
 
-def _fix_direction(project: Project, mechanism: Mechanism) -> Project:
-    """Fix the direction and the sides that were found for a mechanism, so that they stay the same."""
-    section = project.content.mechanisms[mechanism.name]
-    if section.kind == "equivalent-block":
-        return project
-    raw = project.raw
-    if section.direction in (None, "sweep") and mechanism.direction is not None:
-        raw = with_value(raw, ("mechanisms", mechanism.name, "direction"), list(mechanism.direction), project.content)
-    if section.sides is None:
-        raw = with_value(raw, ("mechanisms", mechanism.name, "sides"), mechanism.sides, project.content)
-    return replace(project, raw=raw, content=sections.Content.model_validate(raw, context={"folder": project.folder}))
+def _varied_mechanism(variants: Variants, study: Study, mechanism: Mechanism) -> VariedMechanism:
+    """Return a mechanism to vary, its direction and sides fixed."""
+    return VariedMechanism(mechanism, study.amplified[mechanism.name], variants.with_directions([mechanism]))
+
+
+def _blocks_of(section: sections.ChainSection) -> tuple[str, ...]:
+    """Return the bodies that the blocks of a mechanism are made of."""
+    return tuple(name for block in section.blocks for name in block)
 
 
 def _variables_of_mechanism(
@@ -275,8 +315,8 @@ def _variables_of_mechanism(
 
 def _joint_numbers(subject: VariedMechanism, section: sections.ChainSection) -> Iterator[VariedNumber]:
     """Yield strength and stiffness of the joints, each at the key that gives it."""
-    content = subject.project.content
-    bodies = (content.bodies[name] for block in section.blocks for name in block)
+    content = subject.content
+    bodies = (content.bodies[name] for name in _blocks_of(section))
     name = next((body.material for body in bodies if not isinstance(body, sections.DirectBody)), None)
     material = None if name is None else content.materials[name]
     definition = definition_of(section)
@@ -308,41 +348,43 @@ def _load_numbers(subject: VariedMechanism, section: sections.ChainSection) -> I
             yield VariedNumber("loads", (*path, "force"), "N")
 
 
-def _vary_at_key(subject: VariedMechanism, number: VariedNumber, change: sections.Change) -> Variable | UnvariedNumber:
-    """Vary a number at its key."""
-    base = float(value_at(subject.project.content, number.path))
-    return _vary_between(
-        Variable(
-            mechanism=subject.name,
-            parameter=number.parameter,
-            key=key_text(number.path),
-            unit=number.unit,
-            base=base,
-            low=base,
-            high=base,
-            study_at=partial(_study_with_number, subject, number.path),
-        ),
-        change,
-    )
+def _set_at_key(path: KeyPath, value: Any) -> Setting:
+    """Set the number at a key."""
+    return {path: value}
 
 
-def _study_with_number(subject: VariedMechanism, path: KeyPath, value: Any) -> Study:
-    """Return the study of the mechanism with another value at a key of the project."""
-    project = subject.project
-    raw = with_value(project.raw, path, value, project.content)
-    content = read_case(raw, project.folder, path, value, name=key_text(path))
-    return subject.build_study(subject.name, content, {})
+def _thickness_path(mechanism: str) -> KeyPath:
+    """Name the thickness of the blocks of a mechanism, which is no key of the file."""
+    return ("thickness", mechanism)
 
 
-def _vary_between(at_base: Variable, change: sections.Change) -> Variable | UnvariedNumber:
-    """Set the range of a variable: its base minus the change to its base plus the change."""
-    base = at_base.base
+def _variable(
+    subject: VariedMechanism,
+    parameter: str,
+    key: str,
+    unit: str,
+    base: float,
+    setting: Callable[[float], Setting],
+    change: sections.Change,
+) -> Variable | UnvariedNumber:
+    """Vary a number between its base minus the change and its base plus the change."""
     by = change.by * (abs(base) if change.of == sections.SHARE else 1.0)
     if by >= abs(base):
-        return UnvariedNumber(
-            at_base.mechanism, at_base.parameter, "a change as large as the value itself leaves nothing"
-        )
-    return replace(at_base, low=base - by, high=base + by)
+        return UnvariedNumber(subject.name, parameter, "a change as large as the value itself leaves nothing")
+    study_at = partial(_study_at, subject, key, setting)
+    return Variable(subject.name, parameter, key, unit, base, base - by, base + by, study_at)
+
+
+def _study_at(subject: VariedMechanism, key: str, setting: Callable[[float], Setting], value: float) -> Study:
+    """Return the study of a mechanism alone with another value of a number."""
+    return subject.variants.at(setting(value), name=key)(subject.name)
+
+
+def _vary_at_key(subject: VariedMechanism, number: VariedNumber, change: sections.Change) -> Variable | UnvariedNumber:
+    """Vary a number at its key."""
+    parameter, path, unit = number
+    base = float(value_at(subject.content, path))
+    return _variable(subject, parameter, key_text(path), unit, base, partial(_set_at_key, path), change)
 
 
 def _vary_restitution(subject: VariedMechanism, change: sections.Change) -> Variable | UnvariedNumber:
@@ -352,14 +394,10 @@ def _vary_restitution(subject: VariedMechanism, change: sections.Change) -> Vari
         return UnvariedNumber(subject.name, "restitution", "it is 0: there is no rebound")
     path = ("mechanisms", subject.name, "restitution")
 
-    def study_at(value: float) -> Study:
-        both = {"positive": value, "negative": min(1.0, second * value / first)}
-        return _study_with_number(subject, path, both)
+    def setting(value: float) -> Setting:
+        return {path: {"positive": value, "negative": min(1.0, second * value / first)}}
 
-    made = _vary_between(
-        Variable(subject.name, "restitution", key_text(path), "-", first, first, first, study_at),
-        change,
-    )
+    made = _variable(subject, "restitution", key_text(path), "-", first, setting, change)
     if isinstance(made, UnvariedNumber) or made.high <= 1.0:
         return made
     return replace(made, high=max(1.0, first), remark=AT_MOST_1)
@@ -372,10 +410,8 @@ def _vary_thickness(
     base = _block_base(subject, section)
     if isinstance(base, str):
         return UnvariedNumber(subject.name, "thickness", base)
-    study_at = partial(_study_with_thickness, subject, section, width=base.width, middle=base.middle)
-    return _vary_between(
-        Variable(subject.name, "thickness", _key_of_thickness(section), "m", *(base.width,) * 3, study_at), change
-    )
+    setting = partial(base.setting, subject.name)
+    return _variable(subject, "thickness", _key_of_thickness(section), "m", base.width, setting, change)
 
 
 def _block_base(subject: VariedMechanism, section: sections.ChainSection) -> BlockBase | str:
@@ -384,7 +420,7 @@ def _block_base(subject: VariedMechanism, section: sections.ChainSection) -> Blo
     if reason:
         return reason
     definition: BlockMechanism = definition_of(section)
-    base = pieces_of(subject.name, definition, bodies_of(subject.project.content, subject.solids))[0].body.base
+    base = pieces_of(subject.name, definition, bodies_of(subject.content, subject.variants.solids))[0].body.base
     assert base is not None  # every body has geometry
     (low, _), (high, _) = base
     return BlockBase(high - low, (low + high) / 2.0) if high > low else "it stands on an edge"
@@ -392,20 +428,13 @@ def _block_base(subject: VariedMechanism, section: sections.ChainSection) -> Blo
 
 def _key_of_thickness(section: sections.ChainSection) -> str:
     """Name the thickness of all blocks of a mechanism, which is no single number of the file."""
-    return f"thickness of {', '.join(name for block in section.blocks for name in block)}"
+    return f"thickness of {', '.join(_blocks_of(section))}"
 
 
-def _study_with_thickness(
-    subject: VariedMechanism, section: sections.ChainSection, value: float, *, width: float, middle: float
-) -> Study:
-    """Return the study of the mechanism with blocks as thick as `value` [m] at a base of width `width` [m]."""
-    blocks = _thick_blocks(section, subject.solids, factor=value / width, middle=middle)
-    return subject.build_study(subject.name, subject.project.content, blocks)
-
-
-def _thick_blocks(section: sections.ChainSection, solids: Solids, *, factor: float, middle: float) -> dict[str, Solid]:
-    """Return the blocks of a mechanism scaled along its direction about `middle` [m]."""
-    bodies = {name: solid for block in section.blocks for name in block if (solid := solids[name]) is not None}
+def _stretched_blocks(section: sections.ChainSection, solids: Solids, stretch: Stretch) -> dict[str, Solid]:
+    """Return the blocks of a mechanism scaled along its direction."""
+    bodies = {name: solid for name in _blocks_of(section) if (solid := solids[name]) is not None}
+    factor, middle = stretch
     towards = definition_of(section).towards
     return {name: scale_along(each, direction=towards, middle=middle, factor=factor) for name, each in bodies.items()}
 
@@ -424,79 +453,40 @@ def _surveyed_variables(subject: VariedMechanism, *, tolerance: float) -> Iterat
 
 def _hinge_variables(subject: VariedMechanism, section: sections.ChainSection, tolerance: float) -> Iterator[Variable]:
     """Yield each given hinge, moved along the direction of motion."""
+    towards = definition_of(section).towards
     for table in ("hinges", "hinges_negative"):
         given = getattr(section, table, None)
         if not isinstance(given, sections.HingesSection):
             continue
         for hinge_name, place in given.entries().items():
             path: KeyPath = ("mechanisms", subject.name, table, hinge_name)
-            move = partial(_study_with_moved_hinge, subject, path, place, definition_of(section).towards)
-            yield Variable(subject.name, "hinge", key_text(path), "m", 0.0, -tolerance, tolerance, move)
+            study_at = partial(_study_at, subject, key_text(path), partial(_move_hinge, path, place, towards))
+            yield Variable(subject.name, "hinge", key_text(path), "m", 0.0, -tolerance, tolerance, study_at)
 
 
-def _study_with_moved_hinge(
-    subject: VariedMechanism, path: KeyPath, place: tuple[float, ...], direction: Sequence[float], shift: float
-) -> Study:
-    """Return the study with a hinge moved by `shift` [m] along the direction."""
+def _move_hinge(path: KeyPath, place: tuple[float, ...], direction: Sequence[float], shift: float) -> Setting:
+    """Move a hinge by `shift` [m] along the direction."""
     length = sum(each**2 for each in direction) ** 0.5
     way = (1.0, 0.0) if len(place) == 2 else tuple(each / length for each in direction)
-    project, moved = subject.project, [at + shift * each for at, each in zip(place, way, strict=True)]
-    raw = with_value(project.raw, path, moved, project.content)
-    content = sections.Content.model_validate(raw, context={"folder": project.folder})
-    return subject.build_study(subject.name, content, {})
+    return {path: [at + shift * each for at, each in zip(place, way, strict=True)]}
 
 
-def _sampled_thicknesses(
-    project: Project, study: Study, solids: Solids, build_study: StudyOfMechanism, swept: Sequence[str]
-) -> Iterator[tuple[str, SampledThickness | str]]:
-    """Yield the mechanisms whose thickness no number of the file varies, or why it cannot be varied."""
-    own = {value.path[1] for value in project.uncertain if value.path[0] == "bodies"}
-    for mechanism in study.mechanisms:
-        section = project.content.mechanisms[mechanism.name]
-        if mechanism.name in swept or not isinstance(section, sections.ChainSection):
-            continue
-        if own & {name for block in section.blocks for name in block}:
-            continue
-        subject = VariedMechanism(mechanism, study.amplified[mechanism.name], project, solids, build_study)
-        base = _block_base(subject, section)
-        yield mechanism.name, base if isinstance(base, str) else SampledThickness(section, base)
-
-
-def _study_at_samples(
-    project: Project,
-    uncertain: Sequence[UncertainValue],
-    thicknesses: Mapping[str, SampledThickness],
-    cases_of: CasesOf,
-    values: Sequence[float],
-) -> Callable[[str], Study]:
-    """Return what builds the study of each mechanism at values of the numbers; those of `thicknesses` come last.
-
-    Raises ProjectError if the schema refuses the values.
-    """
-    at_keys, widths = values[: len(uncertain)], dict(zip(thicknesses, values[len(uncertain) :], strict=True))
-    raw = project.raw
-    for number, value in zip(uncertain, at_keys, strict=True):
-        raw = with_value(raw, number.path, value, project.content)
-    try:
-        content = sections.Content.model_validate(raw, context={"folder": project.folder})
-    except ValidationError as error:
-        raise ProjectError(error_line(error, raw=raw)) from None
-    cases = cases_of(content)
-
-    def build(name: str) -> Study:
-        if name not in thicknesses:
-            return cases.build(name, {})
-        section, base = thicknesses[name].section, thicknesses[name].base
-        factor = widths[name] / base.width
-        return cases.build(name, _thick_blocks(section, cases.solids, factor=factor, middle=base.middle))
-
-    return build
+def _sampled_bases(
+    directed: Variants, study: Study, mechanisms: Iterable[Mechanism]
+) -> Iterator[tuple[str, str, BlockBase | str]]:
+    """Yield the mechanisms whose thickness no number of the file varies: name, key, and base or why it cannot vary."""
+    own = {value.path[1] for value in directed.project.uncertain if value.path[0] == "bodies"}
+    for mechanism in mechanisms:
+        subject = VariedMechanism(mechanism, study.amplified[mechanism.name], directed)
+        section = subject.section
+        if isinstance(section, sections.ChainSection) and own.isdisjoint(_blocks_of(section)):
+            yield subject.name, _key_of_thickness(section), _block_base(subject, section)
 
 
 def _given_hinges(content: sections.Content, body: str) -> Iterator[KeyPath]:
     """Yield the keys of hinges given as points of mechanisms that a body is a block of."""
     for name, section in content.mechanisms.items():
-        if isinstance(section, sections.ChainSection) and any(body in block for block in section.blocks):
+        if isinstance(section, sections.ChainSection) and body in _blocks_of(section):
             given = (
                 key
                 for key in ("hinges", "hinges_negative")

@@ -131,6 +131,15 @@ class IsHorizontal(Mark):
 
 
 @dataclass(frozen=True)
+class IsRange(Mark):
+    """A range: two numbers, of which the second is no less than the first."""
+
+    def fault(self, value: Any) -> str:
+        """Return what is wrong with two numbers; empty if they are a range."""
+        return "the first is larger than the second; write [from, to]" if value[0] > value[1] else ""
+
+
+@dataclass(frozen=True)
 class IsName(Mark):
     """The name of what is described elsewhere, such as a body."""
 

@@ -16,13 +16,14 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import combinations, islice
 from math import comb, inf, isclose, log, sqrt
-from typing import Literal
+from typing import Annotated, Literal
 
 import numpy as np
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 from scipy.spatial import KDTree
 
+from assess.declaration import Acceleration, IsRange, Length, Ratio, Speed, Time
 from records.candidates import DAMPING, PERIODS, Candidate
 from records.errors import RecordError
 from records.record import Record
@@ -58,18 +59,20 @@ STEPS: Mapping[str, str] = {
 
 @dataclass(frozen=True)
 class CandidateFilters:
-    """What a candidate must be; both ends of a range included, None for any. What is not known does not pass.
+    """What a candidate must be; both ends of a range included, None for any. What is not known does not pass."""
 
-    magnitude [-]; distance [m]; vs30 [m/s]; pga [m/s2]; duration: D5-95 [s]; events: parts of the names of the
-    earthquakes that pass, capitals or not, all where none is given
-    """
-
-    magnitude: Range | None = None
-    distance: Range | None = None
-    vs30: Range | None = None
-    pga: Range | None = None
-    duration: Range | None = None
+    magnitude: Annotated[tuple[Ratio, Ratio], IsRange()] | None = None
+    """[from, to]; a record whose magnitude is not known is left out, as below"""
+    distance: Annotated[tuple[Length, Length], IsRange()] | None = None
+    """[from, to], like ["0 km", "50 km"]"""
+    vs30: Annotated[tuple[Speed, Speed], IsRange()] | None = None
+    """[from, to], like ["360 m/s", "800 m/s"]"""
+    pga: Annotated[tuple[Acceleration, Acceleration], IsRange()] | None = None
+    """[from, to], before scaling"""
+    duration: Annotated[tuple[Time, Time], IsRange()] | None = None
+    """[from, to] of D5-95"""
     events: tuple[str, ...] = ()
+    """parts of the names of the earthquakes allowed; all if absent"""
 
 
 @dataclass(frozen=True)

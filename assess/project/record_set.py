@@ -44,7 +44,7 @@ from records.formats.header import HeaderOverrides
 from records.reading import read_with_overrides, recall_records, relative_path
 from records.record import Record, is_vertical
 from records.scaling import Band, band
-from records.selection import CandidateFilters, Selection, SuiteCriteria, TargetMark, samples_sha256, select
+from records.selection import Selection, SuiteCriteria, TargetMark, samples_sha256, select
 from records.synthetic import artificial_records
 from spectra.spectrum import Spectrum
 
@@ -204,13 +204,10 @@ def files_of_lock(path: Path) -> tuple[Path, ...]:
 
 def _criteria_of_section(section: sections.Records, selection: sections.Select, over: Band) -> SuiteCriteria:
     """Return the criteria of the selection."""
-    filters = CandidateFilters(
-        selection.magnitude, selection.distance, selection.vs30, selection.pga, selection.duration, selection.events
-    )
     return SuiteCriteria(
         count=selection.count,
         band=over,
-        filters=filters,
+        filters=selection.plain,
         scale_limits=selection.scale_limits,
         one_per_event=selection.one_per_event,
         fit=selection.fit,

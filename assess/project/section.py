@@ -409,7 +409,7 @@ class DeclaredSection(ProjectSection):
         """Return the sentences of the class that the table is made of, and of the keys beside it."""
         declared: type[Any] | None = vars(cls).get("declares")
         if declared is None:
-            return {}
+            return descriptions(cls)
         beside = cls.beside.meanings() if cls.beside else {}
         return {"kind": f'"{getattr(declared, "kind", "")}"', **meanings_of(declared), **beside}
 

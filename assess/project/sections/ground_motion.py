@@ -6,18 +6,18 @@ records make the suite.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Annotated, Literal, TypeVar
+from typing import TYPE_CHECKING, Annotated, Literal
 
-from pydantic import AfterValidator, Field, StrictBool, StrictInt, StrictStr, model_validator
+from pydantic import Field, StrictBool, StrictInt, StrictStr, model_validator
 
 from assess.codes.context import default_period
 from assess.declaration import (
     FREE,
     UNCERTAIN,
-    Acceleration,
     Count,
     Damping,
     Evidence,
+    IsRange,
     Length,
     NotNegativeRatio,
     PositiveAcceleration,
@@ -25,14 +25,12 @@ from assess.declaration import (
     PositiveLength,
     PositiveRatio,
     PositiveTime,
-    Ratio,
-    Speed,
-    Time,
 )
-from assess.project.section import DeclaredSection, ProjectSection, error_at, quote_names
+from assess.project.section import DeclaredSection, ProjectSection, error_at, quote_names, table_of
 from assess.project.tables import table_by_code
 from assess.project.values import AccelerationUnit, FilePlace, InputFile, InputFiles
 from records.compliance import CodeName
+from records.selection import CandidateFilters
 from spectra import ntc
 from spectra.design_spectra import SPECTRA, NtcHazardSpectrum, way_of
 
@@ -170,24 +168,6 @@ class BuildingSection(ProjectSection):
     """height above the ground of the resultant of the first mode's inertia forces, for `amplification`"""
 
 
-T = TypeVar("T", bound=tuple[float, float])
-
-
-def _rising(ends: T) -> T:
-    if ends[0] > ends[1]:
-        raise ValueError("the first is larger than the second; write [from, to]")
-    return ends
-
-
-Magnitudes = Annotated[tuple[Ratio, Ratio], AfterValidator(_rising)]
-Lengths = Annotated[tuple[Length, Length], AfterValidator(_rising)]
-Speeds = Annotated[tuple[Speed, Speed], AfterValidator(_rising)]
-Accelerations = Annotated[tuple[Acceleration, Acceleration], AfterValidator(_rising)]
-Times = Annotated[tuple[Time, Time], AfterValidator(_rising)]
-Periods = Annotated[tuple[PositiveTime, PositiveTime], AfterValidator(_rising)]
-Factors = Annotated[tuple[PositiveRatio, PositiveRatio], AfterValidator(_rising)]
-
-
 FILTER = Evidence(
     "action",
     "either",
@@ -202,8 +182,8 @@ SUITE_SIZE = Evidence(
 )
 
 
-class Select(ProjectSection):
-    """The best suite out of many records."""
+class Recipe(DeclaredSection):
+    """How a suite is selected; which records may be in it stands beside."""
 
     evidence = FILTER
 
@@ -214,12 +194,12 @@ class Select(ProjectSection):
     and records that break a rule by themselves are changed, or an error says which rule no suite meets"""
     count: Annotated[Count, Field(le=200), SUITE_SIZE] = 7
     """how many records; with components = "together" how many recordings"""
-    periods: Periods | None = None
+    periods: Annotated[tuple[PositiveTime, PositiveTime], IsRange()] | None = None
     """[from, to] over which spectra are to fit; 0.2 times the least to 1.2 times the largest equivalent period of the
     mechanisms if absent, and with `for` the range of the code"""
     weights: tuple[tuple[PositiveTime, NotNegativeRatio], ...] = ()
     """[[period, weight], …], between them linear in log period; equal if absent"""
-    scale_limits: Factors = (0.25, 4.0)
+    scale_limits: Annotated[tuple[PositiveRatio, PositiveRatio], IsRange()] = (0.25, 4.0)
     """[least, largest] scale factor"""
     one_per_event: StrictBool = True
     """whether no two records may be of one earthquake"""
@@ -227,18 +207,16 @@ class Select(ProjectSection):
     """what is to fit best: the mean spectrum of the "suite", or "each" record"""
     components: Literal["single", "together"] = "single"
     """each component a "single" record, or the components of a recording kept "together" with one factor"""
-    magnitude: Magnitudes | None = None
-    """[from, to]; a record whose magnitude is not known is left out, as below"""
-    distance: Lengths | None = None
-    """[from, to], like ["0 km", "50 km"]"""
-    vs30: Speeds | None = None
-    """[from, to], like ["360 m/s", "800 m/s"]"""
-    pga: Accelerations | None = None
-    """[from, to], before scaling"""
-    duration: Times | None = None
-    """[from, to] of D5-95"""
-    events: tuple[StrictStr, ...] = ()
-    """parts of the names of the earthquakes allowed; all if absent"""
+
+
+if TYPE_CHECKING:
+    SelectKeys = Recipe
+else:
+    SelectKeys = table_of(CandidateFilters, base=Recipe)
+
+
+class Select(SelectKeys):
+    """The best suite out of many records."""
 
 
 SEED = Evidence("action", "either", "the hash of target and recipe; both suites run, the worse decides")

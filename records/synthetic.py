@@ -13,9 +13,11 @@ from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from functools import partial
+from typing import Annotated
 
 import numpy as np
 
+from assess.declaration import Evidence, Number
 from assess.messages.message import Message, Quantity, note, whole_number
 from records.errors import RecordError
 from records.kernel import peak_displacements
@@ -29,6 +31,28 @@ SHORTFALL = 0.10  # of any ordinate below the target, at most [-]
 LARGEST_RMS = 0.05  # of record / target - 1 over the band, at most [-]
 TRIALS = 8  # sets of phases before the record is given up
 MAX_SAMPLES = 2**18
+
+
+SUITE_SIZE = Evidence(
+    "action",
+    "up",
+    "as stated; of fewer than seven the largest decides",
+    judged="of seven records and more the mean counts",
+)
+SEED = Evidence("action", "either", "the hash of target and recipe; both suites run, the worse decides")
+DURATION = Evidence("action", "down", "25 s; 20 s for ASCE 43-05")
+
+
+@dataclass(frozen=True)
+class ArtificialRecords:
+    """Artificial records that fit the site's spectrum."""
+
+    count: Annotated[int, Number(least=1, most=1000), SUITE_SIZE] = 7
+    """how many"""
+    seed: Annotated[int, Number(least=0), SEED] = 1
+    """of the random numbers: the same seed makes the same records"""
+    duration: Annotated[float, Number("time", above=0, least=8, most=600), DURATION] = 25.0
+    """length of each record, like "25 s", which NTC 2018 asks for; ASCE 43-05 asks for 20 s"""
 
 
 def artificial_records(

@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from math import inf
-from typing import Literal
+from typing import Annotated, Literal
 
 from assess.codes.calculation_sheet import Given
 from assess.codes.check import BranchName, InputAt
 from assess.codes.histories import SuiteResponse
+from assess.declaration import FREE, Damping, Evidence, PositiveTime
 from assess.errors import ProcedureError
 from assess.messages.message import Message
 from assess.oscillator import HingeForces, Oscillator
@@ -73,13 +74,19 @@ class Wall:
     gravity: Mapping[BranchName, Gravity] = field(default_factory=dict)
 
 
+SOFTENED_PERIOD = Evidence("measured", "either", "the worst over 1.5 to 2.0 times the period of the elastic building")
+
+
 @dataclass(frozen=True)
 class StatedFirstMode:
-    """The first mode of the building at one limit state, as the engineer states it: period [s], damping [-], reason."""
+    """First mode of the building at one limit state, in place of the range of softened periods."""
 
-    period: float
-    damping: float
-    reason: str
+    period: Annotated[PositiveTime, SOFTENED_PERIOD]
+    """period of the first mode at this limit state, like "0.5 s\""""
+    damping: Annotated[Damping, Evidence("measured", "up", "10 %; never above 30 %")]
+    """its damping ratio"""
+    reason: Annotated[str, FREE]
+    """why, for the report"""
 
 
 @dataclass(frozen=True)

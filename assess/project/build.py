@@ -10,7 +10,7 @@ from pathlib import Path
 
 import numpy as np
 
-from assess.codes.context import Building, StatedFirstMode
+from assess.codes.context import Building
 from assess.dynamics.packing import Equation
 from assess.errors import ProjectError, locate_errors
 from assess.geometry.mesh import MeshesBySelection
@@ -45,7 +45,7 @@ from assess.project.record_set import (
     vertical_record_messages,
 )
 from assess.project.report import annex_files, annex_of, picture_files, report_matter_of, uses_of
-from assess.project.section import value_text
+from assess.project.section import plain_data, value_text
 from assess.project.site_and_structure import (
     amplification_method_of,
     base_elevation_of,
@@ -66,7 +66,6 @@ from assess.results.provenance import file_sha256
 from assess.results.verification import AnnexResult
 from assess.study.amplification import MechanismInPlace, amplify
 from assess.study.study import (
-    ArtificialRecords,
     Fitting,
     PulseGrid,
     Study,
@@ -225,7 +224,7 @@ def _study_of_mechanisms(
 
     built_by : builds a mechanism; `mechanism_as_given` where direction and sides are settled
     """
-    site, building, synthetic = site_in(content), content.building, content.records.made
+    site, building = site_in(content), content.building
     chosen = {name: content.mechanisms[name] for name in names}
     definitions, bodies = definitions_of(content), bodies_of(content, files.solids)
     ground = ground_of(building, definitions, files.solids)
@@ -250,9 +249,7 @@ def _study_of_mechanisms(
         building=_structure_below(building),
         records=files.named.records,
         fitting=files.named.fitting,
-        artificial=None
-        if synthetic is None
-        else ArtificialRecords(synthetic.count, synthetic.seed, synthetic.duration),
+        artificial=content.records.made,
         scale_to=content.records.scale_to,
         record_factor=content.records.further_factor,
         levels=levels_of(content.analysis.levels, files.spectrum),
@@ -355,10 +352,7 @@ def _structure_below(section: sections.BuildingSection | None) -> Building | Non
     """Return the structure below the mechanisms; None if its height is not given."""
     if section is None or section.height is None:
         return None
-    stated: dict[str, StatedFirstMode] = {
-        name: StatedFirstMode(mode.period, mode.damping, mode.reason) for name, mode in section.limit_states.items()
-    }
-    return Building(**section.model_dump(include=CLAUSES_NEED), limit_states=stated)
+    return Building(**section.model_dump(include=CLAUSES_NEED), limit_states=plain_data(section.limit_states))
 
 
 def _equation_of(section: sections.MechanismSection, content: sections.Content) -> Equation:

@@ -25,13 +25,14 @@ from assess.outputs.writing import replace_file
 from assess.project.keys import error_line
 from assess.project.section import ProjectSection
 from assess.results.provenance import file_sha256
-from assess.study.study import ArtificialRecords, Fitting, ScaledRecord
+from assess.study.study import Fitting, ScaledRecord
 from records.candidates import Candidate
 from records.compliance import CodeName
 from records.formats.header import NO_OVERRIDES, HeaderOverrides
 from records.reading import read_with_overrides, relative_path
 from records.record import Record
 from records.selection import ScaleTo, samples_sha256, target_mark
+from records.synthetic import ArtificialRecords
 from spectra.spectrum import Spectrum
 
 LOCK_NAME = "records.lock.toml"

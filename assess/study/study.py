@@ -31,6 +31,7 @@ from records.pulses import PulseShape
 from records.record import Record
 from records.scaling import Band, Scaling
 from records.selection import ScaleTo, Selection, TargetMark
+from records.synthetic import ArtificialRecords
 from spectra.arrays import FloatArray
 from spectra.spectrum import Spectrum
 
@@ -139,15 +140,6 @@ class Study:
     scan: bool = True
     sampling: Sampling | None = None
     annex: AnnexResult | None = None
-
-
-@dataclass(frozen=True)
-class ArtificialRecords:
-    """Artificial records to be made: their number, the seed, and their duration [s]."""
-
-    count: int
-    seed: int
-    duration: float
 
 
 @dataclass(frozen=True)

@@ -40,7 +40,6 @@ from assess.messages.message import (
 )
 from assess.oscillator import Branch
 from assess.study.study import (
-    ArtificialRecords,
     Fitting,
     GivenFactors,
     ScaledRecord,
@@ -60,7 +59,7 @@ from records.reading import read_with_overrides, relative_path
 from records.record import Record, with_step
 from records.scaling import SCALING_PERIODS, Band, Scaling, misfit, scale_to_pga, scale_to_spectrum, truncate_band
 from records.selection import Range, ScaleTo, Selection, target_mark
-from records.synthetic import MATCHED_PERIODS, STATIONARY, artificial_records
+from records.synthetic import MATCHED_PERIODS, STATIONARY, ArtificialRecords, artificial_records
 from spectra.spectrum import Spectrum
 
 

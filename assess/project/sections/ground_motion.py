@@ -6,13 +6,13 @@ records make the suite.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Annotated, Literal
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
-from pydantic import Field, StrictBool, StrictInt, StrictStr, model_validator
+from pydantic import Field, StrictBool, StrictStr, model_validator
 
-from assess.codes.context import default_period
+from assess.codes.context import StatedFirstMode, default_period
 from assess.declaration import (
-    FREE,
     UNCERTAIN,
     Count,
     Damping,
@@ -26,11 +26,12 @@ from assess.declaration import (
     PositiveRatio,
     PositiveTime,
 )
-from assess.project.section import DeclaredSection, ProjectSection, error_at, quote_names, table_of
+from assess.project.section import DeclaredSection, ProjectSection, error_at, plain_data, quote_names, table_of
 from assess.project.tables import table_by_code
 from assess.project.values import AccelerationUnit, FilePlace, InputFile, InputFiles
 from records.compliance import CodeName
 from records.selection import CandidateFilters
+from records.synthetic import SUITE_SIZE, ArtificialRecords
 from spectra import ntc
 from spectra.design_spectra import SPECTRA, NtcHazardSpectrum, way_of
 
@@ -84,20 +85,6 @@ class SiteSection(ProjectSection):
         """The hazard over return periods that its spectrum follows from; None if that is given otherwise."""
         way = self.spectrum.plain
         return way if isinstance(way, NtcHazardSpectrum) else None
-
-
-SOFTENED_PERIOD = Evidence("measured", "either", "the worst over 1.5 to 2.0 times the period of the elastic building")
-
-
-class LimitStatePeriod(ProjectSection):
-    """First mode of the building at one limit state, in place of the range of softened periods."""
-
-    period: Annotated[PositiveTime, SOFTENED_PERIOD]
-    """period of the first mode at this limit state, like "0.5 s\""""
-    damping: Annotated[Damping, Evidence("measured", "up", "10 %; never above 30 %")]
-    """its damping ratio"""
-    reason: Annotated[StrictStr, FREE]
-    """why, for the report"""
 
 
 BUILDING_HEIGHT = Evidence(
@@ -161,7 +148,7 @@ class BuildingSection(ProjectSection):
     """damping ratio of the first mode"""
     natural_frequency: Annotated[PositiveFrequency | None, FIRST_FREQUENCY] = None
     """first natural frequency for `amplification`, like "2.5 Hz"; 1 / period where that is given, else Rayleigh's"""
-    limit_states: dict[Literal["SLV", "SLC"], LimitStatePeriod] = Field(default_factory=dict)
+    limit_states: dict[Literal["SLV", "SLC"], StatedFirstMode] = Field(default_factory=dict)
     """{ SLV = { period, damping, reason } }: the building at a limit state, for displacements by ntc2018; 1.5 to 2.0
     times its period if absent"""
     effective_height: Annotated[PositiveLength | None, EFFECTIVE_HEIGHT] = None
@@ -173,12 +160,6 @@ FILTER = Evidence(
     "either",
     "the default",
     judged="of many suites that fit, some are kinder than a fair one",
-)
-SUITE_SIZE = Evidence(
-    "action",
-    "up",
-    "as stated; of fewer than seven the largest decides",
-    judged="of seven records and more the mean counts",
 )
 
 
@@ -219,22 +200,6 @@ class Select(SelectKeys):
     """The best suite out of many records."""
 
 
-SEED = Evidence("action", "either", "the hash of target and recipe; both suites run, the worse decides")
-
-
-class Synthetic(ProjectSection):
-    """Artificial records that fit the site's spectrum."""
-
-    count: Annotated[Count, Field(le=1000), SUITE_SIZE] = 7
-    """how many"""
-    seed: Annotated[StrictInt, Field(ge=0), SEED] = 1
-    """of the random numbers: the same seed makes the same records"""
-    duration: Annotated[PositiveTime, Field(ge=8, le=600), Evidence("action", "down", "25 s; 20 s for ASCE 43-05")] = (
-        25.0
-    )
-    """length of each record, like "25 s", which NTC 2018 asks for; ASCE 43-05 asks for 20 s"""
-
-
 RECORD_FILES = Evidence(
     "action", "either", "as given; of fewer than seven the largest decides, below 11 natural ones page 1 says so"
 )
@@ -246,6 +211,10 @@ SCALE_TO = Evidence(
     judged="a record may exceed what it is scaled to by the one measure and not by the other",
 )
 LOCK = Evidence("action", "either", "the suite that its recipe selects")
+
+
+def _made_without_files(values: Mapping[str, Any]) -> Any:
+    return None if values["files"] else table_of(ArtificialRecords)()
 
 
 class Records(ProjectSection):
@@ -264,7 +233,7 @@ class Records(ProjectSection):
     """time step, only for files that do not say theirs"""
     response: Annotated[InputFile | None, AS_FILES_SAY] = None
     """StationXML of the instruments, for MiniSEED and SAC files in counts"""
-    synthetic: Synthetic | None = Field(default_factory=lambda values: None if values["files"] else Synthetic())
+    synthetic: ArtificialRecords | None = Field(default_factory=_made_without_files)
     """{ count, seed, duration } of artificial records"""
     scale_to: Annotated[Literal["spectrum", "pga", "none"], SCALE_TO] = "spectrum"
     """scale each record to the "spectrum" (least squares), to its "pga", or "none"; levels then multiply"""
@@ -280,9 +249,9 @@ class Records(ProjectSection):
         return self.select if self.lock is None else None
 
     @property
-    def made(self) -> Synthetic | None:
+    def made(self) -> ArtificialRecords | None:
         """The artificial records that are made; those of a lock are its own."""
-        return self.synthetic if self.lock is None else None
+        return plain_data(self.synthetic) if self.lock is None else None
 
     @property
     def further_factor(self) -> float:

@@ -259,6 +259,10 @@ class Sampling:
         """The names of what varies together, in the order of the numbers."""
         return tuple(dict.fromkeys(number.input.group for number in self.numbers))
 
+    def keys_of(self, group: str) -> tuple[str, ...]:
+        """Return the keys of the numbers of a group."""
+        return tuple(number.input.key for number in self.numbers if number.input.group == group)
+
     def groups_of(self, mechanism: str) -> tuple[str, ...]:
         """Return the groups with a number that can change a mechanism."""
         return tuple(dict.fromkeys(number.input.group for number in self.numbers if mechanism in number.mechanisms))

@@ -10,26 +10,25 @@ beyond 1, is cut there and the rest scaled up.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import partial
 from math import log1p, sqrt
-from typing import TypedDict
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.special import ndtr, ndtri
 
-from assess.amplification import Amplification
 from assess.codes.check import Check, Outcome
 from assess.codes.procedures import uses_histories
 from assess.errors import AssessError
+from assess.mechanisms.mechanism import Mechanism
 from assess.messages.message import Message, Quantity, note, whole_number
 from assess.results import MechanismResult
 from assess.results.run import QUANTILES, Distribution, Influence, UncertainAnswer, UncertaintyResult
 from assess.risk.estimates import wilson_interval
-from assess.study.checks import checks_without_scan
 from assess.study.study import Progress, SampledNumber, Sampling, ScaledRecord, Study
-from assess.study.variations import CheckKey, checks_by_key, ratio_of
+from assess.study.variations import CaseChecks, CheckKey, check_case, checks_by_key, ratio_of
 from spectra.arrays import FloatArray
 from spectra.errors import SpectrumError
 from spectra.spectrum import Spectrum
@@ -77,13 +76,14 @@ def uncertainty(
     if sampling is None:
         return None
     questions = {result.name: _questions_of(result) for result in results if sampling.groups_of(result.name)}
-    sampler = Sampler(study, sampling, spectrum, motions, questions, jobs)
+    check = partial(check_case, suite_faults=study.suite_faults, spectrum=spectrum, motions=motions, jobs=jobs)
+    sampler = Sampler(sampling, questions, check)
     points = _sobol(sampling)
     tallies = {name: Tally(sampling.samples, tuple(checks)) for name, checks in questions.items()}
     for sample, point in enumerate(points):
         progress("samples", sample, len(points))
-        for name, in_sample in sampler.answers_at(point).items():
-            tallies[name].put(sample, in_sample)
+        for name, case in sampler.cases_at(point).items():
+            tallies[name].put(sample, case)
     changed = _find_changed_answers(sampler, points)
     answers = tuple(
         answer
@@ -103,46 +103,31 @@ def uncertainty(
     )
 
 
+@dataclass(frozen=True)
 class Sampler:
     """Assesses the mechanisms of a study at values of its uncertain numbers.
 
     One sample follows the other: threads that build mechanisms only wait for each other (2 of them took 1.6 times the
     time of one), those of the kernel do not.
+
+    check : assesses a study of one mechanism by some procedures
     """
 
-    def __init__(
-        self,
-        study: Study,
-        sampling: Sampling,
-        spectrum: Spectrum,
-        motions: tuple[ScaledRecord, ...],
-        questions: Questions,
-        jobs: int,
-    ) -> None:
-        self.study, self.sampling, self.spectrum, self.motions = study, sampling, spectrum, motions
-        self.questions, self.jobs = questions, jobs
+    sampling: Sampling
+    questions: Questions
+    check: Callable[[Callable[[], Study], Iterable[str]], CaseChecks]
 
-    def answers_at(self, point: FloatArray, only: Sequence[str] | None = None) -> dict[str, SampleAnswers]:
-        """Return the answers at the probability of each group [groups], nan for the means.
+    def cases_at(self, point: FloatArray, only: Sequence[str] | None = None) -> dict[str, CaseChecks]:
+        """Return the checks of mechanisms at the probability of each group [groups], nan for the means.
 
         only : the mechanisms to assess; all if None
         """
         names = tuple(self.questions) if only is None else only
-        questions = {name: tuple(self.questions[name]) for name in names}
         try:
             build = self.sampling.study_at(self.values(point))
         except (AssessError, SpectrumError) as error:
-            return {name: _unbuilt_sample(questions[name], str(error)) for name in names}
-        found = {}
-        for name in names:
-            procedures = tuple(dict.fromkeys(procedure for procedure, _, _ in questions[name]))
-            try:
-                case = replace(build(name), procedures=procedures, suite_faults=self.study.suite_faults)
-                checks = checks_by_key(checks_without_scan(case, self.spectrum, self.motions, jobs=self.jobs))
-                found[name] = _sample_answers(questions[name], checks, _rocking_tables(case))
-            except (AssessError, SpectrumError) as error:
-                found[name] = _unbuilt_sample(questions[name], str(error))
-        return found
+            return {name: CaseChecks(error=str(error)) for name in names}
+        return {name: self.check(partial(build, name), [key[0] for key in self.questions[name]]) for name in names}
 
     def values(self, point: FloatArray) -> tuple[float, ...]:
         """Return the value of each number at the probability of its group, its mean where that is nan."""
@@ -160,29 +145,34 @@ def answers_of(
     changed: Mapping[tuple[str, str], Flags],
 ) -> Iterator[UncertainAnswer]:
     """Yield every answer of one mechanism over all samples."""
-    groups = sampling.groups_of(name)
-    keys = {
-        group: tuple(number.input.key for number in sampling.numbers if number.input.group == group) for group in groups
-    }
-    columns = {group: points[:, sampling.groups.index(group)] for group in groups}
+    columns = {group: points[:, sampling.groups.index(group)] for group in sampling.groups_of(name)}
     for place, check in enumerate(checks.values()):
         ratio, outcome = tally.ratio[:, place], tally.outcome[:, place]
-        moves = {group: bool(changed[name, group][place]) for group in groups}
-        answered = bool(np.any(outcome != OPEN))
-        without_effect = tuple(group for group in groups if answered and not moves[group])
+        is_answered = outcome != OPEN
+        answered, failed = int(np.count_nonzero(is_answered)), int(np.count_nonzero(outcome == FAILED))
+        low, high = wilson_interval(failed, answered) if answered else (0.0, 0.0)
+        moving = {group: column for group, column in columns.items() if changed[name, group][place]}
+        influences = (
+            _influence(group, sampling.keys_of(group), moving.get(group), ratio, is_answered) for group in columns
+        )
         yield UncertainAnswer(
             mechanism=name,
             procedure=check.procedure,
             limit_state=check.limit_state,
             level_pga_g=check.level_pga_g,
             role=check.role,
+            answered=answered,
+            failed=failed,
+            probability=failed / answered if answered else None,
+            interval=(float(low), float(high)) if answered else None,
             at_mean=check.ratio,
-            influences=_influences_of(columns, keys, ratio, outcome, moves) if answered else (),
+            quantiles=quantiles(ratio[is_answered]),
+            ratios=tuple(float(each) if np.isfinite(each) else None for each in ratio),
+            influences=tuple(influences) if answered else (),
             notes=(
                 *tally.open_answers(place),
-                *(note("uncertainty-no-influence", group=group) for group in without_effect),
+                *(note("uncertainty-no-influence", group=each) for each in columns if answered and each not in moving),
             ),
-            **_statistics_of(ratio, outcome),
         )
 
 
@@ -191,37 +181,6 @@ PASSED, FAILED, OPEN = 0, 1, -1
 SAME_RATIO = 1e-9  # two ratios that differ by less are one
 Flags = NDArray[np.bool_]
 SampleOutcomes = NDArray[np.int8]
-
-
-@dataclass(frozen=True)
-class SampleAnswers:
-    """The answers of one sample, in the order of the questions.
-
-    ratio : demand over capacity [k]; inf where it fails without a finite one, nan where it is not answered
-    outcome : of `PASSED`, `FAILED`, `OPEN` [k]; rocking : the equation of its histories, None if it was not built
-    reasons : why not answered, by the place of the question
-    error : why the mechanism could not be built; then nothing is answered
-    """
-
-    ratio: FloatArray
-    outcome: SampleOutcomes
-    rocking: RockingTables | None = None
-    reasons: Mapping[int, Message] = field(default_factory=dict)
-    error: str = ""
-
-
-@dataclass(frozen=True)
-class RockingTables:
-    """The equation of motion of a mechanism over its inertia at rest, and how the ground's motion reaches its base."""
-
-    numbers: tuple[FloatArray, ...]
-    amplification: Amplification
-
-    def same(self, other: RockingTables) -> bool:
-        """Return whether two mechanisms rock alike, but for rounding."""
-        pairs = list(zip(self.numbers, other.numbers, strict=False))
-        alike = all(a.shape == b.shape and np.allclose(a, b, rtol=SAME_RATIO, atol=SAME_RATIO) for a, b in pairs)
-        return alike and len(self.numbers) == len(other.numbers) and self.amplification == other.amplification
 
 
 class Tally:
@@ -234,14 +193,17 @@ class Tally:
         self.unbuilt: tuple[int, str] = (0, "")
         self.open: tuple[dict[str, tuple[int, Message]], ...] = tuple({} for _ in questions)
 
-    def put(self, sample: int, answers: SampleAnswers) -> None:
+    def put(self, sample: int, case: CaseChecks) -> None:
         """Keep the answers of one sample."""
-        self.ratio[sample], self.outcome[sample] = answers.ratio, answers.outcome
-        if answers.error:
-            self.unbuilt = (self.unbuilt[0] + 1, self.unbuilt[1] or answers.error)
-        for place, reason in answers.reasons.items():
-            number, first = self.open[place].get(reason.key, (0, reason))
-            self.open[place][reason.key] = (number + 1, first)
+        found = case.by_key
+        for place, key in enumerate(self.questions):
+            check = found.get(key)
+            self.ratio[sample, place], self.outcome[sample, place] = _ratio(check), _outcome(check)
+            if check is not None and _outcome(check) == OPEN:
+                number, first = self.open[place].get(check.reason.key, (0, check.reason))
+                self.open[place][check.reason.key] = (number + 1, first)
+        if case.error:
+            self.unbuilt = (self.unbuilt[0] + 1, self.unbuilt[1] or case.error)
 
     def open_answers(self, place: int) -> Iterator[Message]:
         """Yield how many samples have no answer to a question, with the first reason of each kind."""
@@ -251,17 +213,6 @@ class Tally:
             yield note("uncertainty-not-built", number=whole_number(number), samples=samples, why=why)
         for number, reason in self.open[place].values():
             yield note("uncertainty-open", number=whole_number(number), samples=samples, why=reason)
-
-
-class Statistics(TypedDict):
-    """The fields of an uncertain answer that are counted."""
-
-    answered: int
-    failed: int
-    probability: float | None
-    interval: tuple[float, float] | None
-    quantiles: tuple[float | None, ...]
-    ratios: tuple[float | None, ...]
 
 
 def quantiles(ratio: FloatArray) -> tuple[float | None, ...]:
@@ -325,21 +276,16 @@ def _find_changed_answers(sampler: Sampler, points: FloatArray) -> dict[tuple[st
     The others are at their means, then at their values in the first sample.
     """
     groups = sampler.sampling.groups
-    by_histories = {
-        name: np.array([uses_histories(procedure) for procedure, _, _ in questions], dtype=np.bool_)
-        for name, questions in sampler.questions.items()
-    }
     changed: dict[tuple[str, str], Flags] = {}
     for base in (np.full(len(groups), np.nan), points[0]):
         names = [[name for name in sampler.questions if group in sampler.sampling.groups_of(name)] for group in groups]
         ends = [(place, end) for place in range(len(groups)) for end in END_PROBABILITIES if names[place]]
-        moved = [np.where(np.arange(len(groups)) == place, end, base) for place, end in ends]
-        at_base = sampler.answers_at(base)
-        for (place, _), point in zip(ends, moved, strict=True):
-            for name, answers in sampler.answers_at(point, names[place]).items():
-                key, of_histories = (name, groups[place]), by_histories[name]
-                differs = ~_same_answers(at_base[name], answers, histories=of_histories)
-                changed[key] = changed.get(key, np.zeros_like(of_histories)) | differs
+        at_base = sampler.cases_at(base)
+        for place, end in ends:
+            point = np.where(np.arange(len(groups)) == place, end, base)
+            for name, case in sampler.cases_at(point, names[place]).items():
+                key, differs = (name, groups[place]), _differing_answers(sampler.questions[name], at_base[name], case)
+                changed[key] = changed.get(key, np.zeros_like(differs)) | differs
     return changed
 
 
@@ -359,37 +305,28 @@ def _no_effect_messages(
     for group in sampling.groups:
         touched = [name for name in questions if group in sampling.groups_of(name)]
         if not any(changed[name, group].any() for name in touched):
-            keys = ", ".join(number.input.key for number in sampling.numbers if number.input.group == group)
-            yield note("uncertainty-idle", "analysis.uncertainty", keys=keys)
+            yield note("uncertainty-idle", "analysis.uncertainty", keys=", ".join(sampling.keys_of(group)))
 
 
-def _rocking_tables(study: Study) -> RockingTables:
-    """Return how the one mechanism of a study rocks."""
-    (mechanism,) = study.mechanisms
+def _rock_alike(one: Study, other: Study) -> bool:
+    """Whether the one mechanism of two studies rocks alike, on a base that moves alike, but for rounding."""
+    (first,), (second,) = one.mechanisms, other.mechanisms
+    if one.amplified[first.name].amplification != other.amplified[second.name].amplification:
+        return False
+    tables, others = _rocking_tables(first), _rocking_tables(second)
+    return len(tables) == len(others) and all(
+        a.shape == b.shape and np.allclose(a, b, rtol=SAME_RATIO, atol=SAME_RATIO)
+        for a, b in zip(tables, others, strict=True)
+    )
+
+
+def _rocking_tables(mechanism: Mechanism) -> list[FloatArray]:
+    """Return the equation of motion of a mechanism over its inertia at rest."""
     numbers: list[FloatArray] = []
     for branch in mechanism.variants.deciding.branches:
         tables = (branch.inertia, branch.restoring, branch.excitation, branch.lift)
         numbers += [branch.rotation, *(table / branch.inertia[0] for table in tables), np.array([branch.restitution])]
-    return RockingTables(tuple(numbers), study.amplified[mechanism.name].amplification)
-
-
-def _sample_answers(
-    questions: Sequence[CheckKey], checks: Mapping[CheckKey, Check], rocking: RockingTables
-) -> SampleAnswers:
-    """Return the answers of the checks of a sample to the questions."""
-    answered = [checks.get(each) for each in questions]
-    return SampleAnswers(
-        np.array([_ratio(check) for check in answered]),
-        np.array([_outcome(check) for check in answered], dtype=np.int8),
-        rocking,
-        {place: check.reason for place, check in enumerate(answered) if check is not None and _outcome(check) == OPEN},
-    )
-
-
-def _unbuilt_sample(questions: Sequence[CheckKey], why: str) -> SampleAnswers:
-    """Return a sample that could not be built, with the reason."""
-    count = len(questions)
-    return SampleAnswers(np.full(count, np.nan), np.full(count, OPEN, dtype=np.int8), error=why)
+    return numbers
 
 
 def _outcome(check: Check | None) -> int:
@@ -402,64 +339,41 @@ def _ratio(check: Check | None) -> float:
     return np.nan if check is None or _outcome(check) == OPEN else ratio_of(check)
 
 
-def _same_answers(one: SampleAnswers, other: SampleAnswers, *, histories: Flags) -> Flags:
-    """Return which answers are the same in two samples, but for rounding [k].
+def _differing_answers(questions: Iterable[CheckKey], one: CaseChecks, other: CaseChecks) -> Flags:
+    """Return which answers differ between two cases, by more than rounding [k].
 
-    histories : which answers follow from histories, that may amplify rounding; they are the same where the mechanism
-        rocks alike
+    Histories may amplify rounding: theirs are the same where the mechanism rocks alike.
     """
-    near = np.isclose(one.ratio, other.ratio, rtol=SAME_RATIO, atol=SAME_RATIO, equal_nan=True) & (
-        one.outcome == other.outcome
-    )
-    alike = one.rocking is not None and other.rocking is not None and one.rocking.same(other.rocking)
-    return np.asarray(near | (histories & alike), dtype=np.bool_)
-
-
-def _statistics_of(ratio: FloatArray, outcome: SampleOutcomes) -> Statistics:
-    """Return what is counted over the samples of one answer.
-
-    Parameters
-    ----------
-    ratio : demand over capacity, inf where it fails without a finite one, nan where it is not answered [samples]
-    outcome : `PASSED`, `FAILED` or `OPEN` [samples]
-    """
-    answered, failed = int(np.count_nonzero(outcome != OPEN)), int(np.count_nonzero(outcome == FAILED))
-    low, high = wilson_interval(failed, answered) if answered else (0.0, 0.0)
-    return Statistics(
-        answered=answered,
-        failed=failed,
-        probability=failed / answered if answered else None,
-        interval=(float(low), float(high)) if answered else None,
-        quantiles=quantiles(ratio[outcome != OPEN]),
-        ratios=tuple(float(each) if np.isfinite(each) else None for each in ratio),
+    checks, others = one.by_key, other.by_key
+    alike = one.study is not None and other.study is not None and _rock_alike(one.study, other.study)
+    return np.array(
+        [not (alike and uses_histories(key[0])) and _differ(checks.get(key), others.get(key)) for key in questions],
+        dtype=np.bool_,
     )
 
 
-def _influences_of(
-    columns: Mapping[str, FloatArray],
-    keys: Mapping[str, tuple[str, ...]],
-    ratio: FloatArray,
-    outcome: SampleOutcomes,
-    moves: Mapping[str, bool],
-) -> tuple[Influence, ...]:
-    """Return what each group does to one answer: Spearman's correlation of the ranks, and its square.
+def _differ(one: Check | None, other: Check | None) -> bool:
+    near = np.isclose(_ratio(one), _ratio(other), rtol=SAME_RATIO, atol=SAME_RATIO, equal_nan=True)
+    return not near or _outcome(one) != _outcome(other)
+
+
+def _influence(
+    group: str, keys: tuple[str, ...], column: FloatArray | None, ratio: FloatArray, answered: Flags
+) -> Influence:
+    """Return what a group does to one answer: Spearman's correlation of the ranks, and its square.
 
     Groups are sampled independently, so that the square is the share of the variance of the ranks of the answer that
     a straight line over the ranks of the group explains.
 
     Parameters
     ----------
-    columns : probability at which each group is in each sample [samples], by group
-    keys : of the numbers of each group
-    ratio, outcome : of the answer [samples]
-    moves : whether the group changes the answer at all
+    group : its name
+    keys : of its numbers
+    column : probability at which it is in each sample [samples]; None if it does not change the answer at all
+    ratio, answered : of the answer [samples]
     """
-    answered = outcome != OPEN
-    influences = []
-    for group, column in columns.items():
-        rho = _spearman(column[answered], ratio[answered]) if moves[group] else None
-        influences.append(Influence(group, keys[group], rho, None if rho is None else rho**2))
-    return tuple(influences)
+    rho = None if column is None else _spearman(column[answered], ratio[answered])
+    return Influence(group, keys, rho, None if rho is None else rho**2)
 
 
 def _spearman(one: FloatArray, other: FloatArray) -> float | None:

@@ -18,8 +18,9 @@ left out.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 from math import inf
 
 from assess.codes.bases import Basis
@@ -208,18 +209,16 @@ def sensitivities(
         The rows of each variable, in the order of the study.
     """
     assessed = {result.name: result for result in results}
+    check = partial(check_case, suite_faults=study.suite_faults, spectrum=spectrum, motions=motions, jobs=jobs)
     rows: list[SensitivityResult] = []
     for done, variable in enumerate(study.variables):
         progress("sensitivity", done, len(study.variables))
         if isinstance(variable, UnvariedNumber):
             rows.append(_unvaried_row(variable))
             continue
-        deciding = tuple(check for check in assessed[variable.mechanism].checks if check.follows_code)
-        procedures = tuple(dict.fromkeys(check.procedure for check in deciding))
-        low, high = (
-            _assess_at_value(variable, value, study, procedures, spectrum, motions, jobs=jobs)
-            for value in (variable.low, variable.high)
-        )
+        deciding = tuple(each for each in assessed[variable.mechanism].checks if each.follows_code)
+        procedures = [each.procedure for each in deciding]
+        low, high = (check(partial(variable.study_at, value), procedures) for value in (variable.low, variable.high))
         rows += rows_of(variable, deciding, low, high, basis=study.question.basis)
     return tuple(rows)
 
@@ -230,13 +229,39 @@ CheckKey = tuple[str, str, float]
 
 @dataclass(frozen=True)
 class CaseChecks:
-    """The checks of one case, by what they answer; or why it could not be assessed."""
+    """The checks of a mechanism in one case and the study that they are of; or why it could not be assessed."""
 
-    checks: dict[CheckKey, Check]
+    checks: tuple[Check, ...] = ()
+    study: Study | None = None
     error: str = ""
 
+    @property
+    def by_key(self) -> dict[CheckKey, Check]:
+        """The checks by what they answer."""
+        return checks_by_key(self.checks)
 
-def checks_by_key(checks: Sequence[Check]) -> dict[CheckKey, Check]:
+
+def check_case(
+    build: Callable[[], Study],
+    procedures: Iterable[str],
+    *,
+    suite_faults: Mapping[str, tuple[Message, ...]],
+    spectrum: Spectrum,
+    motions: tuple[ScaledRecord, ...],
+    jobs: int,
+) -> CaseChecks:
+    """Assess the one mechanism of a study by these procedures, without the scan over rising PGA.
+
+    build : builds the study; suite_faults : of the motions, which are those of the whole study
+    """
+    try:
+        study = replace(build(), procedures=tuple(dict.fromkeys(procedures)), suite_faults=suite_faults)
+        return CaseChecks(checks_without_scan(study, spectrum, motions, jobs=jobs), study)
+    except (AssessError, SpectrumError) as error:
+        return CaseChecks(error=str(error))
+
+
+def checks_by_key(checks: Iterable[Check]) -> dict[CheckKey, Check]:
     """Return checks by what they answer; of several, the first."""
     found: dict[CheckKey, Check] = {}
     for check in checks:
@@ -261,15 +286,25 @@ def rows_of(
         remarks=remarks,
     )
     with_capacities: set[tuple[str, str]] = set()
+    at_low, at_high = low.by_key, high.by_key
     for key, check in checks_by_key(deciding).items():
+        ends = (check, at_low.get(key), at_high.get(key))
         row = replace(row, procedure=check.procedure, limit_state=check.limit_state, role=check.role)
-        sides = low.checks.get(key), high.checks.get(key)
+        verdicts = [None if each is None else each.verdict for each in ends]
+        at_level = replace(
+            row,
+            level_pga_g=check.level_pga_g,
+            verdict_base=verdicts[0],
+            verdict_low=verdicts[1],
+            verdict_high=verdicts[2],
+        )
         if check.role == "deciding" and basis is not None:
-            yield _with_index(row, basis, check, *sides)
+            of_index = replace(at_level, quantity="index", index=basis.index.value)
+            yield _at_ends(of_index, partial(_index_value, basis), ends)
         if key[:2] not in with_capacities and not uses_histories(check.procedure):
-            with_capacities.add(key[:2])
-            yield _with_capacity(row, check, *sides)
-        yield _with_ratio(row, check, *sides)
+            with_capacities.add(key[:2])  # that of the first level is that of all
+            yield _at_ends(replace(row, quantity="capacity_pga_g"), lambda each: each.capacity_pga_g, ends)
+        yield _at_ends(replace(at_level, quantity="demand_capacity"), lambda each: each.ratio, ends)
 
 
 NEAR_THRESHOLD = (
@@ -372,65 +407,18 @@ def _sweep_result(swept: MechanismSweep, *, governs: bool) -> SweepResult:
     )
 
 
-def _assess_at_value(
-    variable: Variable,
-    value: float,
-    study: Study,
-    procedures: tuple[str, ...],
-    spectrum: Spectrum,
-    motions: tuple[ScaledRecord, ...],
-    *,
-    jobs: int,
-) -> CaseChecks:
-    """Assess the mechanism with one value of the variable, by the procedures, under the suite of the whole study."""
-    try:
-        varied = replace(variable.study_at(value), procedures=procedures, suite_faults=study.suite_faults)
-        return CaseChecks(checks_by_key(checks_without_scan(varied, spectrum, motions, jobs=jobs)))
-    except (AssessError, SpectrumError) as error:
-        return CaseChecks({}, str(error))
-
-
-def _with_index(
-    row: SensitivityResult, basis: Basis, check: Check, low: Check | None, high: Check | None
+def _at_ends(
+    row: SensitivityResult, value: Callable[[Check], float | None], ends: Sequence[Check | None]
 ) -> SensitivityResult:
-    """Return the row of the index in which the basis measures a deciding check."""
-    base, *ends = (None if each is None else index_of(each, basis) for each in (check, low, high))
-    at_low, at_high = (None if end is None else end.value for end in ends)
-    return replace(
-        _with_ratio(row, check, low, high),
-        quantity="index",
-        index=basis.index.value,
-        at_base=None if base is None else base.value,
-        at_low=at_low,
-        at_high=at_high,
-    )
+    """Return a row with a value of the checks at base, low and high; None where there is no check."""
+    base, low, high = (None if each is None else value(each) for each in ends)
+    return replace(row, at_base=base, at_low=low, at_high=high)
 
 
-def _with_capacity(row: SensitivityResult, check: Check, low: Check | None, high: Check | None) -> SensitivityResult:
-    """Return the row of the PGA at capacity [g], which does not depend on the level."""
-    return replace(
-        row,
-        quantity="capacity_pga_g",
-        level_pga_g=None,
-        at_base=check.capacity_pga_g,
-        at_low=None if low is None else low.capacity_pga_g,
-        at_high=None if high is None else high.capacity_pga_g,
-    )
-
-
-def _with_ratio(row: SensitivityResult, check: Check, low: Check | None, high: Check | None) -> SensitivityResult:
-    """Return the row of demand over capacity at the level of a check; None where the body overturns."""
-    return replace(
-        row,
-        quantity="demand_capacity",
-        level_pga_g=check.level_pga_g,
-        at_base=check.ratio,
-        at_low=None if low is None else low.ratio,
-        at_high=None if high is None else high.ratio,
-        verdict_base=check.verdict,
-        verdict_low=None if low is None else low.verdict,
-        verdict_high=None if high is None else high.verdict,
-    )
+def _index_value(basis: Basis, check: Check) -> float | None:
+    """Return the index in which the basis measures a check."""
+    index = index_of(check, basis)
+    return None if index is None else index.value
 
 
 def _remarks_on(variable: Variable, low: CaseChecks, high: CaseChecks) -> Iterator[Term | Message]:
@@ -479,11 +467,13 @@ def _loss_of_index(
         return 0.0
     total = 0.0
     for variable in survey(mechanism_verdict.mechanism):
-        ends = [
-            _deciding_check_at(variable, value, spectrum, question, answer) for value in (variable.low, variable.high)
-        ]
-        worst = min((_share_of_base(end, base) for end in ends), default=1.0)
-        total += max(0.0, 1.0 - worst)
+        worst = 1.0
+        for value in (variable.low, variable.high):
+            build = partial(_study_at_site, variable, value, spectrum)
+            case = check_case(build, [answer.procedure], suite_faults={}, spectrum=spectrum, motions=(), jobs=1)
+            end = find_deciding_check(case.checks, answer, question.basis, question.action)
+            worst = min(worst, _share_of_base(end, base))
+        total += 1.0 - worst
     return total
 
 
@@ -496,13 +486,6 @@ def _share_of_base(end: Check | None, base: Check) -> float:
     return base.ratio / end.ratio if base.ratio and end.ratio else 1.0
 
 
-def _deciding_check_at(
-    variable: Variable, value: float, spectrum: Spectrum, question: Question, answer: Answer
-) -> Check | None:
-    """Return the deciding check with one value of a number; None if the mechanism cannot be assessed there."""
-    try:
-        study = replace(variable.study_at(value), procedures=(answer.procedure,), levels=(spectrum.pga,))
-        found = checks_without_scan(study, spectrum, (), jobs=1)
-    except (AssessError, SpectrumError):
-        return None
-    return find_deciding_check(found, answer, question.basis, question.action)
+def _study_at_site(variable: Variable, value: float, spectrum: Spectrum) -> Study:
+    """Return the study with another value of a number, at the site's own action alone."""
+    return replace(variable.study_at(value), levels=(spectrum.pga,))

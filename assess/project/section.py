@@ -441,7 +441,8 @@ def table_of(
 ) -> type[DeclaredSection]:
     """Return the table of a project file with the keys of a frozen class, by what they declare.
 
-    base : what else the table can do; beside : the keys that only a file has
+    base : what else the table can do; beside : the keys that only a file has, and `first`, those
+        that its results list before all others
     """
     keys: dict[str, Any] = (
         {"kind": (Annotated[Literal[declared.kind], ITS_KIND], ...)} if hasattr(declared, "kind") else {}
@@ -463,6 +464,7 @@ def table_of(
         evidence = [each for each in marks_of(annotations_of(declared).get(name)) if isinstance(each, Evidence)]
         reads: Any = given.annotation
         keys[name] = (Annotated[reads, *evidence] if evidence else reads, given)
+    keys = {key: keys[key] for key in (*getattr(beside, "first", ()), *keys)}
     name = f"{declared.__name__.removesuffix('Options')}Section"
     table = create_model(name, __base__=base, __doc__=declared.__doc__, __module__=__name__, **keys)
     table.declares, table.beside = declared, beside

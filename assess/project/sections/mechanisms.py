@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from dataclasses import fields
 from functools import reduce
 from operator import or_
-from typing import TYPE_CHECKING, Annotated, Any, Literal, cast
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, cast
 
 from pydantic import (
     AfterValidator,
@@ -277,6 +278,13 @@ class ChainSection(DeclaredSection):
 class ChainKeys(ProjectSection):
     """What a project file says of a mechanism of blocks in its own form, and of where it stands."""
 
+    first: ClassVar[tuple[str, ...]] = (
+        *(field.name for field in fields(BlockMechanism) if not field.name.startswith("hinges")),
+        "amplification",
+        "base_elevation",
+        "examines",
+        "kind",
+    )
     direction: SoughtDirection | None = None
     loads: tuple[LoadSection, ...] = ()
     restitution: Annotated[RestitutionSection, ONE_FOR_BOTH, UNCERTAIN_RESTITUTION] = Field(
@@ -319,6 +327,7 @@ class FourHingeKeys(ChainKeys):
 class EquivalentBlockKeys(ProjectSection):
     """What a project file says beside published parameters."""
 
+    first: ClassVar = ("kind", "p", "uplift", "radius", "label", "sides", "restitution", "mass", "disintegration")
     restitution: Annotated[RestitutionSection, ONE_FOR_BOTH, UNCERTAIN_RESTITUTION] = Field(
         default_factory=RestitutionSection
     )

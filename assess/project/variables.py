@@ -96,6 +96,8 @@ class Variants:
                 found[*path, "direction"] = list(mechanism.direction)
             if section.sides is None:
                 found[*path, "sides"] = mechanism.sides
+        if not found:
+            return self
         raw = with_values(project.raw, found, project.content)
         content = sections.Content.model_validate(raw, context={"folder": project.folder})
         return replace(self, project=replace(project, raw=raw, content=content))
@@ -145,12 +147,14 @@ def variables_of(variants: Variants, study: Study) -> tuple[Variable | UnvariedN
     if sensitivity is None:
         return ()
     swept = _mechanisms_in_sweeps(variants.project)
+    directed = variants.with_directions(each for each in study.mechanisms if each.name not in swept)
     found: list[Variable | UnvariedNumber] = []
     for mechanism in study.mechanisms:
         if mechanism.name in swept:
             found.append(UnvariedNumber(mechanism.name, "", SWEPT))
         else:
-            found += _variables_of_mechanism(_varied_mechanism(variants, study, mechanism), sensitivity)
+            subject = VariedMechanism(mechanism, study.amplified[mechanism.name], directed)
+            found += _variables_of_mechanism(subject, sensitivity)
     return tuple(found)
 
 
@@ -211,7 +215,9 @@ def survey_of(variants: Variants, study: Study) -> Survey:
     tolerance = variants.project.content.verdict.survey_tolerance
 
     def variables(name: str) -> tuple[Variable, ...]:
-        return tuple(_surveyed_variables(_varied_mechanism(variants, study, mechanisms[name]), tolerance=tolerance))
+        directed = variants.with_directions([mechanisms[name]])
+        subject = VariedMechanism(mechanisms[name], study.amplified[name], directed)
+        return tuple(_surveyed_variables(subject, tolerance=tolerance))
 
     return variables
 
@@ -287,11 +293,6 @@ def uncertainty_messages(project: Project) -> Iterator[Message]:
 def _mechanisms_in_sweeps(project: Project) -> set[str]:
     """Return the mechanisms that a parametric study of the project changes."""
     return {name for each in project.sweeps for name in dependents(project.content, each.path)}
-
-
-def _varied_mechanism(variants: Variants, study: Study, mechanism: Mechanism) -> VariedMechanism:
-    """Return a mechanism to vary, its direction and sides fixed."""
-    return VariedMechanism(mechanism, study.amplified[mechanism.name], variants.with_directions([mechanism]))
 
 
 def _blocks_of(section: sections.ChainSection) -> tuple[str, ...]:

@@ -184,7 +184,7 @@ class BlockBase(NamedTuple):
     width: float
     middle: float
 
-    def setting(self, mechanism: str, width: float) -> Setting:
+    def stretch_to(self, mechanism: str, width: float) -> Setting:
         """Set the width of the base, and with it the size of all blocks of the mechanism along its direction."""
         return {_thickness_path(mechanism): Stretch(width / self.width, self.middle)}
 
@@ -263,7 +263,7 @@ def sampling_of(variants: Variants, study: Study) -> Sampling | None:
                 continue
             given = UncertainInput(key, "m", base.width, section.thickness, "lognormal", THICKNESS_GROUP)
             numbers.append(SampledNumber(given, 0.0, inf, (name,)))
-            settings.append(partial(base.setting, name))
+            settings.append(partial(base.stretch_to, name))
     if not numbers:
         remedy = "write numbers as { mean, cov }, or thickness = 0.05 here"
         raise ProjectError(f"{UNCERTAINTY_KEY}: no number of the project is uncertain; {remedy}")
@@ -411,7 +411,7 @@ def _vary_thickness(
     base = _block_base(subject, section)
     if isinstance(base, str):
         return UnvariedNumber(subject.name, "thickness", base)
-    setting = partial(base.setting, subject.name)
+    setting = partial(base.stretch_to, subject.name)
     return _variable(subject, "thickness", _key_of_thickness(section), "m", base.width, setting, change)
 
 

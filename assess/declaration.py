@@ -1,7 +1,7 @@
 """What an input is, written once beside the class that holds it: its dimension, bounds and words, who vouches for it.
 
 The fields of a frozen class are annotated with marks, and the sentence below each says what it means. By these the
-project file gets a table (`assess.project.tables`), and data of Python are checked (`assess.faults`). What keys
+project file gets a table (`assess.project.section`), and data of Python are checked (`assess.faults`). What keys
 must be to one another is a method `faults` of the class, which both ask:
 
     def faults(self) -> Iterator[Fault]: ...      # the key at fault, and what is wrong; remedy
@@ -30,8 +30,6 @@ BOUNDS = {
     "most": (le, "must be {:.6g} or less"),
 }
 """The bounds of a number: what it must be to each of them, and the words where it is not."""
-
-
 LEVEL = 1e-9  # of a direction: one that rises by less is horizontal
 
 

@@ -52,8 +52,6 @@ CornerTime = Annotated[PositiveTime, CORNER]
 PeakRatio = Annotated[PositiveRatio, PEAK]
 LimitState = Literal["SLO", "SLD", "SLV", "SLC"]
 DEFAULT_STATE: LimitState = "SLV"
-
-
 AT_LEAST_TWO = Several(2, form="give rows of return_period, a_g, f_0 and t_c_star")
 
 

@@ -20,6 +20,7 @@ import tomllib
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from difflib import get_close_matches
+from functools import cache
 from pathlib import Path
 from typing import Any, TypeVar
 
@@ -183,6 +184,7 @@ TITLE = "Project file of assess"
 _REFERENCE = "#/$defs/"
 
 
+@cache
 def schema_text() -> str:
     """Return the JSON Schema of the project file as the text of a file."""
     return json.dumps(json_schema(), indent=2, ensure_ascii=False) + "\n"

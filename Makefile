@@ -103,8 +103,8 @@ figures: .venv/tests       ## pictures and the notebook of docs/, with those of 
 mutate: .venv/mutate       ## MUTANTS of physics and codes drawn by SEED, 95 % of them to be killed: docs/robustness.md
 	$(BIN)/python -m tools.mutate --mutants $(MUTANTS) --seed $(SEED) $(if $(AGAIN),--again)
 
-pages: .venv/tests         ## the pages of the manual that are made from the program and committed: docs/evidence.md
-	$(BIN)/python -m docs.ext.evidence_page
+pages: .venv/tests         ## the pages of the manual that are made from the program and committed: docs/evidence.md, docs/reference
+	$(BIN)/python -m docs.ext.pages
 
 docs: .venv/docs           ## the manual in build/docs/html: spelling first; a warning is an error, and nothing is read from the network
 	$(BIN)/codespell -D - -D docs/spelling.txt README.md CONTRIBUTING.md CHANGELOG.md docs assess spectra records reports

@@ -15,7 +15,7 @@ copyright = author
 release = version = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]["version"]
 language = "en"
 
-extensions = ["myst_parser", "docs.ext.mathml", "docs.ext.made_pages", "docs.ext.repository_links"]
+extensions = ["myst_parser", "docs.ext.mathml", "docs.ext.gallery", "docs.ext.repository_links"]
 myst_enable_extensions = ["amsmath", "attrs_inline", "colon_fence", "deflist", "dollarmath"]
 myst_heading_anchors = 4
 exclude_patterns = ["ext", "notebook"]

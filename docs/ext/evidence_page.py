@@ -1,22 +1,17 @@
-"""The page of the manual on what each key rests on, docs/evidence.md: committed, so that it reads without a build.
-
-make pages        writes it again, as the project file is declared now
-"""
+"""The page on what each key of the project file rests on, docs/evidence.md: made from the declarations of the keys."""
 
 from __future__ import annotations
 
 from itertools import groupby
-from pathlib import Path
 from types import NoneType
 from typing import Annotated, Any, Literal, get_args, get_origin
 
 from assess.project.evidence import Key, every_key
-from docs.ext.key_pages import TITLES
+from docs.ext.key_page import TITLES
 from docs.ext.key_values import PLAIN, default_words
 from docs.ext.markdown import cell, escape
 from docs.ext.schema_tables import is_table
 
-PAGE = Path(__file__).resolve().parents[1] / "evidence.md"
 BOUNDS = {"above": "above", "least": "at least", "below": "below", "most": "at most"}
 HEAD = """# What each key rests on
 
@@ -38,7 +33,7 @@ class says what becomes of a value that helps and that no source in `[report.sou
 
 The tables below are made from the declarations of the keys. NAME is a name that you choose, `[]` each item of a list;
 in brackets stand the forms of a table that have the key, where not all do. KEY is any number that may be given as
-`{ mean, cov }`. Choices and units are in the [reference of keys](reference/keys.md), which `make docs` makes.
+`{ mean, cov }`. What a key is, its choices and its unit are in the [reference of keys](reference/keys.md).
 """
 COLUMNS = (
     "| key | value | default | class | helps | what stands in its place without a source |\n|---|---|---|---|---|---|"
@@ -87,7 +82,3 @@ def _words(annotation: Any) -> list[str]:
     if annotation in (NoneType, Ellipsis):
         return []
     return ["table" if is_table(annotation) else PLAIN.get(annotation, "value").split(",")[0]]
-
-
-if __name__ == "__main__":
-    PAGE.write_text(text(), encoding="utf-8", newline="\n")

@@ -1,7 +1,7 @@
-"""The gallery: a page for each solved case, run and drawn when the manual is built.
+"""The gallery: a page for each solved case, run and drawn when the manual is built, into docs/made.
 
-What was run is kept in build/docs/cases under the hash of the case and of the program with its data, so that it runs
-again only where one of them has changed.
+No commit holds these pages. What was run is kept in build/docs/cases under the hash of the case and of the program with
+its data, so that it runs again only where one of them has changed.
 """
 
 from __future__ import annotations
@@ -10,6 +10,7 @@ import hashlib
 from functools import cache
 from itertools import groupby
 from pathlib import Path
+from typing import Any
 
 from matplotlib.figure import Figure
 
@@ -32,9 +33,27 @@ from reports.render.vector import write_figure
 
 ROOT = Path(__file__).resolve().parents[2]
 KEPT = ROOT / "build" / "docs" / "cases"
+MADE = "made"
 FOLDER = "gallery"
 ROW = "row.txt"
 COLUMNS = "| | case | values | largest difference / tolerance | |\n|---|---|--:|--:|---|"
+
+
+def setup(app: Any) -> dict[str, bool]:
+    """Make the pages before Sphinx looks for them."""
+    app.connect("builder-inited", lambda app: write_pages(Path(app.srcdir) / MADE))
+    return {"parallel_read_safe": True, "parallel_write_safe": True}
+
+
+def write_pages(folder: Path) -> None:
+    """Write the pages that have changed, so that a second build reads only these, and remove those of earlier ones."""
+    made = {folder / name: text for name, text in pages().items()}
+    for path, text in made.items():
+        path.parent.mkdir(parents=True, exist_ok=True)
+        if not path.exists() or path.read_text(encoding="utf-8") != text:
+            path.write_text(text, encoding="utf-8")
+    for old in {path for path in folder.rglob("*.*") if path.is_file()} - set(made):
+        old.unlink()
 
 
 def pages() -> dict[str, str]:

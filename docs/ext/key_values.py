@@ -14,7 +14,8 @@ from pydantic_core import PydanticUndefined
 
 from assess.declaration import Scatters
 from assess.project.units import QuantityKind
-from docs.ext.schema_tables import form, is_table, target, title
+from docs.ext.markdown import capital, heading_link
+from docs.ext.schema_tables import Table, form, is_table, title
 
 PLAIN: dict[Any, str] = {
     str: "text",
@@ -48,7 +49,7 @@ def default_words(field: FieldInfo) -> str:
     if isinstance(value, tuple):
         return f"`[{', '.join(map(_toml, value))}]`"
     kind = next((mark for mark in _flat(field.metadata) if isinstance(mark, QuantityKind)), None)
-    unit = f" {_symbol(kind)}" if kind is not None and _symbol(kind) else ""
+    unit = f" {symbol(kind)}" if kind is not None and symbol(kind) else ""
     return f"{value:g}{unit}" if isinstance(value, float) else "–"
 
 
@@ -58,7 +59,7 @@ def _words(annotation: Any, marks: tuple[Any, ...] = ()) -> str:
         return _words(inner, (*marks, *more))
     marks = tuple(_flat(marks))
     if is_table(annotation):
-        return f"table: [{title(annotation)}](#{target(annotation)})"
+        return f"table: {_link(annotation, title(annotation))}"
     for mark in marks:
         if isinstance(mark, QuantityKind):
             return _quantity(mark) + _bounds(marks)
@@ -93,18 +94,24 @@ def _tables_by_form(arguments: tuple[Any, ...]) -> str:
     if len(tables) < 3 or None in forms[1:]:
         return ""
     named = [title(each) if each_form is None else each_form[1] for each, each_form in zip(tables, forms, strict=True)]
-    links = [f"[{name}](#{target(each)})" for name, each in zip(named, tables, strict=True)]
+    links = [_link(each, name) for name, each in zip(named, tables, strict=True)]
     key = next(each[0] for each in forms if each is not None)
     return f"table, by its `{key}`: {'; '.join(links)}"
+
+
+def _link(table: Table, name: str) -> str:
+    """Return a link to the heading of a table on its page."""
+    return f"[{name}]({heading_link(capital(title(table)))})"
 
 
 def _quantity(kind: QuantityKind) -> str:
     if kind.name == "ratio":
         return "number"
-    return f'{kind.name} [{_symbol(kind)}], like `"{kind.example}"`'
+    return f"{kind.name} [{symbol(kind)}]"
 
 
-def _symbol(kind: QuantityKind) -> str:
+def symbol(kind: QuantityKind) -> str:
+    """Return the SI unit of a quantity as the page writes it; "" for none."""
     return "" if kind.symbol == "no unit" else kind.symbol.replace("^2", "²").replace("^3", "³")
 
 

@@ -1,9 +1,10 @@
-"""Pages of the public names of Python: one for each of `assess.__all__`, made from its docstring."""
+"""The page of the public names of Python, docs/reference/names.md: those of `assess.__all__`, from their docstrings."""
 
 from __future__ import annotations
 
 import inspect
-from collections.abc import Iterator, Mapping
+import re
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import is_dataclass
 from types import NoneType, UnionType
 from typing import Annotated, Any, Literal, Union, get_args, get_origin
@@ -12,25 +13,32 @@ import assess
 from assess.declaration import IsPlace, Number, annotations_of, descriptions, marks_of
 from assess.project.units import KINDS
 from docs.ext.docstring import DocstringSection, split
-from docs.ext.markdown import cell, escape
+from docs.ext.key_values import symbol
+from docs.ext.markdown import contents, escape
 
-FOLDER = "names"
+HEAD = """# Names of Python
+
+`import assess` gives these names, in SI units throughout: m, kg, s, N, Pa, rad, m/s². Each is loaded when it is first
+used. Errors are those of `assess.errors`, with what is wrong, where, and the remedy. The page is made from the
+docstrings.
+"""
 WIDEST = 88  # columns of a signature on one line
 LONGEST_DEFAULT = 40  # characters of a default that is shown
 
 
-def pages() -> dict[str, str]:
-    """Return each page by its name, as Markdown."""
-    return {f"{FOLDER}/{file_name(name)}.md": _page(name, getattr(assess, name)) for name in assess.__all__}
+def text() -> str:
+    """Return the page as Markdown, what can be called before the classes."""
+    named = {_heading(name): name for name in sorted(assess.__all__, key=lambda name: (name[0].isupper(), name))}
+    return "\n".join((HEAD, contents(named), *(_section(heading, name) for heading, name in named.items())))
 
 
-def file_name(name: str) -> str:
-    """Return the name of a page's file; `Block` and `block` must differ where files ignore case."""
-    return f"class-{name.lower()}" if name[0].isupper() else name
+def _heading(name: str) -> str:
+    """Return the heading of a name; links ignore case, by which `Run` and `run` differ."""
+    return f"class {name}" if name[0].isupper() else name
 
 
-def _page(name: str, value: Any) -> str:
-    lines = [f"# `{name}`", ""]
+def _section(heading: str, name: str) -> str:
+    lines, value = [f"## {heading}", ""], getattr(assess, name)
     if isinstance(value, float):
         return "\n".join((*lines, f"Standard gravity, {value} m/s²: `0.25 * assess.g` is 0.25 g in SI.", ""))
     lines += ["```python", signature(name, value), "```", ""]
@@ -38,7 +46,7 @@ def _page(name: str, value: Any) -> str:
         lines += _part(part)
     if inspect.isclass(value):
         lines += [*_fields(value), *_members(value)]
-    return "\n".join((*lines, ""))
+    return "\n".join(lines)
 
 
 def signature(name: str, value: Any) -> str:
@@ -88,41 +96,47 @@ def _plain(annotation: Any) -> str:
 
 
 def _fields(value: type) -> list[str]:
-    """Return a table of the fields that a class declares, each with its SI unit and the sentence below it."""
+    """Return a list of the fields that a class declares, each with its SI unit and the sentence below it."""
     if not _is_declared(value):
         return []
     sentences = descriptions(value)
-    rows = [
-        f"| `{key}` | {_unit(annotation)} | {cell(escape(' '.join(sentences.get(key, '').split())))} |"
-        for key, annotation in annotations_of(value).items()
-    ]
-    return ["| name | unit | what it is |", "|---|---|---|", *rows, ""]
+    found = {key: f"{_unit(annotation)}: {sentences.get(key, '')}" for key, annotation in annotations_of(value).items()}
+    return _list(found.items())
 
 
 def _unit(annotation: Any) -> str:
-    """Return the SI unit of a number or a place; a project file has units of its own."""
+    """Return the SI unit of a number or a place, in brackets; a project file has units of its own."""
     marks = list(marks_of(annotation))
     if any(isinstance(mark, IsPlace) for mark in marks):
-        return "m"
+        return " [m]"
     dimension = next((mark.dimension for mark in marks if isinstance(mark, Number)), "")
-    return KINDS[dimension].symbol.replace("no unit", "").replace("^2", "²") if dimension else ""
+    unit = symbol(KINDS[dimension]) if dimension else ""
+    return f" [{unit}]" if unit else ""
 
 
 def _part(part: DocstringSection) -> list[str]:
-    title = [f"## {part.title}", ""] if part.title else []
-    rows = [f"| `{name}` | {cell(escape(text))} |" for name, text in part.items]
-    table = ["| name | what it is |", "|---|---|", *rows, ""] if rows else []
-    return [*title, *(f"{escape(text)}\n" for text in part.paragraphs), *table]
+    """Return a part of a docstring; what has a heading is a paragraph, or a list, after it."""
+    first, *more = part.paragraphs or ("",)
+    head = " ".join(word for word in (part.title and f"**{part.title}.**", escape(first)) if word)
+    return [f"{each}\n" for each in (head, *map(escape, more)) if each] + _list(
+        (name, f": {text}") for name, text in part.items
+    )
+
+
+def _list(items: Iterable[tuple[str, str]]) -> list[str]:
+    """Return what names stand for; a unit after the name belongs to it."""
+    rows = [f"- `{name}`" + escape(re.sub(r"\s+", " ", text)) for name, text in items]
+    return [*rows, ""] if rows else []
 
 
 def _members(value: type) -> list[str]:
-    """Return a table of the properties and methods of a class."""
-    rows = [
-        f"| `{name}{'()' if inspect.isfunction(member) else ''}` | {cell(escape(_first(member)))} |"
+    """Return a list of the properties and methods of a class."""
+    found = [
+        (f"{name}()" if inspect.isfunction(member) else name, f": {_first(member)}")
         for name, member in inspect.getmembers(value)
         if not name.startswith("_") and inspect.getdoc(member) and _is_own(member)
     ]
-    return ["## Properties and methods", "", "| name | what it is |", "|---|---|", *rows, ""] if rows else []
+    return ["**Properties and methods.**\n", *_list(found)] if found else []
 
 
 def _is_own(member: Any) -> bool:
@@ -130,4 +144,4 @@ def _is_own(member: Any) -> bool:
 
 
 def _first(member: Any) -> str:
-    return " ".join((inspect.getdoc(member) or "").split("\n\n")[0].split())
+    return (inspect.getdoc(member) or "").split("\n\n")[0]

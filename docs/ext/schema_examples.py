@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shutil
 from collections.abc import Iterator, Mapping, Sequence
 from datetime import date
 from functools import cache
@@ -9,7 +10,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
 
-from assess.examples import EXAMPLES, copy_example
+from assess.examples import EXAMPLES, source
 from assess.project.project_file import FILE_NAME, load
 from assess.project.section import ProjectSection
 from docs.ext.schema_tables import Place, Table
@@ -32,10 +33,13 @@ def _written() -> dict[Table, list[tuple[str, Mapping[str, Any]]]]:
     """Return, for each class, its tables in the shipped projects with their paths."""
     found: dict[Table, list[tuple[str, Mapping[str, Any]]]] = {}
     with TemporaryDirectory() as folder:
-        for name in EXAMPLES:
-            file = copy_example(name, Path(folder) / name)
-            if file.name == FILE_NAME:
-                project = load(file)
+        for name, shipped in EXAMPLES.items():
+            if shipped.file == FILE_NAME:
+                place = shutil.copytree(source(name), Path(folder) / name)
+                for path in (*shipped.meshes(), *shipped.tables(), *shipped.models()):
+                    (place / path).parent.mkdir(exist_ok=True)
+                    (place / path).touch()  # that it is there is all that reading a project file asks
+                project = load(place)
                 for path, table, raw in _tables(project.content, project.raw, ""):
                     found.setdefault(type(table), []).append((path, raw))
     return found

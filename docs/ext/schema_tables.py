@@ -64,17 +64,7 @@ def is_table(annotation: Any) -> bool:
 def title(table: Table) -> str:
     """Return what a table is, for a heading: the first sentence of its class up to its first pause."""
     sentence = inspect.cleandoc(table.__doc__ or "").split("\n")[0].rstrip(".")
-    return re.split(r"[:;,(]\s?", sentence)[0].strip()
-
-
-def target(table: Table) -> str:
-    """Return the name by which pages link to a table."""
-    return f"table-{anchor(table)}"
-
-
-def anchor(table: Table) -> str:
-    """Return the title of a table in the schema, as links write it."""
-    return str(table.model_config.get("title") or table.__name__.removesuffix("Section")).lower()
+    return re.split(r"[:;(]|,(?![^{]*\})", sentence)[0].strip()
 
 
 def form(table: Table) -> tuple[str, str] | None:

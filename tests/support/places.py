@@ -18,7 +18,7 @@ ROOT = Path(__file__).resolve().parents[2]
 """The folder of tests, documents and pyproject.toml."""
 PACKAGES = ("assess", "records", "reports", "spectra")
 MANUAL = [page for page in sorted((ROOT / "docs").rglob("*.md")) if ROOT / "docs" / "made" not in page.parents]
-"""The pages of the manual that are written by hand."""
+"""The pages of the manual, but for those that are made when it is built."""
 
 REAL_RECORDS = Path(os.environ.get("ASSESS_RECORDS") or ROOT.parent / "shared" / "records")
 """Accelerograms of others, with their INDEX.csv, which may not be passed on."""

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
+from functools import cache
 from math import inf
 from typing import Any, TypeVar
 
@@ -323,7 +324,8 @@ def _prepare_search(name: str, definition: BlockMechanism, bodies: Bodies) -> Di
             return on_rigid_hinges(name, _turn_towards(bare, direction), bodies)[0]
 
     angles = _candidate_angles(definition, foot, np.concatenate([solid.vertices for solid in standing]))
-    return DirectionSearch(name, definition, bodies, foot, _obstacles_of(definition, standing, bodies), angles, towards)
+    obstacles = _obstacles_of(definition, standing, bodies)
+    return DirectionSearch(name, definition, bodies, foot, obstacles, angles, cache(towards))
 
 
 def _candidate_angles(definition: BlockMechanism, foot: FloatArray, corners: FloatArray) -> tuple[float, ...]:

@@ -187,14 +187,15 @@ _REFERENCE = "#/$defs/"
 @cache
 def schema_text() -> str:
     """Return the JSON Schema of the project file as the text of a file."""
-    return json.dumps(json_schema(), indent=2, ensure_ascii=False) + "\n"
+    head = {"$schema": "https://json-schema.org/draft/2020-12/schema", "title": TITLE}
+    found = with_quantity_patterns(with_uncertain_numbers(Content.model_json_schema()))
+    return json.dumps({**with_located_faults(found), **head}, indent=2, ensure_ascii=False) + "\n"
 
 
 def json_schema() -> dict[str, Any]:
     """Return the JSON Schema (draft 2020-12) of the project file."""
-    head = {"$schema": "https://json-schema.org/draft/2020-12/schema", "title": TITLE}
-    found = with_quantity_patterns(with_uncertain_numbers(Content.model_json_schema()))
-    return {**with_located_faults(found), **head}
+    found: dict[str, Any] = json.loads(schema_text())
+    return found
 
 
 def with_uncertain_numbers(schema: dict[str, Any]) -> dict[str, Any]:

@@ -1,5 +1,6 @@
 """Artificial records: what they promise of spectrum, peak, baseline, envelope and seed."""
 
+from collections.abc import Iterator
 from itertools import pairwise
 
 import numpy as np
@@ -7,14 +8,24 @@ import pytest
 from scipy.constants import g
 from scipy.integrate import solve_ivp
 
+from records import synthetic
 from records.errors import RecordError
 from records.record import Record
 from records.response import response_spectrum
 from records.synthetic import artificial_records, end_weights, envelope, with_peak
 from spectra.asce7 import design_spectrum
 from spectra.table import table_spectrum
+from tests.support.artificial import make_artificial
 
 TARGET = design_spectrum(s_ds=0.1667 * g, s_d1=0.0533 * g, t_l=6.0)
+
+
+@pytest.fixture(scope="module", autouse=True)
+def _each_is_made() -> Iterator[None]:
+    """Records are made here whenever they are asked for, so that two can be compared."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(synthetic, "_make_artificial", make_artificial)
+        yield
 
 
 @pytest.fixture(scope="module")

@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 from functools import cache
 
 import numpy as np
+from numpy.typing import ArrayLike
 from scipy.constants import g
 from scipy.interpolate import PPoly
 from scipy.optimize import brentq
@@ -13,6 +14,7 @@ from scipy.optimize import brentq
 from assess.codes.calculation_sheet import Step
 from assess.codes.context import Building
 from assess.oscillator import Branch, HingeForces, interpolant
+from spectra.arrays import FloatArray
 from spectra.spectrum import Spectrum
 from tests.support.subjects import Subject
 
@@ -117,7 +119,11 @@ class Sheet:
 
     def ordinate(self, period: float, damping: float = 0.05) -> float:
         """Of the site's spectrum at the level [m/s2]."""
-        return float(self.spectrum.acceleration(period, damping=damping)) * self.scale
+        return float(self.ordinates(period, damping))
+
+    def ordinates(self, period: ArrayLike, damping: float) -> FloatArray:
+        """Those of the site's spectrum at the level, at several periods [n] [m/s2]."""
+        return np.asarray(self.spectrum.acceleration(period, damping=damping) * self.scale)
 
     def over_pga(self, period: float, damping: float) -> float:
         """The ordinate of the motion at the base over the PGA of the ground."""

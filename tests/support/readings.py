@@ -128,20 +128,17 @@ def spectral(sheet: Sheet) -> float:
 def floor_demands(sheet: Sheet, xi: float) -> list[tuple[float, float]]:
     """Displacement that the floor asks at T_SLV, and T1' from 1.5 to 2.0 T1, with damping xi (C7.2.5 to C8.7.1.12)."""
     T, damping, share = sheet.known["T_SLV"], sheet.subject.check.damping, sheet.known["γψ"]
-    found = []
-    for first in (
-        np.unique([*np.linspace(1.5, 2.0, 501), T / 0.8 / sheet.house.period, T / 1.1 / sheet.house.period])
-        * sheet.house.period
-    ):
-        if not 1.5 * sheet.house.period <= first <= 2.0 * sheet.house.period:
-            continue
-        peak = sheet.ordinate(first, xi) * share * sqrt(1 + (2 * xi) ** 2)
+    softened = np.unique([*np.linspace(1.5, 2.0, 501), T / 0.8 / sheet.house.period, T / 1.1 / sheet.house.period])
+    periods = (softened * sheet.house.period)[(softened >= 1.5) & (softened <= 2.0)]
+    ground, found = sheet.ordinate(T, damping), []
+    for first, ordinate in zip(periods.tolist(), sheet.ordinates(periods, xi).tolist(), strict=True):
+        peak = ordinate * share * sqrt(1 + (2 * xi) ** 2)
         A = max(1.1 * sqrt(10 / (5 + 100 * damping)) / sqrt(xi), 1.0)
         low, high = 1 - T / (0.8 * first), T / (1.1 * first) - 1
         fall = 1 + (A - 1) * (max(low, 0.0) ** 1.6 + max(high, 0.0) ** 1.2)
-        at_T = max(A * peak / fall, sheet.ordinate(T, damping) if first < T else 0.0)
+        at_T = max(A * peak / fall, ground if first < T else 0.0)
         least = A * peak * (1.1 * first / (2 * pi)) ** 2 if 1.1 * first < T else 0.0
-        found.append((max(at_T * (T / (2 * pi)) ** 2, least), float(first)))
+        found.append((max(at_T * (T / (2 * pi)) ** 2, least), first))
     return found
 
 

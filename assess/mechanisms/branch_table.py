@@ -72,7 +72,9 @@ def staged_branch(stages: Stages, *, restitution: float, name: str) -> Branch:
     overturning = _first_downward_crossing(
         scanned.restoring, scan, lambda phi, node: float(work_at(phi, node).restoring[1])
     )
-    critical = _first_downward_crossing(scanned.weight, scan, lambda phi, node: float(work_at(phi, node).weight[1]))
+    critical = overturning  # where no action has a moment
+    if chain.actions:
+        critical = _first_downward_crossing(scanned.weight, scan, lambda phi, node: float(work_at(phi, node).weight[1]))
     edge = (
         _first_downward_crossing(scanned.excitation, scan, lambda phi, node: float(work_at(phi, node).excitation[1]))
         or reach

@@ -310,7 +310,7 @@ def trace_point(motion: ChainMotion, *, block: int, at: Point) -> PointPath:
     block : its number, 0 at the base
     at : the point (x, z) at rest [m]
     """
-    turn = np.exp(-1j * motion.angle)
+    turn = np.exp(-1j * motion.angle[: block + 1])
     here = np.full(motion.rotation.size, motion.hinges[0])
     first, second = np.zeros_like(here), np.zeros_like(here)
     for j in range(block + 1):

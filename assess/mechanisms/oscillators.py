@@ -130,8 +130,10 @@ def collapse_branch(chain: Chain, *, name: str) -> Branch:
     FallingError : a chain that falls at rest, or depends on the other actions
     """
     rigid = replace(chain, joints=())
-    end = float(staged_branch(single_stage(rigid), restitution=0.0, name=name).rotation[-1])
-    acting = _chain_actions(rigid, name=name, end=end)
+    starting = staged_branch(single_stage(rigid), restitution=0.0, name=name)
+    if not rigid.actions:
+        return starting
+    acting = _chain_actions(rigid, name=name, end=float(starting.rotation[-1]))
     found = staged_branch(acting.up_to(acting.lasting_ends), restitution=0.0, name=name)
     return staged_branch(acting.up_to(_lasting_to_collapse(acting, found.overturning)), restitution=0.0, name=name)
 

@@ -12,11 +12,12 @@ import json
 import math
 import re
 import stat
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, fields, is_dataclass, replace
 from functools import cache
 from hashlib import sha256
+from itertools import chain
 from math import isfinite
 from pathlib import Path
 from typing import Any, Generic, NoReturn, TypeVar
@@ -207,7 +208,8 @@ class Tree(Generic[T]):
     again: str
 
 
-_SCALARS = {float, int, bool, str, type(None)}
+_FREE = {int, bool, str, type(None)}  # of faults
+_SCALARS = {float, *_FREE}
 Groups = tuple[tuple[str, ...], ...]
 OF_ONE_LENGTH: Mapping[type, Groups] = {
     PgaCurve: (("rotation_ratio", "pga_g"),),
@@ -408,15 +410,24 @@ def _field_faults(value: Any, where: str) -> Iterator[str]:
             yield f"{where}: columns of unequal length: {counted}"
     yield from _index_faults(value, where)
     for field in fields(value):
-        yield from faults(getattr(value, field.name), f"{where}.{field.name}".lstrip("."))
+        each = getattr(value, field.name)
+        if type(each) not in _FREE:
+            yield from faults(each, f"{where}.{field.name}".lstrip("."))
 
 
 def _item_faults(items: tuple[Any, ...] | list[Any], where: str) -> Iterator[str]:
-    kinds = set(map(type, items))
-    if kinds <= _SCALARS and (float not in kinds or all(isfinite(each) for each in items if type(each) is float)):
+    if _all_finite(items) or (set(map(type, items)) <= {tuple, list} and _all_finite([*chain.from_iterable(items)])):
         return  # most of them, checked at once
     for place, each in enumerate(items):
         yield from faults(each, f"{where}[{place}]")
+
+
+def _all_finite(items: Sequence[Any]) -> bool:
+    """Return whether all items are plain values, those that are numbers finite."""
+    kinds = set(map(type, items))
+    if kinds == {float}:
+        return all(map(isfinite, items))
+    return kinds <= _SCALARS and all(isfinite(each) for each in items if type(each) is float)
 
 
 def _index_faults(value: Any, where: str) -> Iterator[str]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import bisect
 import dataclasses
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from math import isfinite, pi
 from statistics import median
@@ -95,20 +95,19 @@ def numbers_of(results: Results) -> list[float]:
     return sorted(changed | {1.0 - each for each in plain if each < 1.0})
 
 
-def _numbers(node: object) -> Iterator[float]:
-    if isinstance(node, bool):
-        return
-    if isinstance(node, int | float):
-        yield float(node)
-    elif dataclasses.is_dataclass(node) and not isinstance(node, type):
-        for field in dataclasses.fields(node):
-            yield from _numbers(getattr(node, field.name))
-    elif isinstance(node, Mapping):
-        for each in node.values():
-            yield from _numbers(each)
-    elif isinstance(node, list | tuple):
-        for each in node:
-            yield from _numbers(each)
+def _numbers(results: Results) -> Iterator[float]:
+    left: list[object] = [results]
+    while left:
+        node = left.pop()
+        if isinstance(node, int | float):
+            if not isinstance(node, bool):
+                yield float(node)
+        elif isinstance(node, list | tuple):
+            left.extend(node)
+        elif isinstance(node, Mapping):
+            left.extend(node.values())
+        elif dataclasses.is_dataclass(node):
+            left.extend(getattr(node, field.name) for field in dataclasses.fields(node))
 
 
 def derived_numbers(results: Results) -> list[float]:
@@ -155,17 +154,21 @@ def is_known(value: float, known: list[float]) -> bool:
     return not isfinite(value) or (place < len(known) and known[place] <= abs(value) * (1 + 1e-12) + 1e-300)
 
 
-def strange_numbers(results: Results) -> set[tuple[str, str]]:
+def strange_numbers(results: Results, shown: Iterable[Shown] | None = None) -> set[tuple[str, str]]:
     """Return the numbers of a full report, with where they are, that are not of its results.
 
     What is not in results is worked out from them, is a small whole number, a count or a place in a list, or is a fixed
     number of the program, said in a sentence.
+
+    shown : the numbers of that report, where they are known already
     """
-    document = assessment(results, detail="full")
+    if shown is None:
+        document = assessment(results, detail="full")
+        shown = shown_numbers(document, document.writer)
     known = sorted([*numbers_of(results), *derived_numbers(results), *FIXED])
     return {
         (each.where, each.text)
-        for each in shown_numbers(document, document.writer)
+        for each in shown
         if not is_known(each.value, known) and not (each.value == int(each.value) and 0 <= each.value < 1000)
     }
 

@@ -55,7 +55,10 @@ def test_no_message_of_results_holds_a_sentence(name: str) -> None:
 
 @pytest.mark.parametrize("name", ["single_wall", "lnec_houses"])
 def test_messages_of_results_json_are_those_of_the_run(name: str, tmp_path: Path) -> None:
-    results = run_study(build(load(copy_example(name, tmp_path / name))))
+    """Run without the scan; the results of single_wall above hold its messages."""
+    project = copy_example(name, tmp_path / name)
+    project.write_text(project.read_text(encoding="utf-8").replace("[analysis]", "[analysis]\nscan = false"))
+    results = run_study(build(load(project)))
     assert composed(results) == set()
     assert set(objects_in(loads(dumps(results)), Message)) == set(objects_in(results, Message))
 

@@ -27,8 +27,10 @@ FINISHED = (0, 1, 3)  # exit codes of a run with results
 SHORTENED = (
     "casa_grande",
     "casa_grande_flexible",
+    "casa_grande_table",
     "chiesa",
     "house",
+    "nepal_monuments",
     "san_leonardo_church",
     "san_leonardo_spire",
     "san_leonardo_tower",

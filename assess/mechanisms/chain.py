@@ -255,27 +255,26 @@ class ChainMotion(ShortRepr):
     """A chain at rotations of its leading block.
 
     rotation : phi [n] [rad]
-    angle, rate, bend : theta, theta', theta'' of each block with respect to phi [blocks, n]; clockwise
+    angle, rate : theta and theta' of each block with respect to phi [blocks, n]; clockwise
+    turn : exp(-i theta) [blocks, n]
     hinges : of the chain at rest, x + iz [m]
     """
 
     rotation: FloatArray
     angle: FloatArray
+    turn: ComplexArray
     rate: FloatArray
-    bend: FloatArray
     hinges: ComplexArray
 
 
 @dataclass(frozen=True, repr=False)
 class PointPath(ShortRepr):
-    """A point over rotation [n]: place x, z [m], and its first and second derivatives with respect to phi [m]."""
+    """A point over rotation [n]: place x, z [m], and its derivatives with respect to phi [m]."""
 
     x: FloatArray
     z: FloatArray
     dx: FloatArray
     dz: FloatArray
-    ddx: FloatArray
-    ddz: FloatArray
 
 
 def move(chain: Chain, rotation: FloatArray) -> ChainMotion:
@@ -290,15 +289,11 @@ def move(chain: Chain, rotation: FloatArray) -> ChainMotion:
     arms = np.diff(hinges)[:, None]
     lead = np.exp(-1j * rotation)
     if len(chain.blocks) == 1:
-        still = np.zeros((1, rotation.size))
-        return ChainMotion(rotation, rotation[None, :], still + 1.0, still, hinges)
+        return ChainMotion(rotation, rotation[None, :], lead[None, :], np.ones((1, rotation.size)), hinges)
     turned = close_loop(arms, lead=arms[0] * lead, span=arms.sum(axis=0))
     rate = np.concatenate([np.ones((1, rotation.size)), solve_block_rates(turned, -turned[0])])
-    bend = np.concatenate(
-        [np.zeros((1, rotation.size)), solve_block_rates(turned, 1j * np.sum(turned * rate**2, axis=0))]
-    )
     angle = np.concatenate([rotation[None, :], -np.angle(turned[1:] / arms[1:])])
-    return ChainMotion(rotation, angle, rate, bend, hinges)
+    return ChainMotion(rotation, angle, np.exp(-1j * angle), rate, hinges)
 
 
 def trace_point(motion: ChainMotion, *, block: int, at: Point) -> PointPath:
@@ -310,16 +305,14 @@ def trace_point(motion: ChainMotion, *, block: int, at: Point) -> PointPath:
     block : its number, 0 at the base
     at : the point (x, z) at rest [m]
     """
-    turn = np.exp(-1j * motion.angle[: block + 1])
     here = np.full(motion.rotation.size, motion.hinges[0])
-    first, second = np.zeros_like(here), np.zeros_like(here)
+    derivative = np.zeros_like(here)
     for j in range(block + 1):
         end = motion.hinges[j + 1] if j < block else complex(*at)
-        arm = (end - motion.hinges[j]) * turn[j]
+        arm = (end - motion.hinges[j]) * motion.turn[j]
         here = here + arm
-        first = first - 1j * motion.rate[j] * arm
-        second = second - (1j * motion.bend[j] + motion.rate[j] ** 2) * arm
-    return PointPath(here.real, here.imag, first.real, first.imag, second.real, second.imag)
+        derivative = derivative - 1j * motion.rate[j] * arm
+    return PointPath(here.real, here.imag, derivative.real, derivative.imag)
 
 
 def geometric_limit(chain: Chain) -> float:

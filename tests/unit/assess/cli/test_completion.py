@@ -14,6 +14,7 @@ from assess.examples import EXAMPLES
 from assess.verification.case_files import read_cases
 from spectra.design_spectra import SPECTRA
 
+SHELLS = ("bash", "zsh", "fish")
 CASES = {key for each in read_cases() for key in (each.key, each.key.partition("/")[0])}
 
 
@@ -28,9 +29,19 @@ def environment(tmp_path_factory: pytest.TempPathFactory) -> dict[str, str]:
     return os.environ | {"PATH": f"{folder}{os.pathsep}{os.environ['PATH']}", "PYTHONPATH": str(root)}
 
 
-def script(shell: str, environment: dict[str, str]) -> str:
-    asked = environment | {"_ASSESS_COMPLETE": f"source_{shell}"}
-    return subprocess.run(["assess"], env=asked, capture_output=True, text=True, check=True).stdout
+@pytest.fixture(scope="module")
+def scripts(environment: dict[str, str]) -> dict[str, str]:
+    """What each shell is given to read at its start."""
+    return {
+        shell: subprocess.run(
+            ["assess"],
+            env=environment | {"_ASSESS_COMPLETE": f"source_{shell}"},
+            capture_output=True,
+            text=True,
+            check=True,
+        ).stdout
+        for shell in SHELLS
+    }
 
 
 @pytest.mark.skipif(shutil.which("bash") is None, reason="there is no bash here")
@@ -51,19 +62,19 @@ def script(shell: str, environment: dict[str, str]) -> str:
         ("assess verify hous", sorted([key for key in CASES if key.startswith("hous")])),
     ],
 )
-def test_bash_completes(line: str, offered: list[str], environment: dict[str, str]) -> None:
+def test_bash_completes(line: str, offered: list[str], scripts: dict[str, str], environment: dict[str, str]) -> None:
     words = line.split(" ")
     quoted = " ".join(f"'{word}'" for word in words)
     ask = f"COMP_WORDS=({quoted}); COMP_CWORD={len(words) - 1}; _assess_completion assess"
-    text = f"{script('bash', environment)}\n{ask}\nprintf '%s\\n' \"${{COMPREPLY[@]}}\""
+    text = f"{scripts['bash']}\n{ask}\nprintf '%s\\n' \"${{COMPREPLY[@]}}\""
     done = subprocess.run(["bash", "-c", text], env=environment, capture_output=True, text=True, check=True)
     assert done.stderr == ""
     assert done.stdout.split() == offered
 
 
-@pytest.mark.parametrize("shell", ["bash", "zsh", "fish"])
-def test_scripts_are_those_of_their_shell(shell: str, environment: dict[str, str]) -> None:
-    text = script(shell, environment)
+@pytest.mark.parametrize("shell", SHELLS)
+def test_scripts_are_those_of_their_shell(shell: str, scripts: dict[str, str]) -> None:
+    text = scripts[shell]
     assert f"_ASSESS_COMPLETE=complete_{shell}" in text
     if shutil.which(shell):
         option = "--no-execute" if shell == "fish" else "-n"

@@ -82,7 +82,7 @@ def test_a_row_counts_the_warnings_on_its_input(tmp_path: Path, keep: Keep) -> N
     for height, warned in ((6.0, False), (600.0, True)):
         text = project_toml(
             site={"limit_state": "SLV", "spectrum": NTC}, bodies={"high": wall(0.4, height=height)},
-            mechanisms={"high": block("high")},
+            mechanisms={"high": block("high")}, records={"synthetic": {"count": 1, "duration": "25 s"}},
         )  # fmt: skip
         (tmp_path / "project.toml").write_text(text)
         one = Task("One wall", "", tmp_path / "project.toml", None, "")

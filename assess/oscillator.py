@@ -6,7 +6,8 @@ phi [rad] is the rotation of the leading block. A `Branch` tabulates one directi
 sign (rotation >= 0, restoring > 0 resists, excitation > 0); an `Oscillator` is one or two of them. Geometry and
 mechanisms, which make it, know nothing of codes; dynamics and codes, which use it, know nothing of blocks or meshes.
 
-Beside it pass the forces at the hinges when the mechanism starts to rock, with the friction that they need. H along the
+Beside it pass the rotations at which ties and forces end and floors lose their seats, and the forces at the hinges
+when the mechanism starts to rock, with the friction that they need. H along the
 branch's own direction and V up act on the block that presses at a hinge; with n square to the faces there,
 
     N = H n_x + V n_z        T = H n_z - V n_x        friction needed: |T| / N
@@ -29,6 +30,9 @@ from scipy.interpolate import CubicSpline, PPoly
 
 from assess.messages.message import Message, Term
 from spectra.arrays import FloatArray
+
+BranchName = Literal["positive", "negative"]
+BRANCH_NAMES: tuple[BranchName, BranchName] = ("positive", "negative")
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -374,6 +378,34 @@ Vector = tuple[float, float]
 
 
 @dataclass(frozen=True)
+class LocalLimit:
+    """A rotation of one branch at which a tie or force ends ("break") or a floor or beam loses its seat ("seat") [rad].
+
+    what : the load, by its name; rotation : counted as the table of the branch
+    """
+
+    kind: Literal["break", "seat"]
+    what: str
+    branch: BranchName
+    rotation: float
+
+
+@dataclass(frozen=True)
+class OpenSeat:
+    """A floor or beam that rests on the mechanism on a seat whose length is not given, in one branch.
+
+    what : the load, by its name
+    rotation, travel : of the branch, counted as its table [rad], and how far its point has then moved on the seat [m],
+        both [n]
+    """
+
+    what: str
+    branch: BranchName
+    rotation: FloatArray
+    travel: FloatArray
+
+
+@dataclass(frozen=True)
 class Pressure:
     """The force on the block that presses, square to the faces (compression > 0) and along them [N]."""
 
@@ -395,7 +427,7 @@ class HingeForces:
     """
 
     hinge: str
-    branch: Literal["positive", "negative"]
+    branch: BranchName
     single: bool
     horizontal: float
     vertical: float

@@ -8,8 +8,9 @@ from typing import Any
 
 import numpy as np
 
-from assess.codes.check import BranchName, Check
+from assess.codes.check import Check
 from assess.codes.procedures import PROCEDURES
+from assess.oscillator import BranchName
 from assess.results import HistoryResult, MechanismResult, Results
 from reports.language.texts import Phrase, Text, Verbatim, listing, say
 

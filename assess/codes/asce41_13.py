@@ -19,7 +19,6 @@ from assess.codes.check import (
     AMERICAN,
     ORDINATE,
     TABLE_SPECTRUM,
-    BranchName,
     Check,
     CodeProcedure,
     DefaultRun,
@@ -34,7 +33,7 @@ from assess.codes.check import (
 from assess.codes.context import PLINTH, Building, Context, Wall
 from assess.declaration import Evidence, PositiveAcceleration
 from assess.messages.message import Message, Quantity, Severity, Term, message
-from assess.oscillator import Branch, Oscillator, threshold
+from assess.oscillator import Branch, BranchName, Oscillator, threshold
 
 EDITION = "ASCE/SEI 41-13"
 CLAUSE, CHECKLIST = "ASCE 41-13 Table 11-5", "ASCE 41-13, checklist for nonstructural components"

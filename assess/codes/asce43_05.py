@@ -31,7 +31,6 @@ from assess.codes.calculation_sheet import (
     step,
 )
 from assess.codes.check import (
-    BranchName,
     Check,
     CodeProcedure,
     DefaultRun,
@@ -61,6 +60,7 @@ from assess.declaration import Evidence, PositiveLength
 from assess.messages.message import Severity, Term, message
 from assess.oscillator import (
     Branch,
+    BranchName,
     Oscillator,
     RockingBlock,
     block_at,

@@ -11,12 +11,11 @@ from typing import Literal, TypedDict
 from assess.codes.calculation_sheet import Bound, Step
 from assess.declaration import Evidence
 from assess.messages.message import Message, Severity, Term, Value, message
-from assess.oscillator import Branch, Oscillator
+from assess.oscillator import BRANCH_NAMES, Branch, BranchName, Oscillator
 from assess.short_repr import ShortRepr
 
 Role = Literal["deciding", "comparison"]
 Reading = Literal["letter", "thesis"]
-BranchName = Literal["positive", "negative"]
 InputAt = Literal["ground", "mechanism base", "missing"]
 Unbounded = Literal["", "overturned", "beyond the spectrum"]
 
@@ -328,7 +327,6 @@ class Check(ShortRepr):
 
 
 CheckOfBranch = Callable[[Branch, BranchName, float], Check]
-BRANCH_NAMES: tuple[BranchName, BranchName] = ("positive", "negative")
 
 
 def check_worst_branch(oscillator: Oscillator, levels: Sequence[float], one: CheckOfBranch) -> tuple[Check, ...]:

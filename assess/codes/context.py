@@ -8,13 +8,13 @@ from math import inf
 from typing import Annotated, Literal
 
 from assess.codes.calculation_sheet import Given
-from assess.codes.check import BranchName, InputAt
+from assess.codes.check import InputAt
 from assess.codes.histories import SuiteResponse
 from assess.declaration import FREE, Damping, Evidence, PositiveTime
 from assess.errors import ProcedureError
 from assess.messages.message import Message
-from assess.oscillator import HingeForces, Oscillator
-from spectra.arrays import FloatArray, is_number
+from assess.oscillator import BranchName, HingeForces, LocalLimit, OpenSeat, Oscillator
+from spectra.arrays import is_number
 from spectra.spectrum import Spectrum
 
 WallSupport = Literal["free", "spanning", "hinged"]
@@ -22,7 +22,6 @@ WallSupport = Literal["free", "spanning", "hinged"]
 PLINTH, PLINTH_SHARE = 0.5, 0.05  # m, and of the building's height: a support no higher than either is on the ground
 Transfer = Literal["not", "by a factor", "by a filter"]
 """How the motion of histories reaches a mechanism: as it is at the ground, times one number, or through a mode."""
-LimitKind = Literal["break", "seat"]
 
 
 @dataclass(frozen=True)
@@ -159,33 +158,6 @@ class FreePeriod:
     formula: str = "given"
     inputs: Given = field(default_factory=dict)
     remark: str = ""
-
-
-@dataclass(frozen=True)
-class LocalLimit:
-    """A rotation of one branch at which a tie or force ends ("break") or a floor or beam loses its seat ("seat") [rad].
-
-    what : the load, by its name
-    """
-
-    kind: LimitKind
-    what: str
-    branch: BranchName
-    rotation: float
-
-
-@dataclass(frozen=True)
-class OpenSeat:
-    """A floor or beam that rests on the mechanism on a seat whose length is not given, in one branch.
-
-    what : the load, by its name
-    rotation, travel : of the branch [rad], and how far its point has then moved on the seat [m], both [n]
-    """
-
-    what: str
-    branch: BranchName
-    rotation: FloatArray
-    travel: FloatArray
 
 
 @dataclass(frozen=True)

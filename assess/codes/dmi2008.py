@@ -22,16 +22,7 @@ from scipy.constants import g
 
 from assess.codes import italian_kinematic as kinematic
 from assess.codes.calculation_sheet import Given, Step, excitation_column, instability_step, integral_step, step
-from assess.codes.check import (
-    BranchName,
-    Check,
-    CodeProcedure,
-    DefaultRun,
-    Family,
-    branch_of,
-    caveats_of,
-    check_worst_branch,
-)
+from assess.codes.check import Check, CodeProcedure, DefaultRun, Family, branch_of, caveats_of, check_worst_branch
 from assess.codes.context import Context
 from assess.codes.italian_histories import HistoryRule, assess_histories, required_pga
 from assess.codes.italian_limit_states import (
@@ -53,7 +44,7 @@ from assess.codes.pga_rotation import (
     to_pga_curve,
 )
 from assess.messages.message import Quantity, Term, message
-from assess.oscillator import Branch, Oscillator, displacement, participation_ratio, threshold
+from assess.oscillator import Branch, BranchName, Oscillator, displacement, participation_ratio, threshold
 from spectra.arrays import FloatArray
 
 EDITION = ItalianEdition(

@@ -20,7 +20,6 @@ from assess.codes.check import (
     EUROPEAN,
     ORDINATE,
     TABLE_SPECTRUM,
-    BranchName,
     Check,
     CodeProcedure,
     Family,
@@ -34,7 +33,7 @@ from assess.codes.check import (
 from assess.codes.context import Context, WallSupport
 from assess.declaration import Evidence, Number, PositiveAcceleration
 from assess.messages.message import Term
-from assess.oscillator import Branch, Oscillator, elastic_frequency, linear_multiplier, threshold
+from assess.oscillator import Branch, BranchName, Oscillator, elastic_frequency, linear_multiplier, threshold
 from spectra.floor import ec8_floor_factor
 
 EDITION = "EN 1998-1:2004"

@@ -21,7 +21,6 @@ from scipy.constants import g
 from assess.codes.calculation_sheet import Step, step
 from assess.codes.check import (
     NEEDED,
-    BranchName,
     Check,
     NumericalSpread,
     Outcome,
@@ -31,7 +30,7 @@ from assess.codes.check import (
     reason_message,
 )
 from assess.messages.message import Message, Quantity, Severity, message
-from assess.oscillator import Oscillator, threshold
+from assess.oscillator import BranchName, Oscillator, threshold
 from assess.short_repr import ShortRepr
 from spectra.arrays import BoolArray, FloatArray, IntArray
 

@@ -18,7 +18,7 @@ import numpy as np
 from scipy.constants import g
 
 from assess.codes.calculation_sheet import Given, Step, step
-from assess.codes.check import BranchName, Check, Outcome, PgaCurve, Reason, caveats_of, reason_message
+from assess.codes.check import Check, Outcome, PgaCurve, Reason, caveats_of, reason_message
 from assess.codes.context import Context, SiteHazard
 from assess.codes.histories import (
     Capacities,
@@ -57,7 +57,7 @@ from assess.codes.italian_limit_states import (
     pga_step,
 )
 from assess.messages.message import Message, whole_number
-from assess.oscillator import Oscillator, displacement, participation_ratio
+from assess.oscillator import BRANCH_NAMES, BranchName, Oscillator, displacement, participation_ratio
 from spectra.arrays import BoolArray, FloatArray
 from spectra.spectrum import Spectrum
 
@@ -138,7 +138,6 @@ def required_pga(
 
 
 RECORDS_FOR_MEAN = 7  # NTC 7.3.5
-SIDES: tuple[BranchName, BranchName] = ("positive", "negative")
 
 
 @dataclass(frozen=True)
@@ -370,7 +369,7 @@ def _run_ratios(
     """Return d*/d0* and d*/d_LS of every run of each record [runs, records] [-]; inf where it overturned."""
     runs = suite.runs
     of_collapse, of_limit = np.full(runs.ratio.shape, inf), np.full(runs.ratio.shape, inf)
-    for name in SIDES:
+    for name in BRANCH_NAMES:
         here = (runs.negative == (name == "negative")) & np.isfinite(runs.ratio)
         if not here.any():
             continue

@@ -31,7 +31,7 @@ from assess.codes.calculation_sheet import (
     step,
 )
 from assess.codes.check import Check, Outcome, PgaCurve, Reason, caveats_of, reason_message
-from assess.codes.context import Context, LocalLimit
+from assess.codes.context import Context
 from assess.codes.italian_limit_states import (
     BranchCurves,
     Demands,
@@ -43,7 +43,15 @@ from assess.codes.italian_limit_states import (
 )
 from assess.codes.pga_rotation import pga_rotation, to_pga_curve
 from assess.messages.message import Message, Quantity, Severity, Term, Value, list_values, message
-from assess.oscillator import Branch, displacement, linear_multiplier, multiplier, participation_ratio, threshold
+from assess.oscillator import (
+    Branch,
+    LocalLimit,
+    displacement,
+    linear_multiplier,
+    multiplier,
+    participation_ratio,
+    threshold,
+)
 from spectra.arrays import FloatArray
 
 

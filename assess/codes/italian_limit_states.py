@@ -20,10 +20,10 @@ import numpy as np
 from scipy.constants import g
 
 from assess.codes.calculation_sheet import Bound, Step, step
-from assess.codes.check import BRANCH_NAMES, BranchName, Check, InputAt, Outcome, branch_of, worst_branch_check
-from assess.codes.context import Context, LocalLimit, SiteHazard
+from assess.codes.check import Check, InputAt, Outcome, branch_of, worst_branch_check
+from assess.codes.context import Context, SiteHazard
 from assess.messages.message import Quantity, message
-from assess.oscillator import Branch, Oscillator
+from assess.oscillator import BRANCH_NAMES, Branch, BranchName, LocalLimit, Oscillator
 from spectra.floor import first_mode_factor
 from spectra.spectrum import Spectrum
 

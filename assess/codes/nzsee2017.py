@@ -38,7 +38,6 @@ from assess.codes.check import (
     NEW_ZEALAND,
     ORDINATE,
     TABLE_SPECTRUM,
-    BranchName,
     Check,
     CodeProcedure,
     DefaultRun,
@@ -55,7 +54,7 @@ from assess.codes.context import Context, Gravity, WallSupport
 from assess.codes.pga_rotation import pga_rotation, to_pga_curve
 from assess.declaration import Evidence, Number, PositiveAcceleration, Share
 from assess.messages.message import Message, Quantity, Term, message
-from assess.oscillator import Branch, Oscillator, energy, threshold
+from assess.oscillator import Branch, BranchName, Oscillator, energy, threshold
 from spectra.arrays import FloatArray
 from spectra.floor import NZS_LOW, NZS_SHARE, nzs1170_5_height_coefficient, part_shape
 

@@ -32,7 +32,7 @@ from assess.mechanisms.chain import HINGES, Chain, ChainPair, Joint
 from assess.mechanisms.oscillators import ChainActions, Variants, find_variants, mechanism_actions, oscillator_at_start
 from assess.mechanisms.restitution import ImpactRules, Restitution
 from assess.messages.message import Message, Term
-from assess.oscillator import Oscillator
+from assess.oscillator import BRANCH_NAMES, LocalLimit, OpenSeat, Oscillator
 from assess.short_repr import ShortRepr
 from spectra.arrays import FloatArray
 
@@ -347,45 +347,16 @@ def direction_at(angle: float) -> Vector:
     return (round(cos(radians(angle)), 15), round(sin(radians(angle)), 15), 0.0)
 
 
-LimitKind = Literal["break", "seat"]
-BranchName = Literal["positive", "negative"]
 AT_JUMP = 1e-9  # of a rotation: a jump of a table this near an end is that end
-BRANCHES: tuple[BranchName, BranchName] = ("positive", "negative")
 
 
-@dataclass(frozen=True)
-class Limit:
-    """A rotation of a branch [rad], counted as its table: an action ends ("break"), or a load loses its seat ("seat").
-
-    what : name of the load
-    """
-
-    kind: LimitKind
-    what: str
-    branch: BranchName
-    rotation: float
-
-
-def limits(mechanism: Mechanism) -> tuple[Limit, ...]:
+def limits(mechanism: Mechanism) -> tuple[LocalLimit, ...]:
     """Return where resisting actions end and loads lose their seats, on the branches of the breaking variant."""
     rocker = mechanism.variants.breaking
     return () if rocker is None else tuple(_limits(rocker, mechanism.actions))
 
 
-@dataclass(frozen=True)
-class SeatTravel:
-    """How far the point of a load moves on its seat [m] over the rotation of a branch, counted as its table [rad] [n].
-
-    what : name of the load
-    """
-
-    what: str
-    branch: BranchName
-    rotation: FloatArray
-    travel: FloatArray
-
-
-def open_seats(mechanism: Mechanism) -> tuple[SeatTravel, ...]:
+def open_seats(mechanism: Mechanism) -> tuple[OpenSeat, ...]:
     """Return the movement of each bearing mass (floor, beam) whose length of seat is not given, in each branch."""
     return tuple(_open_seats(mechanism))
 
@@ -415,15 +386,15 @@ def _pressing_joints(chain: Chain) -> tuple[Joint | None, ...]:
     return chain.joints[:2] if len(chain.blocks) == 2 and chain.joints[2] is None else chain.joints
 
 
-def _limits(rocker: Oscillator, acting: Sequence[ChainActions]) -> Iterator[Limit]:
+def _limits(rocker: Oscillator, acting: Sequence[ChainActions]) -> Iterator[LocalLimit]:
     """Yield the limits of each branch of an oscillator."""
-    sides = zip(acting, rocker.branches, BRANCHES, rocker.equilibria, strict=False)
+    sides = zip(acting, rocker.branches, BRANCH_NAMES, rocker.equilibria, strict=False)
     for one, branch, name, rest in sides:
         jumps = branch.rotation[1:][np.diff(branch.rotation) == 0.0]
         ends = [(k, end - rest) for k, end in enumerate(one.ends) if 0.0 < end < inf and one.resists_at(k, end)]
-        found = [Limit("break", one.actions[k].name, name, end) for k, end in ends if _is_jump(end, jumps)]
+        found = [LocalLimit("break", one.actions[k].name, name, end) for k, end in ends if _is_jump(end, jumps)]
         masses = [load for load in one.chain.loads if isinstance(load, PointMass) and load.bearing]
-        found += [Limit("seat", mass.name, name, unseating_rotation(one.chain, mass) - rest) for mass in masses]
+        found += [LocalLimit("seat", mass.name, name, unseating_rotation(one.chain, mass) - rest) for mass in masses]
         yield from (limit for limit in found if limit.rotation <= branch.rotation[-1])
 
 
@@ -432,11 +403,11 @@ def _is_jump(rotation: float, jumps: FloatArray) -> bool:
     return bool(np.isclose(jumps, rotation, rtol=AT_JUMP, atol=0.0).any())
 
 
-def _open_seats(mechanism: Mechanism) -> Iterator[SeatTravel]:
+def _open_seats(mechanism: Mechanism) -> Iterator[OpenSeat]:
     rocker = mechanism.variants.deciding
     chains = [chain for chain in (mechanism.positive, mechanism.negative) if chain is not None]
-    for chain, name, rest in zip(chains, BRANCHES, rocker.equilibria, strict=False):
+    for chain, name, rest in zip(chains, BRANCH_NAMES, rocker.equilibria, strict=False):
         for mass in (each for each in chain.loads if isinstance(each, PointMass) and each.bearing):
             if mass.seat is None:
                 rotation = scan_rotations(chain)
-                yield SeatTravel(mass.name, name, rotation - rest, travel_on_seat(chain, mass, rotation))
+                yield OpenSeat(mass.name, name, rotation - rest, travel_on_seat(chain, mass, rotation))

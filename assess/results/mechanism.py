@@ -9,8 +9,9 @@ from dataclasses import dataclass
 from typing import Any, Literal
 
 from assess.codes.calculation_sheet import Step
-from assess.codes.check import BranchName, Check
+from assess.codes.check import Check
 from assess.messages.message import Message, Term
+from assess.oscillator import BranchName
 from assess.results.provenance import Floats, Place, Point, Ring
 from assess.short_repr import ShortRepr
 

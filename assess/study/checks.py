@@ -23,8 +23,8 @@ from scipy.constants import g
 
 from assess.amplification import BaseMotion, FirstMode, ModalFilter
 from assess.codes.asce43_05 import ASCE43_05_SPECTRUM
-from assess.codes.check import BranchName, Check, Outcome, Reason, reason_message
-from assess.codes.context import Building, Context, Gravity, LocalLimit, OpenSeat, Transfer, Wall, WallSupport
+from assess.codes.check import Check, Outcome, Reason, reason_message
+from assess.codes.context import Building, Context, Gravity, Transfer, Wall, WallSupport
 from assess.codes.procedures import apply_procedure, uses_histories, with_options
 from assess.codes.question import MechanismChecks, Question
 from assess.codes.verdict import Verdict, mark_deciding, verdict
@@ -35,7 +35,7 @@ from assess.mechanisms.hinge_forces import hinge_forces
 from assess.mechanisms.kinds import MECHANISM_KINDS
 from assess.mechanisms.mechanism import Mechanism, height_of_support, limits, open_seats
 from assess.messages.message import Message, Quantity
-from assess.oscillator import Oscillator
+from assess.oscillator import BranchName, Oscillator
 from assess.results import MechanismResult
 from assess.study.amplification import MechanismAmplification
 from assess.study.histories import (
@@ -379,8 +379,8 @@ def _context_without_floor_spectrum(
         crushing=mechanism.crushing,
         starting=variants.starting,
         breaking=variants.breaking,
-        limits=tuple(LocalLimit(each.kind, each.what, each.branch, each.rotation) for each in limits(mechanism)),
-        open_seats=tuple(OpenSeat(**vars(each)) for each in open_seats(mechanism)),
+        limits=limits(mechanism),
+        open_seats=open_seats(mechanism),
         knowledge=study.knowledge.get(mechanism.name, {}),
         limit_state=study.limit_state if study.hazard is None else None,
         impossible=height.unknown,

@@ -24,7 +24,6 @@ import numpy as np
 from scipy.constants import g
 
 from assess.amplification import BaseMotion, base_motion
-from assess.codes.check import BranchName
 from assess.codes.histories import LOW_SHARE, RecordRuns, SuiteResponse, share_upright
 from assess.codes.procedures import pga_rules, uses_histories
 from assess.dynamics import pulses
@@ -32,7 +31,7 @@ from assess.dynamics.history import Jobs, Peaks, make_solver, peaks, trace
 from assess.dynamics.packing import Equation
 from assess.dynamics.pulses import Envelope
 from assess.mechanisms.mechanism import Mechanism
-from assess.oscillator import Oscillator, elastic_frequency, linear_multiplier
+from assess.oscillator import BranchName, Oscillator, elastic_frequency, linear_multiplier
 from assess.results import (
     HistoryResult,
     HistoryTrace,

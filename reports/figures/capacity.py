@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator, NullFormatter
 from scipy.constants import g
 
-from assess.codes.check import BranchName
+from assess.oscillator import BranchName
 from assess.results import BranchCurve, MechanismResult
 from reports.figures import style
 from reports.language.locale import Locale

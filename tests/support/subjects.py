@@ -13,7 +13,7 @@ from scipy.constants import g
 from assess.codes.asce41_13 import Asce41Options
 from assess.codes.asce43_05 import Asce4305Options
 from assess.codes.check import Check, branch_of
-from assess.codes.context import Building, Context, FreePeriod, LocalLimit, SiteHazard, StatedFirstMode
+from assess.codes.context import Building, Context, FreePeriod, SiteHazard, StatedFirstMode
 from assess.codes.histories import SuiteResponse
 from assess.codes.ntc2018_clauses import free_period
 from assess.codes.procedures import CodeOptions, with_options
@@ -26,7 +26,7 @@ from assess.mechanisms.hinge_forces import hinge_forces
 from assess.mechanisms.mechanism import Face, Mechanism
 from assess.mechanisms.single_block import single_block
 from assess.mechanisms.two_block import two_block
-from assess.oscillator import Branch, Oscillator
+from assess.oscillator import Branch, LocalLimit, Oscillator
 from assess.study.checks import SUPPORTS, wall_of
 from spectra.asce7 import design_spectrum
 from spectra.ec8 import elastic_spectrum as ec8_spectrum

@@ -11,11 +11,12 @@ from scipy.constants import g
 
 from assess.codes import dmi2008, ntc2018
 from assess.codes.check import Reason
-from assess.codes.context import Context, LocalLimit
+from assess.codes.context import Context
 from assess.codes.histories import SuiteResponse
 from assess.codes.italian_histories import required_pga
 from assess.codes.italian_limit_states import ItalianOptions
 from assess.codes.procedures import apply_procedure
+from assess.oscillator import LocalLimit
 from spectra.asce7 import design_spectrum
 from tests.support.straight import ALPHA, D0, RADIUS, SLENDER, displacement
 

@@ -9,10 +9,11 @@ import pytest
 from scipy.constants import g
 
 from assess.codes.check import Outcome, Reason
-from assess.codes.context import Building, Context, OpenSeat, SiteHazard
+from assess.codes.context import Building, Context, SiteHazard
 from assess.codes.italian_limit_states import ItalianOptions
 from assess.codes.ntc2018_clauses import floor_demand, ultimate_modes
 from assess.mechanisms.single_block import equivalent_block
+from assess.oscillator import OpenSeat
 from spectra import ntc
 from spectra.table import table_spectrum
 from tests.support.answered import checks_of, context_at, step_values

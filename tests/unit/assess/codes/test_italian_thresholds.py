@@ -12,8 +12,9 @@ import pytest
 from scipy.constants import g
 
 from assess.codes import dmi2008, ntc2018
-from assess.codes.context import Context, LocalLimit
+from assess.codes.context import Context
 from assess.codes.italian_limit_states import ItalianOptions
+from assess.oscillator import LocalLimit
 from spectra import ntc
 from tests.support.answered import step_values
 from tests.support.blocks import both, pulled, thrust

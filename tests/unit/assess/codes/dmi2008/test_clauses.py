@@ -9,9 +9,9 @@ import pytest
 from scipy.constants import g
 
 from assess.codes import dmi2008
-from assess.codes.context import LocalLimit
 from assess.codes.dmi2008 import thesis_pga_rotation
 from assess.codes.italian_limit_states import Floor
+from assess.oscillator import LocalLimit
 from spectra.table import table_spectrum
 from tests.support.straight import CURVES, GROUND, HOUSE, MASS, RAISED, SOFT, STRAIGHT
 

@@ -9,7 +9,7 @@ from scipy.constants import g
 
 from assess.codes import italian_kinematic
 from assess.codes.check import Outcome
-from assess.codes.context import Building, LocalLimit, SiteHazard
+from assess.codes.context import Building, SiteHazard
 from assess.codes.italian_kinematic import DisplacementLimit, displacement_capacity
 from assess.codes.italian_limit_states import (
     ItalianOptions,
@@ -19,6 +19,7 @@ from assess.codes.italian_limit_states import (
     pga_ratio,
     return_period,
 )
+from assess.oscillator import LocalLimit
 from spectra.asce7 import design_spectrum
 from tests.support.straight import CURVES, GROUND, HOUSE, MASS, PHI, RAISED, SOFT, SPECTRUM, STRAIGHT
 

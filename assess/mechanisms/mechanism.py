@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
-from math import atan2, cos, degrees, inf, radians, sin
+from math import inf
 from typing import Annotated, ClassVar, Literal
 
 import numpy as np
@@ -29,11 +29,11 @@ from assess.loads.load import (
 )
 from assess.mechanisms.branch_table import scan_rotations, travel_on_seat, unseating_rotation
 from assess.mechanisms.chain import HINGES, Chain, ChainPair, Joint
+from assess.mechanisms.directions import CandidateDirection, DirectionSweep
 from assess.mechanisms.oscillators import ChainActions, Variants, find_variants, mechanism_actions, oscillator_at_start
 from assess.mechanisms.restitution import ImpactRules, Restitution
 from assess.messages.message import Message, Term
 from assess.oscillator import BRANCH_NAMES, LocalLimit, OpenSeat, Oscillator
-from assess.short_repr import ShortRepr
 from spectra.arrays import FloatArray
 
 Sides = Literal["one", "two"]
@@ -190,7 +190,7 @@ class Mechanism:
     outlines: tuple[Outline, ...]
     rules: ImpactRules
     warnings: tuple[Message, ...] = ()
-    directions: Directions | None = None
+    directions: DirectionSweep | None = None
     faces: tuple[tuple[Face, ...], ...] = ()
     stopped: float | None = None
     rebounds: tuple[float, ...] = (1.0,)
@@ -275,76 +275,6 @@ class Face:
     on_geometry: bool = False
     friction: float | None = None
     remedy: Term | Message = NO_FRICTION
-
-
-@dataclass(frozen=True, repr=False)
-class Directions(ShortRepr):
-    """The resistance against rotation towards each direction of a circle.
-
-    Attributes
-    ----------
-    angle : of the direction from +x towards +y, rising [n] [deg]
-    multiplier : lambda at rest of the rotation towards it [n] [-]
-    p : p_eq [n] [1/s]; overturning : phi_ov [n] [rad]
-    weakest : the angle of the least multiplier, the smallest of equals [deg]
-    """
-
-    angle: tuple[float, ...]
-    multiplier: tuple[float, ...]
-    p: tuple[float, ...]
-    overturning: tuple[float, ...]
-    weakest: float
-
-    @property
-    def variation(self) -> float:
-        """1 - least / largest multiplier [-]: 0 for a body that is equal from all sides."""
-        return 1.0 - min(self.multiplier) / max(self.multiplier)
-
-    @property
-    def flat(self) -> float:
-        """Range of angles within one percent of the least multiplier, interpolated linearly [deg]."""
-        circle = np.arange(STEPS) * (360.0 / STEPS)
-        around = np.interp(circle, self.angle, self.multiplier, period=360.0)
-        return float(np.count_nonzero(around <= NEARLY_WEAKEST * min(self.multiplier)) * (360.0 / STEPS))
-
-
-NEARLY_WEAKEST = 1.01  # multipliers up to this many times the least are nearly as weak
-STEPS = 3600  # of the circle on which they are counted
-
-
-@dataclass(frozen=True)
-class CandidateDirection:
-    """A direction towards which a mechanism may topple.
-
-    Attributes
-    ----------
-    angle : from +x towards +y [deg]
-    multiplier : lambda at rest [-]; displacement : d0* of the control point where it overturns [m]
-        None if it cannot rock this way; d0* is None also if the multiplier alone rules it out
-    touching : the bodies that stop it
-    reason : why it cannot rock this way, empty if it can
-    """
-
-    angle: float
-    multiplier: float | None = None
-    displacement: float | None = None
-    touching: tuple[str, ...] = ()
-    reason: str = ""
-
-    @property
-    def direction(self) -> Vector:
-        """The direction as a unit vector."""
-        return direction_at(self.angle)
-
-
-def direction_angle(direction: Vector) -> float:
-    """Return the angle of a horizontal vector from +x towards +y, from 0 to 360 [deg]."""
-    return round(degrees(atan2(direction[1], direction[0])), 12) % 360.0
-
-
-def direction_at(angle: float) -> Vector:
-    """Return the horizontal unit vector at `angle` [deg] from +x towards +y."""
-    return (round(cos(radians(angle)), 15), round(sin(radians(angle)), 15), 0.0)
 
 
 AT_JUMP = 1e-9  # of a rotation: a jump of a table this near an end is that end

@@ -33,16 +33,13 @@ from assess.loads.load import BodyLoad, bodies_of, point_in_plane
 from assess.mechanisms.assembly import ASKEW, LEVEL_RISE
 from assess.mechanisms.branch_table import rigid_branch
 from assess.mechanisms.chain import Chain, virtual_work
+from assess.mechanisms.directions import CandidateDirection, DirectionSweep, direction_angle, direction_at
 from assess.mechanisms.kinds import MECHANISM_KINDS, Definition
 from assess.mechanisms.mechanism import (
     BlockMechanism,
-    CandidateDirection,
     CutAngle,
-    Directions,
     Mechanism,
     Vector,
-    direction_angle,
-    direction_at,
 )
 from assess.mechanisms.oscillators import collapse_branch
 from assess.mechanisms.restitution import Restitution
@@ -468,6 +465,8 @@ STEP = 5.0  # deg between directions, besides those that the edges of the base f
 BESIDE = 0.01  # deg: of the normal of an edge that rises
 SAME = 1e-6  # deg: directions this near are one
 TIE = 1e-9  # multipliers this near the least are as weak
+NEARLY_WEAKEST = 1.01  # multipliers up to this many times the least are nearly as weak
+STEPS = 3600  # of the circle on which they are counted
 
 
 def _sweep_directions(name: str, definition: BlockMechanism, bodies: Bodies) -> Built:
@@ -486,7 +485,7 @@ def _sweep_directions(name: str, definition: BlockMechanism, bodies: Bodies) -> 
             lambda direction: mechanism_of(name, _turn_towards(definition, direction), bodies).mechanism,
             _swept_angles(hull_edge_normals(plan)),
         )
-    built = mechanism_of(name, _turn_towards(definition, direction_at(found.weakest)), bodies)
+    built = mechanism_of(name, _turn_towards(definition, direction_at(found.weakest_deg)), bodies)
     kept = (each for each in built.mechanism.warnings if each.key != ASKEW)  # every direction has been looked at
     return replace(built, mechanism=replace(built.mechanism, directions=found, warnings=(*kept, *corner)))
 
@@ -567,7 +566,9 @@ def _turn_towards(definition: BlocksT, direction: Vector) -> BlocksT:
     return replace(definition, direction=direction)
 
 
-def _resistance_by_direction(mechanism_towards: Callable[[Vector], Mechanism], around: Sequence[float]) -> Directions:
+def _resistance_by_direction(
+    mechanism_towards: Callable[[Vector], Mechanism], around: Sequence[float]
+) -> DirectionSweep:
     """Find the resistance to positive rotation towards each of the angles `around` [n] [deg], rising.
 
     The smallest angle of the least multiplier is the weakest; opposite angles are the two signs of one plane.
@@ -586,7 +587,22 @@ def _resistance_by_direction(mechanism_towards: Callable[[Vector], Mechanism], a
         rows.append((float(multiplier(leading)[0]), leading.linearised.p, leading.overturning))
     multipliers, p, overturning = zip(*rows, strict=True)
     weakest = next(a for a, value in zip(around, multipliers, strict=True) if value <= min(multipliers) + TIE)
-    return Directions(tuple(around), multipliers, p, overturning, weakest)
+    return DirectionSweep(
+        angle_deg=tuple(around),
+        uplift_multiplier=multipliers,
+        p_eq_per_s=p,
+        overturning_rad=overturning,
+        weakest_deg=weakest,
+        variation=1.0 - min(multipliers) / max(multipliers),
+        flat_deg=_flat_range(around, multipliers),
+    )
+
+
+def _flat_range(around: Sequence[float], multipliers: Sequence[float]) -> float:
+    """Return the range of angles within one percent of the least multiplier, interpolated linearly [deg]."""
+    circle = np.arange(STEPS) * (360.0 / STEPS)
+    between = np.interp(circle, around, multipliers, period=360.0)
+    return float(np.count_nonzero(between <= NEARLY_WEAKEST * min(multipliers)) * (360.0 / STEPS))
 
 
 def _obstacles_of(definition: BlockMechanism, standing: Sequence[Solid], bodies: Bodies) -> tuple[Obstacle, ...]:

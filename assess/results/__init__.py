@@ -4,6 +4,7 @@ Names of fields end in their units. The tree is pure data, without clock or numb
 same bytes.
 """
 
+from assess.mechanisms.directions import DirectionSweep
 from assess.results.mechanism import (
     AmplificationFactor,
     AmplificationResult,
@@ -15,7 +16,6 @@ from assess.results.mechanism import (
     CriticalBand,
     CriticalResult,
     DirectionCandidate,
-    DirectionSweep,
     DisplacedDrawing,
     Drawing,
     DrawnLoad,

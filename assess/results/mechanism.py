@@ -10,6 +10,7 @@ from typing import Any, Literal
 
 from assess.codes.calculation_sheet import Step
 from assess.codes.check import Check
+from assess.mechanisms.directions import DirectionSweep
 from assess.messages.message import Message, Term
 from assess.oscillator import BranchName
 from assess.results.provenance import Floats, Place, Point, Ring
@@ -283,24 +284,6 @@ class HingeForceResult(ShortRepr):
     activation_g: float
     sliding_g: float | None
     held: bool
-
-
-@dataclass(frozen=True, repr=False)
-class DirectionSweep(ShortRepr):
-    """The resistance to rotation towards each direction, where the weakest was sought.
-
-    angle_deg [n]: from +x towards +y, rising; uplift_multiplier [n]: at rest; weakest_deg: the angle chosen, of several
-    with the least multiplier the smallest; variation: 1 - least / largest multiplier; flat_deg: part of the circle
-    within one percent of the least.
-    """
-
-    angle_deg: Floats
-    uplift_multiplier: Floats
-    p_eq_per_s: Floats
-    overturning_rad: Floats
-    weakest_deg: float
-    variation: float
-    flat_deg: float
 
 
 @dataclass(frozen=True, repr=False)

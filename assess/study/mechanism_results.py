@@ -22,7 +22,7 @@ from assess.geometry.cut import Scene
 from assess.loads.load import Force, Load, PointMass, Tie, pull_at_rest, source_phrase
 from assess.mechanisms.branch_table import load_displacement, rigid_branch
 from assess.mechanisms.hinge_forces import hinge_forces
-from assess.mechanisms.mechanism import Directions, Mechanism
+from assess.mechanisms.mechanism import Mechanism
 from assess.messages.message import Message, Quantity, Severity, Term, message
 from assess.oscillator import (
     Branch,
@@ -43,7 +43,6 @@ from assess.results import (
     CarriedMotion,
     ComparisonRow,
     DirectionCandidate,
-    DirectionSweep,
     HingeForceResult,
     HistoryResult,
     Lasting,
@@ -142,7 +141,7 @@ def mechanism_result(
         equation=equation,
         restitution_source=mechanism.restitution_source,
         restitution_said=mechanism.restitution_source_parts,
-        direction_sweep=None if mechanism.directions is None else direction_sweep(mechanism.directions),
+        direction_sweep=mechanism.directions,
         drawing=drawing,
         view=None if scene is None else view_in_space(mechanism, scene),
         oscillator=oscillator_result(positive, mass=mass, rigid=rigid[0], equilibrium=oscillator.equilibrium),
@@ -171,19 +170,6 @@ def mechanism_result(
         input_height_m=None if height is None else height.support,
         above_ground=None if height is None else height.above,
         ground_known_from="" if height is None else height.source,
-    )
-
-
-def direction_sweep(directions: Directions) -> DirectionSweep:
-    """Return the search for the weakest direction as results."""
-    return DirectionSweep(
-        angle_deg=directions.angle,
-        uplift_multiplier=directions.multiplier,
-        p_eq_per_s=directions.p,
-        overturning_rad=directions.overturning,
-        weakest_deg=directions.weakest,
-        variation=directions.variation,
-        flat_deg=directions.flat,
     )
 
 

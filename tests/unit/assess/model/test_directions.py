@@ -9,7 +9,7 @@ import trimesh
 from assess.errors import MechanismError, ProjectError
 from assess.geometry.contact import find_contact
 from assess.loads import bearing
-from assess.mechanisms.mechanism import Directions
+from assess.mechanisms.directions import DirectionSweep
 from assess.project.build import build
 from assess.project.project_file import load
 from assess.study.mechanism_results import parameters
@@ -30,7 +30,7 @@ def swept(body: str, mechanism: str = "") -> str:
     )
 
 
-def sought(folder: Path, body: str, mechanism: str = "") -> Directions:
+def sought(folder: Path, body: str, mechanism: str = "") -> DirectionSweep:
     found = mechanism_of(folder, swept(body, mechanism)).directions
     assert found is not None
     return found
@@ -53,23 +53,23 @@ def regular(sides: int, *, turned: float = 0.0) -> np.ndarray:
 
 def test_a_square_tower_is_weakest_across_a_face(tmp_path: Path) -> None:
     found = sought(tmp_path, SQUARE)
-    assert found.weakest == 0.0  # of four equal ones the smallest
-    assert min(found.multiplier) == pytest.approx(1.5 / 5.0, rel=1e-12)  # b / 2 over the centroid's height
-    at = np.radians(found.angle)
+    assert found.weakest_deg == 0.0  # of four equal ones the smallest
+    assert min(found.uplift_multiplier) == pytest.approx(1.5 / 5.0, rel=1e-12)  # b / 2 over the centroid's height
+    at = np.radians(found.angle_deg)
     support = 1.5 * (np.abs(np.cos(at)) + np.abs(np.sin(at)))
-    np.testing.assert_allclose(found.multiplier, support / 5.0, rtol=1e-12)
+    np.testing.assert_allclose(found.uplift_multiplier, support / 5.0, rtol=1e-12)
     assert found.variation == pytest.approx(1.0 - np.sqrt(0.5), rel=1e-9)
 
 
 def test_one_percent_of_a_square_is_eight_times_its_closed_form(tmp_path: Path) -> None:
     # cos(a) + sin(a) = 1.01 at a = 0.579 deg, on both sides of four directions; the lines between 5 deg are near it
-    assert sought(tmp_path, SQUARE).flat == pytest.approx(8 * 0.579, abs=0.5)
+    assert sought(tmp_path, SQUARE).flat_deg == pytest.approx(8 * 0.579, abs=0.5)
 
 
 def test_a_wall_is_weakest_across_its_thickness(tmp_path: Path) -> None:
     found = sought(tmp_path, "box = { thickness = 4, length = 0.5, height = 10 }")
-    assert found.weakest == 90.0
-    assert min(found.multiplier) == pytest.approx(0.25 / 5.0, rel=1e-12)
+    assert found.weakest_deg == 90.0
+    assert min(found.uplift_multiplier) == pytest.approx(0.25 / 5.0, rel=1e-12)
 
 
 def test_the_chosen_direction_is_the_mechanisms(tmp_path: Path) -> None:
@@ -83,8 +83,8 @@ def test_the_chosen_direction_is_the_mechanisms(tmp_path: Path) -> None:
 
 def test_a_turned_tower_is_weakest_where_its_face_looks(tmp_path: Path) -> None:
     found = sought(tmp_path, prism(tmp_path, regular(4, turned=np.radians(17.3))))
-    assert found.weakest == pytest.approx(17.3 + 45.0, abs=1e-9)
-    assert min(found.multiplier) == pytest.approx(1.5 * np.cos(np.pi / 4) / 5.0, rel=1e-9)
+    assert found.weakest_deg == pytest.approx(17.3 + 45.0, abs=1e-9)
+    assert min(found.uplift_multiplier) == pytest.approx(1.5 * np.cos(np.pi / 4) / 5.0, rel=1e-9)
 
 
 def test_a_round_tower_is_flat(tmp_path: Path) -> None:
@@ -92,30 +92,30 @@ def test_a_round_tower_is_flat(tmp_path: Path) -> None:
     found = mechanism.directions
     assert found is not None
     assert found.variation <= 1.0 - np.cos(np.pi / 64) + 1e-12
-    assert min(found.multiplier) == pytest.approx(1.5 * np.cos(np.pi / 64) / 5.0, rel=1e-9)
-    assert found.flat == pytest.approx(360.0)
+    assert min(found.uplift_multiplier) == pytest.approx(1.5 * np.cos(np.pi / 64) / 5.0, rel=1e-9)
+    assert found.flat_deg == pytest.approx(360.0)
     assert not any("askew" in text for text in map(str, mechanism.warnings))
 
 
 def test_a_triangle_is_weakest_across_an_edge_and_strongest_towards_a_corner(tmp_path: Path) -> None:
     found = sought(tmp_path, prism(tmp_path, regular(3)))
-    assert found.weakest == pytest.approx(60.0, abs=1e-9)
-    assert min(found.multiplier) == pytest.approx(0.75 / 5.0, rel=1e-9)
-    assert max(found.multiplier) == pytest.approx(1.5 / 5.0, rel=1e-9)
+    assert found.weakest_deg == pytest.approx(60.0, abs=1e-9)
+    assert min(found.uplift_multiplier) == pytest.approx(0.75 / 5.0, rel=1e-9)
+    assert max(found.uplift_multiplier) == pytest.approx(1.5 / 5.0, rel=1e-9)
     assert found.variation == pytest.approx(0.5, rel=1e-9)
 
 
 def test_a_leaning_tower_falls_the_way_it_leans(tmp_path: Path) -> None:
     found = sought(tmp_path, "profile = [[0, 0], [3, 0], [2.4, 10], [-0.6, 10]]\nlength = 4")
-    assert found.weakest == 180.0  # the centroid stands at 1.2, nearer to the edge at 0
-    assert min(found.multiplier) == pytest.approx(1.2 / 5.0, rel=1e-9)
+    assert found.weakest_deg == 180.0  # the centroid stands at 1.2, nearer to the edge at 0
+    assert min(found.uplift_multiplier) == pytest.approx(1.2 / 5.0, rel=1e-9)
 
 
 def test_loads_count_in_every_direction(tmp_path: Path) -> None:
     mass = 0.1 * 2000 * 3 * 3 * 10
     found = sought(tmp_path, SQUARE, f"loads = [{{ kind = 'mass', mass = {mass}, at = [0, -1.5, 10] }}]")
-    assert found.weakest == 270.0
-    assert min(found.multiplier) == pytest.approx((1.5 - 0.1 * 0.0) / (5.0 + 0.1 * 10.0), rel=1e-12)
+    assert found.weakest_deg == 270.0
+    assert min(found.uplift_multiplier) == pytest.approx((1.5 - 0.1 * 0.0) / (5.0 + 0.1 * 10.0), rel=1e-12)
 
 
 def test_a_floor_counts_in_every_direction_and_is_met_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -127,10 +127,10 @@ def test_a_floor_counts_in_every_direction_and_is_met_once(tmp_path: Path, monke
     floor = "[bodies.floor]\nmaterial = 'm'\nbox = { thickness = 4, length = 3, height = 0.5, base = [3, 0, 10] }"
     found = sought(tmp_path, SQUARE, f"sides = 'one'\nloads = [{{ kind = 'body', body = 'floor' }}]\n{floor}")
     assert met.count("floor") <= 2  # while seeking, and for the mechanism in the direction that was chosen
-    at = np.radians(found.angle)
+    at = np.radians(found.angle_deg)
     tower, laid = 3 * 3 * 10, 4 * 3 * 0.5
     resisting = (tower + laid) * 1.5 * (np.abs(np.cos(at)) + np.abs(np.sin(at))) - laid * 1.25 * np.cos(at)
-    np.testing.assert_allclose(found.multiplier, resisting / (tower * 5 + laid * 10), rtol=1e-9)
+    np.testing.assert_allclose(found.uplift_multiplier, resisting / (tower * 5 + laid * 10), rtol=1e-9)
 
 
 def least_by_brute_force(body: trimesh.Trimesh, normal: np.ndarray) -> float:
@@ -161,22 +161,22 @@ def test_the_weakest_of_bodies_of_chance_by_brute_force(tmp_path: Path, tilt: tu
     assert found is not None
     assert any("turns about one corner" in text for text in map(str, mechanism.warnings)) == any(tilt)
     least = least_by_brute_force(body, normal / np.linalg.norm(normal))
-    assert min(found.multiplier) == pytest.approx(least, rel=2e-3)  # a step of 0.05 deg beside a corner
+    assert min(found.uplift_multiplier) == pytest.approx(least, rel=2e-3)  # a step of 0.05 deg beside a corner
 
 
 @pytest.mark.parametrize("cut", ["cut = 4", "cut = { point = [0, 0, 4], normal = [0, 0, 1] }"])
 def test_what_lies_above_a_cut_is_looked_at(tmp_path: Path, cut: str) -> None:
     found = sought(tmp_path, SQUARE, cut)
-    assert found.weakest == 0.0
-    assert min(found.multiplier) == pytest.approx(1.5 / 3.0, rel=1e-12)
+    assert found.weakest_deg == 0.0
+    assert min(found.uplift_multiplier) == pytest.approx(1.5 / 3.0, rel=1e-12)
 
 
 def test_a_crack_given_by_its_angle_turns_with_the_direction(tmp_path: Path) -> None:
     found = sought(tmp_path, SQUARE, 'cut = { point = [0, 0, 4], angle = "20 deg" }\nsides = "one"')
-    quarter = len(found.multiplier) // 4
-    turned = np.roll(found.multiplier, -quarter)  # a square is the same after a quarter turn
-    np.testing.assert_allclose(found.multiplier, turned, rtol=1e-9)
-    assert found.weakest % 90.0 == 0.0
+    quarter = len(found.uplift_multiplier) // 4
+    turned = np.roll(found.uplift_multiplier, -quarter)  # a square is the same after a quarter turn
+    np.testing.assert_allclose(found.uplift_multiplier, turned, rtol=1e-9)
+    assert found.weakest_deg % 90.0 == 0.0
 
 
 def test_the_parameters_are_those_of_the_mechanism_towards_each_angle(tmp_path: Path) -> None:
@@ -184,10 +184,10 @@ def test_the_parameters_are_those_of_the_mechanism_towards_each_angle(tmp_path: 
     found = sought(tmp_path, body)
     text = swept(body).replace('"sweep"', "[0.5, 0.8660254037844386, 0]")
     one = parameters(study_of(tmp_path, text))[0].oscillator
-    place = found.angle.index(60.0)
-    assert found.p[place] == pytest.approx(one.p_eq_per_s, rel=1e-12)
-    assert found.overturning[place] == pytest.approx(one.overturning_rad, rel=1e-12)
-    assert found.multiplier[place] == pytest.approx(one.uplift_multiplier, rel=1e-12)
+    place = found.angle_deg.index(60.0)
+    assert found.p_eq_per_s[place] == pytest.approx(one.p_eq_per_s, rel=1e-12)
+    assert found.overturning_rad[place] == pytest.approx(one.overturning_rad, rel=1e-12)
+    assert found.uplift_multiplier[place] == pytest.approx(one.uplift_multiplier, rel=1e-12)
 
 
 @pytest.mark.parametrize(

@@ -29,29 +29,24 @@ class DirectionSweep(ShortRepr):
     flat_deg: float
 
 
-@dataclass(frozen=True)
-class CandidateDirection:
+@dataclass(frozen=True, repr=False)
+class DirectionCandidate(ShortRepr):
     """A direction towards which a mechanism may topple.
 
-    Attributes
-    ----------
-    angle : from +x towards +y [deg]
-    multiplier : lambda at rest [-]; displacement : d0* of the control point where it overturns [m]
-        None if it cannot rock this way; d0* is None also if the multiplier alone rules it out
-    touching : the bodies that stop it
-    reason : why it cannot rock this way, empty if it can
+    angle_deg: from +x towards +y; uplift_multiplier: at rest, None where it cannot rock that way; d0_m: displacement of
+    the control point at overturning, None also where the multiplier alone rules it out; touching: the bodies that stop
+    it.
     """
 
-    angle: float
-    multiplier: float | None = None
-    displacement: float | None = None
-    touching: tuple[str, ...] = ()
-    reason: str = ""
+    angle_deg: float
+    uplift_multiplier: float | None
+    d0_m: float | None
+    touching: tuple[str, ...]
 
     @property
     def direction(self) -> Direction:
         """The direction as a unit vector."""
-        return direction_at(self.angle)
+        return direction_at(self.angle_deg)
 
 
 def direction_angle(direction: Direction) -> float:

@@ -29,7 +29,7 @@ from assess.loads.load import (
 )
 from assess.mechanisms.branch_table import scan_rotations, travel_on_seat, unseating_rotation
 from assess.mechanisms.chain import HINGES, Chain, ChainPair, Joint
-from assess.mechanisms.directions import CandidateDirection, DirectionSweep
+from assess.mechanisms.directions import DirectionCandidate, DirectionSweep
 from assess.mechanisms.oscillators import ChainActions, Variants, find_variants, mechanism_actions, oscillator_at_start
 from assess.mechanisms.restitution import ImpactRules, Restitution
 from assess.messages.message import Message, Term
@@ -195,7 +195,7 @@ class Mechanism:
     stopped: float | None = None
     rebounds: tuple[float, ...] = (1.0,)
     direction: Vector | None = None
-    candidates: tuple[CandidateDirection, ...] = ()
+    candidates: tuple[DirectionCandidate, ...] = ()
     adjacent_bodies: tuple[str, ...] = ()
     messages: tuple[Message, ...] = ()
 

@@ -33,7 +33,7 @@ from assess.loads.load import BodyLoad, bodies_of, point_in_plane
 from assess.mechanisms.assembly import ASKEW, LEVEL_RISE
 from assess.mechanisms.branch_table import rigid_branch
 from assess.mechanisms.chain import Chain, virtual_work
-from assess.mechanisms.directions import CandidateDirection, DirectionSweep, direction_angle, direction_at
+from assess.mechanisms.directions import DirectionCandidate, DirectionSweep, direction_angle, direction_at
 from assess.mechanisms.kinds import MECHANISM_KINDS, Definition
 from assess.mechanisms.mechanism import (
     BlockMechanism,
@@ -100,8 +100,9 @@ def mechanism_as_given(name: str, definition: Definition, bodies: Bodies) -> Bui
 
 def build_in_weakest_direction(search: DirectionSearch) -> Built:
     """Build the mechanism in its weakest direction; raise ProjectError with the candidates if it must be given."""
-    candidates = _evaluate_candidates(search)
-    known = [each for each in candidates if each.multiplier is not None]
+    evaluated = [_evaluate_candidate(angle, search) for angle in search.angles]
+    candidates = tuple(candidate for candidate, _ in evaluated)
+    known = [each for each in candidates if each.uplift_multiplier is not None]
     if not known:  # nor can it be built towards any: say why
         return mechanism_of(search.name, _turn_towards(search.definition, candidates[0].direction), search.bodies)
     reason = next(_reasons_for_given_direction(search.definition), "")
@@ -109,7 +110,7 @@ def build_in_weakest_direction(search: DirectionSearch) -> Built:
         raise ProjectError(f"{search.where}.direction: missing; {reason}; the candidates are {_list_directions(known)}")
     pool, blocked = _free_candidates(known)
     found = _weakest_of([_with_displacement(each, search) for each in _near_least(pool)])
-    candidates = tuple(found if each.angle == found.angle else each for each in candidates)
+    candidates = tuple(found if each.angle_deg == found.angle_deg else each for each in candidates)
     behind = () if blocked else _bodies_that_stop(search.obstacles, _opposite_direction(found.direction))
     definition = _with_sides(_turn_towards(search.definition, found.direction), behind)
     built = mechanism_of(search.name, definition, search.bodies)
@@ -117,7 +118,7 @@ def build_in_weakest_direction(search: DirectionSearch) -> Built:
         *_obstacle_messages(candidates, found, blocked=blocked, where=search.where),
         *_sides_messages(behind, search),
     ]
-    messages += [_left_out_warning(each, search.where) for each in candidates if each.reason not in ("", OTHER_SIDE)]
+    messages += [_left_out_warning(*each, search.where) for each in evaluated if each[1] not in ("", OTHER_SIDE)]
     return _with_messages(built, candidates, messages, search)
 
 
@@ -210,10 +211,12 @@ def _reasons_for_given_direction(definition: BlockMechanism) -> Iterator[str]:
         yield f"{format_key(key)} is measured along it"
 
 
-def _list_directions(known: Sequence[CandidateDirection]) -> str:
+def _list_directions(known: Sequence[DirectionCandidate]) -> str:
     """List directions with their multipliers, the weakest first."""
     rising = sorted(known, key=_rank_key)
-    texts = [f"{_vector_text(each.direction)} with a multiplier of {each.multiplier:.4g}" for each in rising[:LISTED]]
+    texts = [
+        f"{_vector_text(each.direction)} with a multiplier of {each.uplift_multiplier:.4g}" for each in rising[:LISTED]
+    ]
     return ", ".join(texts) + (f" and {len(rising) - LISTED} stronger" if len(rising) > LISTED else "")
 
 
@@ -224,14 +227,14 @@ def _opposite_direction(direction: Vector) -> Vector:
 
 def _build_in_given_direction(search: DirectionSearch) -> Built:
     """Build the mechanism in the given direction, with a warning if another is clearly weaker."""
-    ahead = CandidateDirection(direction_angle(search.definition.towards)).direction
+    ahead = direction_at(direction_angle(search.definition.towards))
     into = _bodies_that_stop(search.obstacles, ahead)
     behind = () if into else _bodies_that_stop(search.obstacles, _opposite_direction(ahead))
     built = mechanism_of(search.name, _with_sides(search.definition, behind), search.bodies)
     messages = [*_direction_warnings(into, ahead, search), *_sides_messages(behind, search)]
     if search.definition.hinges is not None or next(search.definition.keys_along(), None) is not None:
         return _with_messages(built, (), messages, search)
-    candidates = _evaluate_candidates(search)
+    candidates = tuple(_evaluate_candidate(angle, search)[0] for angle in search.angles)
     messages += _weaker_direction_warnings(built.mechanism, candidates, search)
     return _with_messages(built, candidates, messages, search)
 
@@ -244,11 +247,11 @@ def _direction_warnings(into: Sequence[str], ahead: Vector, search: DirectionSea
 
 
 def _weaker_direction_warnings(
-    given: Mechanism, candidates: Sequence[CandidateDirection], search: DirectionSearch
+    given: Mechanism, candidates: Sequence[DirectionCandidate], search: DirectionSearch
 ) -> Iterator[Message]:
     """Warn if an unobstructed candidate is clearly weaker than the mechanism in its given direction."""
-    ahead = np.array(CandidateDirection(direction_angle(search.definition.towards)).direction)
-    unobstructed = [each for each in candidates if each.multiplier is not None and not each.touching]
+    ahead = np.array(direction_at(direction_angle(search.definition.towards)))
+    unobstructed = [each for each in candidates if each.uplift_multiplier is not None and not each.touching]
     if given.sides == "one":  # what stops it stands behind
         unobstructed = [each for each in unobstructed if np.array(each.direction) @ ahead > -AHEAD]
     if not unobstructed:
@@ -260,7 +263,7 @@ def _weaker_direction_warnings(
     values: dict[str, Value] = {
         "direction": _vector_text(weak.direction),
         "weaker": Quantity(_multiplier_of(weak)),
-        "weaker_d0": _length_text(weak.displacement),
+        "weaker_d0": _length_text(weak.d0_m),
         "given": Quantity(uplift_multiplier(own)),
         "given_d0": _length_text(_displacement_of(own, name=search.name)),
     }
@@ -273,17 +276,17 @@ def _length_text(length: float | None) -> Value:
 
 
 def _obstacle_messages(
-    candidates: Sequence[CandidateDirection], found: CandidateDirection, *, blocked: bool, where: str
+    candidates: Sequence[DirectionCandidate], found: DirectionCandidate, *, blocked: bool, where: str
 ) -> Iterator[Message]:
     """Tell which directions are stopped by bodies beside the mechanism."""
     for each in candidates:
-        if each.multiplier is None or not each.touching:
+        if each.uplift_multiplier is None or not each.touching:
             continue
         bodies, weaker = ", ".join(each.touching), Quantity(_multiplier_of(each))
         values: dict[str, Value] = {"direction": _vector_text(each.direction), "bodies": bodies, "weaker": weaker}
         if not blocked:
             yield message("direction-stopped", values, where=where)
-        elif each.angle == found.angle:
+        elif each.angle_deg == found.angle_deg:
             yield message("direction-held", values, severity=Severity.WARNING, where=where)
 
 
@@ -293,14 +296,14 @@ def _sides_messages(behind: Sequence[str], search: DirectionSearch) -> Iterator[
         yield message("sides-by-contact", {"bodies": ", ".join(behind)}, where=search.where)
 
 
-def _left_out_warning(candidate: CandidateDirection, where: str) -> Message:
+def _left_out_warning(candidate: DirectionCandidate, why: str, where: str) -> Message:
     """Say why a direction was left out."""
-    values = {"direction": _vector_text(candidate.direction), "why": candidate.reason}
+    values = {"direction": _vector_text(candidate.direction), "why": why}
     return message("direction-left-out", values, severity=Severity.WARNING, where=where)
 
 
 def _with_messages(
-    built: Built, candidates: Sequence[CandidateDirection], messages: Sequence[Message], search: DirectionSearch
+    built: Built, candidates: Sequence[DirectionCandidate], messages: Sequence[Message], search: DirectionSearch
 ) -> Built:
     """Return the mechanism with its candidates, the bodies beside it and the messages on them."""
     beside = tuple(obstacle.body for obstacle in search.obstacles)
@@ -355,27 +358,26 @@ def _thinnest_normal(plan: FloatArray, normals: FloatArray) -> FloatArray:
     return normals[[int(np.argmin(np.round(width / width.max(), DIGITS)))]]
 
 
-def _evaluate_candidates(search: DirectionSearch) -> tuple[CandidateDirection, ...]:
-    """Evaluate every candidate: its multiplier, or why it cannot rock that way, and what touches it there."""
-    return tuple(_evaluate_candidate(angle, search) for angle in search.angles)
+def _evaluate_candidate(angle: float, search: DirectionSearch) -> tuple[DirectionCandidate, str]:
+    """Return a candidate with its multiplier and what touches it there, and why it cannot rock that way, "" if it can.
 
-
-def _evaluate_candidate(angle: float, search: DirectionSearch) -> CandidateDirection:
-    """Evaluate one candidate; raise FallingError if it already falls and no direction is given."""
-    candidate = CandidateDirection(angle)
-    candidate = replace(candidate, touching=_bodies_that_stop(search.obstacles, candidate.direction))
-    if not _hinge_on_side(search, candidate.direction):
-        return replace(candidate, reason=OTHER_SIDE)
+    Raises FallingError if it already falls and no direction is given.
+    """
+    direction = direction_at(angle)
+    candidate = DirectionCandidate(angle, None, None, _bodies_that_stop(search.obstacles, direction))
+    if not _hinge_on_side(search, direction):
+        return candidate, OTHER_SIDE
     try:
-        return replace(candidate, multiplier=uplift_multiplier(search.mechanism_towards(candidate.direction).positive))
+        multiplier_there = uplift_multiplier(search.mechanism_towards(direction).positive)
     except FallingError as error:
         if search.definition.direction is None and not candidate.touching:
             raise FallingError(
-                f"{error} (towards {_vector_text(candidate.direction)}, looked at as `direction` is absent)"
+                f"{error} (towards {_vector_text(direction)}, looked at as `direction` is absent)"
             ) from None
-        return replace(candidate, reason=str(error))
+        return candidate, str(error)
     except AssessError as error:
-        return replace(candidate, reason=str(error))
+        return candidate, str(error)
+    return replace(candidate, uplift_multiplier=multiplier_there), ""
 
 
 def _hinge_on_side(search: DirectionSearch, direction: Vector) -> bool:
@@ -394,11 +396,11 @@ def _vector_text(direction: Vector) -> str:
     return "[" + ", ".join(f"{round(part, 6) + 0.0:g}" for part in direction) + "]"
 
 
-def _with_displacement(candidate: CandidateDirection, search: DirectionSearch) -> CandidateDirection:
+def _with_displacement(candidate: DirectionCandidate, search: DirectionSearch) -> DirectionCandidate:
     """Return the candidate with d0* of its control point."""
     return replace(
         candidate,
-        displacement=_displacement_of(search.mechanism_towards(candidate.direction).positive, name=search.name),
+        d0_m=_displacement_of(search.mechanism_towards(candidate.direction).positive, name=search.name),
     )
 
 
@@ -416,40 +418,38 @@ def _displacement_of(chain: Chain, *, name: str) -> float | None:
     return float(displacement(side, np.array(side.overturning), mass=chain.mass))
 
 
-def _free_candidates(known: Sequence[CandidateDirection]) -> tuple[list[CandidateDirection], bool]:
+def _free_candidates(known: Sequence[DirectionCandidate]) -> tuple[list[DirectionCandidate], bool]:
     """Return the candidates that nothing stops; all of them, and True, if bodies hold the weak axis both ways.
 
     What holds a wall on both faces, as a floor and a buttress may, does not make its own plane its weak direction.
     """
     free = [each for each in known if not each.touching]
     least = min(known, key=_rank_key)
-    back = [each for each in known if abs((each.angle - least.angle) % 360.0 - 180.0) < 1e-6]
+    back = [each for each in known if abs((each.angle_deg - least.angle_deg) % 360.0 - 180.0) < 1e-6]
     both = bool(least.touching) and all(each.touching for each in back)
     if not free or (both and _multiplier_of(min(free, key=_rank_key)) > MUCH_STRONGER * _multiplier_of(least)):
         return list(known), True
     return free, False
 
 
-def _multiplier_of(candidate: CandidateDirection) -> float:
+def _multiplier_of(candidate: DirectionCandidate) -> float:
     """Return the multiplier of a candidate that has one [-]."""
-    assert candidate.multiplier is not None
-    return candidate.multiplier
+    assert candidate.uplift_multiplier is not None
+    return candidate.uplift_multiplier
 
 
-def _near_least(pool: Sequence[CandidateDirection]) -> list[CandidateDirection]:
+def _near_least(pool: Sequence[DirectionCandidate]) -> list[DirectionCandidate]:
     """Return the candidates whose multiplier is near the least."""
     least = min(map(_multiplier_of, pool))
     return [each for each in pool if _multiplier_of(each) <= NEAR * max(least, 0.0) or _multiplier_of(each) == least]
 
 
-def _weakest_of(near: Sequence[CandidateDirection]) -> CandidateDirection:
+def _weakest_of(near: Sequence[DirectionCandidate]) -> DirectionCandidate:
     """Return the candidate of least d0*; ties go to the least multiplier, then to the nearest to +x, then +y."""
-    return min(
-        near, key=lambda each: (_round_rank(inf if each.displacement is None else each.displacement), *_rank_key(each))
-    )
+    return min(near, key=lambda each: (_round_rank(inf if each.d0_m is None else each.d0_m), *_rank_key(each)))
 
 
-def _rank_key(candidate: CandidateDirection) -> tuple[float, float, float]:
+def _rank_key(candidate: DirectionCandidate) -> tuple[float, float, float]:
     """Return what candidates are sorted by: the multiplier, then nearness to +x, then to +y."""
     x, y, _ = candidate.direction
     return _round_rank(_multiplier_of(candidate)), -round(x, DIGITS), -round(y, DIGITS)

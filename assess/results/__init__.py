@@ -4,7 +4,7 @@ Names of fields end in their units. The tree is pure data, without clock or numb
 same bytes.
 """
 
-from assess.mechanisms.directions import DirectionSweep
+from assess.mechanisms.directions import DirectionCandidate, DirectionSweep
 from assess.results.mechanism import (
     AmplificationFactor,
     AmplificationResult,
@@ -15,7 +15,6 @@ from assess.results.mechanism import (
     ContactSheet,
     CriticalBand,
     CriticalResult,
-    DirectionCandidate,
     DisplacedDrawing,
     Drawing,
     DrawnLoad,

@@ -10,7 +10,7 @@ from typing import Any, Literal
 
 from assess.codes.calculation_sheet import Step
 from assess.codes.check import Check
-from assess.mechanisms.directions import DirectionSweep
+from assess.mechanisms.directions import DirectionCandidate, DirectionSweep
 from assess.messages.message import Message, Term
 from assess.oscillator import BranchName
 from assess.results.provenance import Floats, Place, Point, Ring
@@ -284,20 +284,6 @@ class HingeForceResult(ShortRepr):
     activation_g: float
     sliding_g: float | None
     held: bool
-
-
-@dataclass(frozen=True, repr=False)
-class DirectionCandidate(ShortRepr):
-    """A direction towards which a mechanism may topple.
-
-    angle_deg: from +x towards +y; uplift_multiplier: at rest, None where it cannot rock that way; d0_m: displacement of
-    the control point at overturning, of the weakest only; touching: the bodies that stop it.
-    """
-
-    angle_deg: float
-    uplift_multiplier: float | None
-    d0_m: float | None
-    touching: tuple[str, ...]
 
 
 @dataclass(frozen=True, repr=False)

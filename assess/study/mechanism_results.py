@@ -42,7 +42,6 @@ from assess.results import (
     CapacityCurve,
     CarriedMotion,
     ComparisonRow,
-    DirectionCandidate,
     HingeForceResult,
     HistoryResult,
     Lasting,
@@ -162,10 +161,7 @@ def mechanism_result(
         deciding_curve=None if same else curve_of(deciding),
         deciding_overturning_rad=None if same else overturning_rotations(deciding),
         direction=mechanism.direction,
-        candidates=tuple(
-            DirectionCandidate(each.angle, each.multiplier, each.displacement, each.touching)
-            for each in mechanism.candidates
-        ),
+        candidates=mechanism.candidates,
         base_elevation_m=None if height is None else height.base,
         input_height_m=None if height is None else height.support,
         above_ground=None if height is None else height.above,

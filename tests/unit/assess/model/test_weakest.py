@@ -44,7 +44,7 @@ def test_a_wall_falls_across_its_thickness_however_it_is_drawn(
     if height is not None:
         (result,) = parameters(made)
         assert result.oscillator.uplift_multiplier == pytest.approx(0.15 / height, rel=1e-12)
-        least, *_, most = sorted(each.multiplier or 0.0 for each in one.candidates)
+        least, *_, most = sorted(each.uplift_multiplier or 0.0 for each in one.candidates)
         assert (least, most) == (pytest.approx(0.15 / 1.5, rel=1e-12), pytest.approx(2.0 / 1.5, rel=1e-12))
         assert result.direction == direction
 
@@ -57,7 +57,7 @@ def test_a_wall_drawn_askew_falls_across_its_thickness(tmp_path: Path) -> None:
     turned.export(tmp_path / "wall.obj", digits=17)
     one = mechanism_of(tmp_path, HEAD, '[bodies.wall]\nmaterial = "m"\nmesh = "wall.obj"\n', mechanism_toml())
     assert one.direction == pytest.approx((cos(radians(30)), sin(radians(30)), 0.0), abs=1e-9)
-    (least,) = {round(each.multiplier or 0.0, 9) for each in one.candidates if each.angle < 31.0}
+    (least,) = {round(each.uplift_multiplier or 0.0, 9) for each in one.candidates if each.angle_deg < 31.0}
     assert least == pytest.approx(0.1, abs=1e-8)
     assert not any("askew" in text for text in map(str, one.warnings))
 
@@ -70,14 +70,14 @@ def test_a_load_decides_between_the_two_faces(tmp_path: Path) -> None:
     other = mechanism_of(tmp_path, HEAD, ALONG_Y, mechanism_toml(load_.replace("0.3, 1.5", "-0.3, 1.5")))
     assert other.direction == (0.0, -1.0, 0.0)
     work = one.candidates[1]
-    assert work.multiplier == pytest.approx((0.15 - 0.1 * (0.3 - 0.15)) / (1.5 * 1.1), rel=1e-9)
+    assert work.uplift_multiplier == pytest.approx((0.15 - 0.1 * (0.3 - 0.15)) / (1.5 * 1.1), rel=1e-9)
 
 
 def test_a_leaning_wall_falls_the_way_it_leans(tmp_path: Path) -> None:
     leaning = '[bodies.wall]\nmaterial = "m"\nprofile = [[0, 0], [1, 0], [0.7, 5], [-0.3, 5]]\nlength = 4\n'
     one = mechanism_of(tmp_path, HEAD, leaning, mechanism_toml())
     assert one.direction == (-1.0, 0.0, 0.0)  # the centroid stands at 0.35
-    assert min(each.multiplier or 9.0 for each in one.candidates) == pytest.approx(0.35 / 2.5, rel=1e-9)
+    assert min(each.uplift_multiplier or 9.0 for each in one.candidates) == pytest.approx(0.35 / 2.5, rel=1e-9)
 
 
 def test_above_a_cut_the_section_there_counts(tmp_path: Path) -> None:

@@ -17,7 +17,7 @@ import warnings
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import Executor
 from contextlib import contextmanager
-from dataclasses import astuple, dataclass, fields
+from dataclasses import astuple, dataclass, fields, replace
 from functools import partial
 from math import isfinite, isnan
 from pathlib import Path, PurePosixPath
@@ -311,7 +311,7 @@ def _with_hash(file: RecordFile, known: tuple[object, ...] | None, read_with: st
     """Return the file with its hash when it was last read, if it was read with the same overrides and formats."""
     if known is None or known[3] != read_with:
         return file
-    return RecordFile(file.path, file.size, file.mtime, file.problem, str(known[2]))
+    return replace(file, stored=str(known[2]))
 
 
 def _read_changed(

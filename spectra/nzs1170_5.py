@@ -7,7 +7,7 @@ and a Python one); the vertical ratio is from memory.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -130,14 +130,11 @@ def vertical_spectrum(*, subsoil: str, z: float, r: float, near_fault_distance: 
     Source: NZS 1170.5:2004, 3.2.
     """
     level = site_spectrum(subsoil=subsoil, z=z, r=r, near_fault_distance=near_fault_distance)
-    return Spectrum(
-        code=level.code,
+    return replace(
+        level,
         parameters={**level.parameters, "vertical_ratio": VERTICAL_RATIO},
-        damping=level.damping,
-        damping_rule=level.damping_rule,
         ordinates=lambda period, damping: VERTICAL_RATIO * level.ordinates(period, damping),
         clause="NZS 1170.5:2004, 3.2 (vertical)",
-        warnings=level.warnings,
     )
 
 

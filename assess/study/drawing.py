@@ -6,6 +6,7 @@ Bodies in space are simplified for the results and for drawing.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from math import floor, log10
 
 import numpy as np
@@ -120,17 +121,13 @@ def _draw_negative_side(mechanism: Mechanism, oscillator: Oscillator) -> Displac
         tuple(tuple(mirror_point(point) for point in ring) for ring in outline) for outline in mechanism.outlines
     ]
     turned = _draw_rotation(chain, branch, pieces_of(chain, outlines), mark="'")
-    return DisplacedDrawing(
-        rotation_rad=turned.rotation_rad,
+    return replace(
+        turned,
         blocks=tuple(tuple(mirror_point(point) for point in ring) for ring in turned.blocks),
-        block_of=turned.block_of,
-        hinges=tuple(NamedPoint(hinge.name, mirror_point(hinge.at)) for hinge in turned.hinges),
+        hinges=tuple(replace(hinge, at=mirror_point(hinge.at)) for hinge in turned.hinges),
         loads=tuple(
-            DrawnLoad(
-                load.name,
-                mirror_point(load.at),
-                load.kind,
-                None if load.towards is None else mirror_point(load.towards),
+            replace(
+                load, at=mirror_point(load.at), towards=None if load.towards is None else mirror_point(load.towards)
             )
             for load in turned.loads
         ),

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from assess.codes.check import Check, Outcome
 from assess.codes.histories import ratio_figures
@@ -318,7 +318,7 @@ def _remarks(results: Results) -> Iterator[Message]:
     for mechanism in results.mechanisms:
         deciding = (check for check in mechanism.checks if check.role == "deciding")
         for each in (remark for check in deciding for remark in check.remarks):
-            yield Message(each.key, each.severity, f"mechanisms.{mechanism.name}", each.text, each.values)
+            yield replace(each, where=f"mechanisms.{mechanism.name}")
 
 
 def _placed(results: Results, same: Sequence[Message]) -> Text:

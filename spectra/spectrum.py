@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
+from functools import cached_property
 from math import inf
 
 import numpy as np
@@ -74,7 +75,7 @@ class Spectrum:
             return np.asarray(self.acceleration(at, damping=damping) * (at / (2.0 * np.pi)) ** 2)
         return self.factor * self.displacements(at, self.damping if damping is None else damping)
 
-    @property
+    @cached_property
     def pga(self) -> float:
         """Peak ground acceleration [m/s2]: the ordinate at zero period."""
         return float(self.acceleration(0.0))

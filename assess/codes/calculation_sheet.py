@@ -10,6 +10,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from functools import lru_cache
 from math import isclose, pi
 from typing import Literal
 
@@ -151,9 +152,9 @@ def substitute(formula: str, inputs: tuple[SymbolValue, ...], write: NumberWrite
     str
     """
     values = {each.symbol: each.value for each in inputs}
-    absent = tuple(each for each in inputs if not _pattern([each.symbol]).search(formula))
+    absent = tuple(each for each in inputs if not _holds(formula, each.symbol))
     known = {**{name: value for name, value in CONSTANTS.items() if name == "g"}, **values}
-    put = _pattern(list(known)).sub(lambda found: _operand(found, write(known[found[0]])), formula)
+    put = _pattern(tuple(known)).sub(lambda found: _operand(found, write(known[found[0]])), formula)
     put = _BETWEEN.sub(" · ", put)
     beside = values_text(absent, write)
     if len(absent) == len(inputs):  # nothing to put in: the values alone
@@ -341,7 +342,14 @@ def _operand(found: re.Match[str], number: str) -> str:
     return number if number[:1] not in "-−" or unbracketed else f"({number})"
 
 
-def _pattern(symbols: list[str]) -> re.Pattern[str]:
+@lru_cache(maxsize=4096)
+def _holds(formula: str, symbol: str) -> bool:
+    """Return whether a symbol stands in a formula."""
+    return _pattern((symbol,)).search(formula) is not None
+
+
+@lru_cache(maxsize=4096)
+def _pattern(symbols: tuple[str, ...]) -> re.Pattern[str]:
     longest = sorted(map(re.escape, symbols), key=len, reverse=True)
     return re.compile(rf"(?<!{_PART})({'|'.join(longest)})(?!{_PART})")
 

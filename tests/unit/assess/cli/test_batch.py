@@ -20,7 +20,9 @@ TABLE = "id,title,bodies.wall.box.thickness\nthin,Thin,0.2\nThick,Thick,1.2\n../
 @pytest.fixture
 def street(tmp_path: Path) -> Path:
     site = {"limit_state": "SLV", "spectrum": NTC}
-    (tmp_path / "wall.toml").write_text(project_toml(site=site, procedures={"ntc2018": {"knowledge_level": "LC3"}}))
+    one = {"synthetic": {"count": 1, "duration": "8 s"}}
+    wall = project_toml(site=site, procedures={"ntc2018": {"knowledge_level": "LC3"}}, records=one)
+    (tmp_path / "wall.toml").write_text(wall)
     (tmp_path / "street.csv").write_text(TABLE)
     return tmp_path
 

@@ -10,8 +10,7 @@ import numpy as np
 
 from assess.codes.check import Check
 from assess.codes.procedures import PROCEDURES
-from assess.oscillator import BranchName
-from assess.results import HistoryResult, MechanismResult, Results
+from assess.results import BranchName, HistoryResult, MechanismResult, Results
 from reports.language.texts import Phrase, Text, Verbatim, listing, say
 
 

@@ -5,6 +5,7 @@ same bytes.
 """
 
 from assess.mechanisms.directions import DirectionCandidate, DirectionSweep
+from assess.oscillator import BranchName
 from assess.results.mechanism import (
     AmplificationFactor,
     AmplificationResult,
@@ -75,6 +76,7 @@ __all__ = [
     "AmplificationResult",
     "BranchCurve",
     "BranchMoment",
+    "BranchName",
     "CapacityCurve",
     "CarriedMotion",
     "ChecklistItem",

@@ -10,8 +10,7 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator, NullFormatter
 from scipy.constants import g
 
-from assess.oscillator import BranchName
-from assess.results import BranchCurve, MechanismResult
+from assess.results import BranchCurve, BranchName, MechanismResult
 from reports.figures import style
 from reports.language.locale import Locale
 from reports.language.texts import Phrase, say

@@ -267,8 +267,8 @@ Damping = Annotated[float, Number("ratio", above=0, below=1)]
 Uplift = Annotated[float, Number("ratio", above=0, below=pi / 2)]
 Count = Annotated[int, Number(least=1)]
 Name = Annotated[str, IsName()]
-StatedPlace = Annotated[tuple[float, ...], IsPlace()]
-StatedDirection = Annotated[tuple[float, ...], IsDirection()]
+StatedPlace = Annotated[tuple[Coordinate, ...], IsPlace()]
+StatedDirection = Annotated[tuple[Ratio, ...], IsDirection()]
 
 UNCERTAIN = Scatters()
 UNCERTAIN_COORDINATE = Scatters(crosses_zero=True)

@@ -112,7 +112,9 @@ def _fits(value: Any, kind: Any) -> bool:
     if origin is tuple:
         return isinstance(value, tuple) and _row_fits(value, inner)
     if origin is not None:
-        return isinstance(value, origin) and all(_fits(each, inner[1]) for each in value.values())
+        return isinstance(value, origin) and all(
+            _fits(*pair) for item in value.items() for pair in zip(item, inner, strict=True)
+        )
     if kind in (float, int):
         return is_number(value) and (kind is float or isinstance(value, Integral))
     return kind is Any or isinstance(value, (bool, np.bool_) if kind is bool else kind)

@@ -10,7 +10,7 @@ from typing import Annotated, Literal
 from assess.codes.calculation_sheet import Given
 from assess.codes.check import InputAt
 from assess.codes.histories import SuiteResponse
-from assess.declaration import FREE, Damping, Evidence, PositiveTime
+from assess.declaration import Damping, Evidence, PositiveTime
 from assess.errors import ProcedureError
 from assess.messages.message import Message
 from assess.oscillator import BranchName, HingeForces, LocalLimit, OpenSeat, Oscillator
@@ -84,7 +84,10 @@ class StatedFirstMode:
     """period of the first mode at this limit state, like "0.5 s\""""
     damping: Annotated[Damping, Evidence("measured", "up", "10 %; never above 30 %")]
     """its damping ratio"""
-    reason: Annotated[str, FREE]
+    reason: Annotated[
+        str,
+        Evidence("measured", "up", "absent: 1.5 to 2.0 times the period", judged="it lets one period stand for all"),
+    ]
     """why, for the report"""
 
 

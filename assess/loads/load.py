@@ -68,7 +68,7 @@ StatedForce = Annotated[
 BlockNumber = Annotated[int, Number(least=0, most=2)]
 WHERE_DRAWN = Evidence("drawn", "either", "as drawn; an unknown eccentricity is a sixth of the thickness outwards")
 ITS_BLOCK = Evidence("drawn", "either", "the block that it touches")
-ITS_SEAT = Evidence("measured", "up", "the shortest seat that the drawing allows")
+ITS_SEAT = Evidence("measured", "up", "absent: SLC is not answered, and a pass at SLV is conditional")
 WHERE_IT_HURTS = Evidence(
     "loads",
     "either",
@@ -90,7 +90,12 @@ class MassLoad:
     """[x, y, z], or [distance along the direction, elevation]"""
     bearing: Annotated[
         bool,
-        Evidence("drawn", "up", "false where the drawing shows no support", judged="its weight rights the block"),
+        Evidence(
+            "drawn",
+            "either",
+            "false where the drawing shows no support",
+            judged="a weight rights the block or drives it over, by where it rests",
+        ),
     ] = True
     """true: weight and inertia; false: its weight is carried elsewhere, horizontal inertia only"""
     seat: Annotated[PositiveLength | None, ITS_SEAT] = None
@@ -211,7 +216,7 @@ class BodyLoad:
     """faces this near each other touch"""
     share: Annotated[Share | None, Evidence("loads", "either", "by statics from what else carries it")] = None
     """part of the body that this block carries, in (0, 1]; by statics from what else carries it if absent"""
-    bearing: Annotated[bool | None, Evidence("drawn", "up", "as the contact shows")] = None
+    bearing: Annotated[bool | None, Evidence("drawn", "either", "as the contact shows")] = None
     """true: the block carries weight; false: it is only pushed; as the contact shows if absent"""
     seat: Annotated[PositiveLength | None, ITS_SEAT] = None
     """how far the contact can move along the direction before the body falls off the block, like "0.12 m\""""

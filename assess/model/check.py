@@ -6,11 +6,12 @@ from collections.abc import Iterator
 from dataclasses import fields, is_dataclass, replace
 from math import inf
 from numbers import Real
-from typing import Any, TypeVar
+from types import UnionType
+from typing import Annotated, Any, TypeVar, Union, get_args, get_origin
 
 import numpy as np
 
-from assess.declaration import StatedPlace
+from assess.declaration import StatedPlace, annotations_of
 from assess.errors import MechanismError
 from assess.faults import declared_problems, text_of_value, value_fault
 from assess.loads.load import body_faults
@@ -103,18 +104,24 @@ FORMS = {
 }
 Data = TypeVar("Data")
 
-COUNTS = ("block", "construction", "count")
-"""The whole numbers of a definition: which block, which case, how many."""
-
 
 def with_floats(data: Data) -> Data:
     """Return a definition whose lengths and masses are floats and whose places are tuples, however they were given."""
+    kind: type = type(data)
+    kinds = annotations_of(kind)
     changed = {
         field.name: as_floats(getattr(data, field.name))
         for field in fields(data)  # type: ignore[arg-type]
-        if field.init and field.name not in COUNTS
+        if field.init and not _is_count(kinds[field.name])
     }
     return replace(data, **changed)  # type: ignore[type-var]
+
+
+def _is_count(annotation: Any) -> bool:
+    """Return whether a field holds a whole number, as which block, which case or how many."""
+    if get_origin(annotation) in (Annotated, Union, UnionType):
+        return any(map(_is_count, get_args(annotation)))
+    return annotation is int
 
 
 def as_floats(value: Any) -> Any:

@@ -116,18 +116,18 @@ def _keys_of(path: str, tables: Mapping[str, Table]) -> Iterator[Key]:
     for name in dict.fromkeys(name for table in tables.values() for name in table.table_keys()):
         having = {form: table.table_keys()[name] for form, table in tables.items() if name in table.table_keys()}
         values: dict[str, list[Key]] = {}
-        below: dict[Table, tuple[str, str]] = {}
+        below: dict[str, dict[Table, list[str]]] = {}
         for form, field in having.items():
             evidence = tables[form].evidence_of_keys().get(name)
             for place, inner, table in places_below(f"{path}.{name}".lstrip("."), field.annotation):
                 if table is None:
                     values.setdefault(place, []).append(Key(place, (form,), field, evidence))
                 else:
-                    below.setdefault(table, (place, inner))
+                    below.setdefault(place, {}).setdefault(table, []).append(inner or form)
         for keys in values.values():
             yield from _joined(keys, tuple(tables))
-        for place in dict.fromkeys(at for at, _ in below.values()):
-            yield from _keys_of(place, {form: table for table, (at, form) in below.items() if at == place})
+        for place, held in below.items():
+            yield from _keys_of(place, {", ".join(dict.fromkeys(forms)): table for table, forms in held.items()})
 
 
 def _joined(keys: list[Key], forms: tuple[str, ...]) -> Iterator[Key]:

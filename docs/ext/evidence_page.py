@@ -17,7 +17,8 @@ HEAD = """# What each key rests on
 
 Every value of a [project file](project-file.md) has a class, which says by whom it comes about, and a sense, which way
 more of it makes the wall look safer: up, down, either way, or none. Of a choice the sense is that of making it. The
-class says what becomes of a value that helps and that no source in `[report.sources]` vouches for.
+class says what is to become of a value that helps and that no source in `[report.sources]` vouches for; a verdict does
+not apply this yet, but for the masonry that disintegrates and for ties.
 
 | class | what it holds | rule |
 |---|---|---|

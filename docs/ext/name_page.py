@@ -70,7 +70,8 @@ def _arguments(found: inspect.Signature, declared: Mapping[str, str]) -> Iterato
         kind = f": {declared.get(each.name) or _type(each.annotation)}" if each.annotation is not each.empty else ""
         default = repr(each.default)
         given = "" if each.default is each.empty else f" = {default if len(default) <= LONGEST_DEFAULT else '...'}"
-        yield f"{each.name}{kind}{given}"
+        stars = {each.VAR_POSITIONAL: "*", each.VAR_KEYWORD: "**"}.get(each.kind, "")
+        yield f"{stars}{each.name}{kind}{given}"
 
 
 def _type(annotation: Any) -> str:
@@ -134,7 +135,7 @@ def _members(value: type) -> list[str]:
     found = [
         (f"{name}()" if inspect.isfunction(member) else name, f": {_first(member)}")
         for name, member in inspect.getmembers(value)
-        if not name.startswith("_") and inspect.getdoc(member) and _is_own(member)
+        if not name.startswith("_") and name != "faults" and inspect.getdoc(member) and _is_own(member)
     ]
     return ["**Properties and methods.**\n", *_list(found)] if found else []
 

@@ -202,6 +202,10 @@ OWN_REMEDIES: list[tuple[dict[str, Any], dict[str, Any], str, str]] = [
     # the project file names units and its own tables, Python what it takes
     (MASS, {"mass": nan}, "mass", "not a finite number"),
     (TIE, {"strength": inf}, "strength", "not a finite number"),
+    (MASS, {"at": [nan, 4.0]}, "at", "not a finite number"),
+    (TIE, {"anchor": [nan, 3.0], "direction": None}, "anchor", "not a finite number"),
+    (TIE, {"direction": [inf, 0.0]}, "direction", "not a finite number"),
+    (PUSH, {"direction": [nan, 1.0, 0.0]}, "direction", "not a finite number"),
     (FLOOR, {"body": "flor"}, "body", 'no such body; known: "wall", "floor", "roof"'),
     (
         OVERBURDEN | {"force": None},
@@ -253,6 +257,16 @@ def refusals(loads: list[dict[str, Any]], mechanism: dict[str, Any], folder: Pat
     except MechanismError as error:
         by_python = str(error).removeprefix('mechanism "m": ')
     return by_file, by_python
+
+
+def test_hinges_are_finite_and_their_joints_named_from_python():
+    """Both raised errors of numpy or of Python, far from what was given."""
+    body = assess.box(thickness=0.6, length=3.0, height=4.0, density=1800.0, name="wall")
+    for place in ((nan, 0.0), (inf, 0.0)):
+        with pytest.raises(MechanismError, match="not a finite number"):
+            assess.single_block(body, name="m", direction=(1, 0, 0), sides="one", hinge=place)
+    with pytest.raises(MechanismError, match="interfaces"):
+        assess.two_block(body, name="m", direction=(1, 0, 0), crack=2.0, interfaces={1: Interface()})  # type: ignore[dict-item]
 
 
 def _interface(keys: dict[str, Any]) -> Interface:

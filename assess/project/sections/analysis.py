@@ -117,7 +117,9 @@ SweptQuantity = Annotated[
 class SweepSection(ProjectSection):
     """A parametric study: the mechanisms that one number of the project changes, for each of several values of it."""
 
-    evidence = FREE
+    evidence = Evidence(
+        "chosen", "either", "the value typed at the key is among the cases", judged="the worst of the cases decides"
+    )
 
     key: StrictStr
     """a number of this file by its key: "mechanisms.spire.cut.angle"; loads.0 or loads[1] is the first of a list"""

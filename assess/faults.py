@@ -113,7 +113,7 @@ def _fits(value: Any, kind: Any) -> bool:
         return isinstance(value, tuple) and _row_fits(value, inner)
     if origin is not None:
         return isinstance(value, origin) and all(
-            _fits(*pair) for item in value.items() for pair in zip(item, inner, strict=True)
+            _fits(name, inner[0]) and _fits(each, inner[1]) for name, each in value.items()
         )
     if kind in (float, int):
         return is_number(value) and (kind is float or isinstance(value, Integral))

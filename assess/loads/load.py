@@ -69,12 +69,8 @@ BlockNumber = Annotated[int, Number(least=0, most=2)]
 WHERE_DRAWN = Evidence("drawn", "either", "as drawn; an unknown eccentricity is a sixth of the thickness outwards")
 ITS_BLOCK = Evidence("drawn", "either", "the block that it touches")
 ITS_SEAT = Evidence("measured", "up", "absent: SLC is not answered, and a pass at SLV is conditional")
-WHERE_IT_HURTS = Evidence(
-    "loads",
-    "either",
-    "variable loads only where they hurt",
-    judged="a weight holds a wall down or drives it over, by where it rests",
-)
+BY_WHERE_IT_RESTS = "a weight holds a wall down or drives it over, by where it rests"
+WHERE_IT_HURTS = Evidence("loads", "either", "variable loads only where they hurt", judged=BY_WHERE_IT_RESTS)
 ITS_WAY = Evidence("drawn", "either", "as drawn")
 ITS_END = Evidence("measured", "up", "absent: it counts in the multiplier alone")
 
@@ -90,12 +86,7 @@ class MassLoad:
     """[x, y, z], or [distance along the direction, elevation]"""
     bearing: Annotated[
         bool,
-        Evidence(
-            "drawn",
-            "either",
-            "false where the drawing shows no support",
-            judged="a weight rights the block or drives it over, by where it rests",
-        ),
+        Evidence("drawn", "either", "false where the drawing shows no support", judged=BY_WHERE_IT_RESTS),
     ] = True
     """true: weight and inertia; false: its weight is carried elsewhere, horizontal inertia only"""
     seat: Annotated[PositiveLength | None, ITS_SEAT] = None

@@ -1,4 +1,4 @@
-"""What a definition must hold before it can become a mechanism; a project file says the same by its schema."""
+"""What a definition must hold before it can become a mechanism; project files are read by the same declarations."""
 
 from __future__ import annotations
 

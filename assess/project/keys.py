@@ -8,7 +8,6 @@ finds becomes one line for the engineer: key, value, what is wrong and the remed
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from difflib import get_close_matches
@@ -30,6 +29,7 @@ from assess.project.section import (
     KeyPath,
     ProjectSection,
     UncertainNumber,
+    count_from_0,
     key_text,
     look_up,
     value_text,
@@ -80,7 +80,7 @@ def keyed_values(content: Content) -> dict[str, KeyedValue]:
 
 def swept_value(key: str, by_key: Mapping[str, KeyedValue], *, where: str) -> KeyedValue:
     """Return what stands at the key that a sweep names; raise ProjectError if it does not exist or holds no number."""
-    entry = by_key.get(key) or by_key.get(_count_from_0(key))
+    entry = by_key.get(key) or by_key.get(count_from_0(key))
     if entry is not None and (entry.is_number or isinstance(entry.value, ProjectSection)):
         return entry
     what = "unknown key" if entry is None else "holds no number"
@@ -314,11 +314,6 @@ def _remedy(key: str, by_key: Mapping[str, KeyedValue]) -> str:
     near = get_close_matches(key, [name for name, entry in by_key.items() if entry.is_number], n=1)
     remedy = f'did you mean "{escape_text(near[0])}"?' if near else 'name one like "bodies.NAME.box.height"'
     return remedy + (" (loads.0 or loads[1] is the first of a list)" if ".loads" in key else "")
-
-
-def _count_from_0(key: str) -> str:
-    """Write a key with dots and items counted from 0; errors print them in brackets, counted from 1."""
-    return re.sub(r"\[([1-9][0-9]{0,3})\]", lambda found: f".{int(found[1]) - 1}", key)
 
 
 def _step_down(value: Any, step: str | int) -> Any:

@@ -45,6 +45,7 @@ from assess.project.section import (
     KeyPath,
     ProjectSection,
     UncertainNumber,
+    count_from_0,
     key_text,
     look_up,
     quantity_schema,
@@ -264,10 +265,10 @@ def _check_sources(project: Project) -> None:
     if not project.content.report.sources:
         return
     every = _resolved("", project.content, True, project.folder)
-    keys = [key for key, _ in every if not key.startswith("report.sources.")]
+    keys = [*keyed_values(project.content), *(key for key, _ in every if not key.startswith("report.sources."))]
     starts = {".".join(key.split(".")[: n + 1]) for key in keys for n in range(key.count(".") + 1)}
     for key in project.content.report.sources:
-        if key not in starts:
+        if count_from_0(key) not in starts:
             near = get_close_matches(key, starts, n=1)
             remedy = f"do you mean {value_text(near[0])}?" if near else 'write one like "materials.NAME.density"'
             raise ProjectError(f"{project.path}: report.sources: {value_text(key)}: not a key of this file; {remedy}")

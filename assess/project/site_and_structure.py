@@ -21,7 +21,7 @@ from assess.geometry.mesh import MeshesBySelection, read_selected_meshes
 from assess.geometry.solid import Solid, Solids, box, profile
 from assess.loads.load import ForceLoad, TieLoad
 from assess.mechanisms.kinds import Definition
-from assess.mechanisms.mechanism import Mechanism
+from assess.mechanisms.mechanism import BlockMechanism, Mechanism
 from assess.messages.message import Message
 from assess.model.bodies import Bodies, Body, Material, PointValues
 from assess.project import sections
@@ -47,25 +47,18 @@ D = TypeVar("D")
 
 def definitions_of(content: sections.Content) -> dict[str, Definition]:
     """Return the definition of each mechanism of a project, with the evidence of its loads by [report.sources]."""
-    return {
-        name: definition_of(section, evidence=content.report.source_of(f"mechanisms.{name}.loads"))
-        for name, section in content.mechanisms.items()
-    }
+    return {name: _with_evidence(each.plain, name, content) for name, each in content.mechanisms.items()}
 
 
-def definition_of(section: Any, *, evidence: str = "") -> Any:
-    """Return the plain definition of one table [mechanisms.NAME].
-
-    Parameters
-    ----------
-    section : the table, of any kind
-    evidence : where it is shown that its forces and ties last; empty where it is not shown
-    """
-    definition = section.plain
-    if not isinstance(section, sections.ChainSection):
+def _with_evidence(definition: Any, name: str, content: sections.Content) -> Any:
+    """Return a definition whose forces and ties say where it is shown that they last."""
+    if not isinstance(definition, BlockMechanism):
         return definition
     lasting = (
-        replace(load, evidence=evidence) if isinstance(load, ForceLoad | TieLoad) else load for load in definition.loads
+        replace(load, evidence=content.report.source_of(f"mechanisms.{name}.loads.{place}.until"))
+        if isinstance(load, ForceLoad | TieLoad)
+        else load
+        for place, load in enumerate(definition.loads)
     )
     return replace(definition, loads=tuple(lasting))
 

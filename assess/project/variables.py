@@ -26,7 +26,7 @@ from assess.project import sections
 from assess.project.keys import Setting, dependents, read_case, value_at, with_values
 from assess.project.project_file import Project
 from assess.project.section import KeyPath, key_text
-from assess.project.site_and_structure import bodies_of, definition_of
+from assess.project.site_and_structure import bodies_of
 from assess.results.run import UncertainInput
 from assess.study.amplification import MechanismAmplification
 from assess.study.study import SampledNumber, Sampling, Study, UnvariedNumber, Variable
@@ -199,7 +199,7 @@ def fixed_thickness_reason(subject: VariedMechanism, section: sections.ChainSect
     hinges = (getattr(section, key, None) for key in ("hinges", "hinges_negative"))
     if any(each is not None for each in hinges):
         return "its hinges are given as points, which do not move with the faces"
-    definition: BlockMechanism = definition_of(section)
+    definition: BlockMechanism = section.plain
     joints = (definition.interface_at(hinge_name) for hinge_name in hinge_names(subject.mechanism.positive))
     if any(joint.shape != "outline" for joint in joints):
         return "the shape of a joint is given by its sizes, which do not follow"
@@ -320,7 +320,7 @@ def _joint_numbers(subject: VariedMechanism, section: sections.ChainSection) -> 
     bodies = (content.bodies[name] for name in _blocks_of(section))
     name = next((body.material for body in bodies if not isinstance(body, sections.DirectBody)), None)
     material = None if name is None else content.materials[name]
-    definition = definition_of(section)
+    definition = section.plain
     for hinge_name in hinge_names(subject.mechanism.positive):
         joint = definition.interface_at(hinge_name)
         own = ("interfaces", hinge_name) if hinge_name in section.interfaces else ("interface",)
@@ -420,7 +420,7 @@ def _block_base(subject: VariedMechanism, section: sections.ChainSection) -> Blo
     reason = fixed_thickness_reason(subject, section)
     if reason:
         return reason
-    definition: BlockMechanism = definition_of(section)
+    definition: BlockMechanism = section.plain
     base = pieces_of(subject.name, definition, bodies_of(subject.content, subject.variants.solids))[0].body.base
     assert base is not None  # every body has geometry
     (low, _), (high, _) = base
@@ -436,7 +436,7 @@ def _stretched_blocks(section: sections.ChainSection, solids: Solids, stretch: S
     """Return the blocks of a mechanism scaled along its direction."""
     bodies = {name: solid for name in _blocks_of(section) if (solid := solids[name]) is not None}
     factor, middle = stretch
-    towards = definition_of(section).towards
+    towards = section.plain.towards
     return {name: scale_along(each, direction=towards, middle=middle, factor=factor) for name, each in bodies.items()}
 
 
@@ -454,7 +454,7 @@ def _surveyed_variables(subject: VariedMechanism, *, tolerance: float) -> Iterat
 
 def _hinge_variables(subject: VariedMechanism, section: sections.ChainSection, tolerance: float) -> Iterator[Variable]:
     """Yield each given hinge, moved along the direction of motion."""
-    towards = definition_of(section).towards
+    towards = section.plain.towards
     for table in ("hinges", "hinges_negative"):
         given = getattr(section, table, None)
         if not isinstance(given, sections.HingesSection):

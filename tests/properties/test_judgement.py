@@ -13,7 +13,7 @@ from tests.support.projects import NTC, block, lines, project_toml, study_of, wa
 
 SOURCES = {
     "materials.m.disintegration": "measured: survey",
-    "mechanisms.wall.loads": "measured: pull-out tests",
+    "mechanisms.wall.loads[1]": "measured: pull-out tests",
 }
 RANK = {Decision.FAIL: 0, Decision.INCOMPLETE: 1, Decision.PASS: 2}
 HEIGHTS = pytest.mark.parametrize("base", [0.0, 6.0])

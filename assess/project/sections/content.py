@@ -21,7 +21,7 @@ from assess.declaration import (
     Name,
 )
 from assess.loads.load import body_faults
-from assess.project.section import KeyPath, ProjectSection, error_at, quote_names, value_text
+from assess.project.section import KeyPath, ProjectSection, count_from_0, error_at, quote_names, value_text
 from assess.project.sections.analysis import Analysis
 from assess.project.sections.bodies_and_loads import (
     BodySection,
@@ -49,10 +49,22 @@ from assess.results import ChecklistItem
 
 ASSUMED = "assumed"
 SOURCE_KINDS = ("measured", "literature", ASSUMED)
+NO_SOURCE = "assum"  # of a text, in any case: what it says is an assumption
+OF_MECHANISM = 2  # steps of the key of a mechanism, of which no one source knows all
 MOST_FIGURES = 12
 MOST_REVISIONS = 40
 ALIKE = ("client", "checker", "date", "reference")
 """Keys that may stand at the top of the file or in [report]."""
+
+
+def _tables_that_hold(key: str) -> Iterator[str]:
+    """Yield the innermost table that holds a key, and the load or joint that holds this table, by their keys."""
+    steps = key.split(".")
+    for count in range(len(steps) - 1, 0, -1):
+        within_mechanism = steps[0] == "mechanisms" and count > OF_MECHANISM and steps[count - 1] != "loads"
+        innermost = count == len(steps) - 1 and steps[0] not in ("mechanisms", "building")
+        if within_mechanism or innermost:
+            yield ".".join(steps[:count])
 
 
 def _begins_with_its_kind(text: str) -> str:
@@ -149,13 +161,19 @@ class Report(ProjectSection):
     """the verification.json that the report names, written by `assess verify --for PROJECT`; if absent that of the
     folder NAME-verification beside this file, where there is one"""
     sources: Annotated[dict[str, SourceText], SOURCE] = Field(default_factory=dict)
-    """where values come from: a key of this file, or the beginning of one, with "measured: …", "literature: …" or
-    "assumed: …\""""
+    """where values come from: a key of this file, or the table that holds it, a load as "mechanisms.NAME.loads[1]"; with
+    "measured: …", "literature: …" or "assumed: …\""""
 
     def source_of(self, key: str) -> str:
-        """Return the source of a key, or of a table that holds it, if it is not an assumption; else an empty text."""
-        given = (text for start, text in self.sources.items() if f"{key}.".startswith(f"{start}."))
-        return next((text for text in given if text.partition(":")[0].strip() != ASSUMED), "")
+        """Return the source of a key, else that of the innermost table that holds it; empty where none vouches for it.
+
+        A load is a table, and so is a joint. A mechanism, the building or a list is too much for one source to know.
+
+        key : with dots, items of lists counted from 0
+        """
+        stated = {count_from_0(place): text for place, text in self.sources.items()}
+        found = next((stated[each] for each in (key, *_tables_that_hold(key)) if each in stated), "")
+        return "" if found.strip().lower().startswith(NO_SOURCE) else found
 
     @model_validator(mode="after")
     def _revisions_differ(self) -> Report:

@@ -20,7 +20,7 @@ from tests.support.projects import NTC, block, lines, project_toml, wall
 
 TIE = '{{ kind = "tie", force = "{force}", at = [0.4, 0, 4.5], direction = [-1, 0, 0]{more} }}'
 PROOF = ', until = "collapse", strength = "30 kN", length = "8 m", fracture_strain = 0.2'
-SOURCE = '[report.sources]\n"mechanisms.wall.loads" = "measured: pull-out tests"'
+SOURCE = '[report.sources]\n"mechanisms.wall.loads[1]" = "measured: pull-out tests"'
 THRUST = '{ kind = "force", force = ["25 kN", 0], at = [0.4, 4.5] }'
 
 

@@ -327,7 +327,7 @@ def test_a_case_that_the_floor_governs_stands_beside_one_that_the_ground_governs
         'blocks = ["wall"]', f'blocks = ["wall"]\nsides = "one"\nloads = [{strut}]'
     )
     text = text.replace('["asce43-05-spectrum", "dmi2008-linear"]', '["dmi2008-nonlinear"]')
-    sources = '[report.sources]\n"mechanisms.wall.loads" = "measured: it stays"'
+    sources = '[report.sources]\n"mechanisms.wall.loads[1]" = "measured: it stays"'
     text = f"{sources}\n[building]\nheight = 8\nstoreys = 2\nperiod = 0.62\n{text}"
     ends = [
         run_study(study_of(folder, text.replace("10 kN", force))).mechanisms[0].checks[-1]

@@ -386,7 +386,7 @@ def test_joints_that_answer_at_once_have_no_pga_at_uplift_by_any_procedure(tmp_p
 def test_one_sided_joints_that_lean_on_their_support_keep_their_small_threshold(tmp_path):
     force = '{ kind = "force", force = ["-2 kN", "0 N"], at = [0, 4.5], until = "collapse" }'
     leaning = f'sides = "one"\nloads = [{force}]\n{SOFT}'
-    shown = '\n[report.sources]\n"mechanisms.m.loads" = "measured: it stays"\n'
+    shown = '\n[report.sources]\n"mechanisms.m.loads[1]" = "measured: it stays"\n'
     found = run_study(study_of(tmp_path, records=SUITE, mechanism=leaning, tail=shown)).mechanisms[0]
     at_rest = found.oscillator.uplift_multiplier
     assert 0.0 < at_rest < 0.6 / 4.5

@@ -161,8 +161,8 @@ class Report(ProjectSection):
     """the verification.json that the report names, written by `assess verify --for PROJECT`; if absent that of the
     folder NAME-verification beside this file, where there is one"""
     sources: Annotated[dict[str, SourceText], SOURCE] = Field(default_factory=dict)
-    """where values come from: a key of this file, or the table that holds it, a load as "mechanisms.NAME.loads[1]"; with
-    "measured: …", "literature: …" or "assumed: …\""""
+    """where values come from: a key of this file, or the table that holds it, a load as "mechanisms.NAME.loads[1]";
+    with "measured: …", "literature: …" or "assumed: …\""""
 
     def source_of(self, key: str) -> str:
         """Return the source of a key, else that of the innermost table that holds it; empty where none vouches for it.

@@ -64,8 +64,11 @@ def test_a_tie_with_all_its_proofs_lasts_and_holds_the_wall_at_its_height(tmp_pa
         (PROOF, '[report.sources]\n"mechanisms.wall.restitution" = "measured: x"', ("source",)),
         (PROOF.replace(', strength = "30 kN"', ""), SOURCE, ("strength",)),
         (PROOF.replace(', length = "8 m"', ""), SOURCE, ("length",)),
-        (PROOF.replace(", fracture_strain = 0.2", ""), '[report.sources]\n"mechanisms.wall" = "measured: x"',
+        (PROOF.replace(", fracture_strain = 0.2", ""), '[report.sources]\n"mechanisms.wall.loads.0" = "measured: x"',
          ("fracture_strain",)),
+        (PROOF, '[report.sources]\n"mechanisms.wall.loads" = "measured: all of them"', ("source",)),
+        (PROOF, '[report.sources]\n"mechanisms.wall" = "measured: all of it"', ("source",)),
+        (PROOF, '[report.sources]\n"mechanisms.wall.loads[1]" = "assumed: it looks sound"', ("source",)),
     ],
 )  # fmt: skip
 def test_what_a_tie_lacks_is_told(tmp_path, more, top, missing):

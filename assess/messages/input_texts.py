@@ -129,7 +129,7 @@ GEOMETRY_TEXTS: Mapping[str, str] = {
     # loads, as far as they last
     "not-lasting": 'load "{load}" is not shown to last: where it resists, it counts only in the multiplier, not in '
     "displacements and histories; give {missing} (until: the displacement of its point of application at which it "
-    'is lost, or "collapse"; source: a line for the mechanism or its loads in [report.sources])',
+    'is lost, or "collapse"; source: a line for the load in [report.sources], as "mechanisms.NAME.loads[1]")',
     "pretension-above-strength": 'load "{load}" is given a pretension of {force}, above its strength; it counts with '
     "{strength}; check force and strength",
     "seat-wide": 'the seat of load "{load}" is {seat} wide, more than any wall offers; is its unit right?',

@@ -29,7 +29,6 @@ from assess.project.section import (
     KeyPath,
     ProjectSection,
     UncertainNumber,
-    count_from_0,
     key_text,
     look_up,
     value_text,
@@ -38,6 +37,7 @@ from assess.project.sections.analysis import SweepSection
 from assess.project.sections.content import Content
 from assess.project.sections.mechanisms import RestitutionSection
 from assess.project.units import KINDS, QuantityError, QuantityKind, key_value, number_and_unit
+from assess.results.provenance import count_from_0
 from assess.results.run import Distribution, UncertainInput
 from spectra.arrays import is_number
 

@@ -45,7 +45,6 @@ from assess.project.section import (
     KeyPath,
     ProjectSection,
     UncertainNumber,
-    count_from_0,
     key_text,
     look_up,
     quantity_schema,
@@ -60,6 +59,7 @@ from assess.project.units import (
 )
 from assess.project.values import PATTERN_MARK
 from assess.results import ResolvedValue
+from assess.results.provenance import count_from_0
 from records.reading import relative_path
 from spectra.arrays import is_number
 

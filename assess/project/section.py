@@ -186,11 +186,6 @@ def key_text(key: KeyPath) -> str:
     return text.lstrip(".")
 
 
-def count_from_0(key: str) -> str:
-    """Write a key with dots and items counted from 0; errors print them in brackets, counted from 1."""
-    return re.sub(r"\[([1-9][0-9]{0,3})\]", lambda found: f".{int(found[1]) - 1}", key)
-
-
 def value_text(value: Any) -> str:
     """Write a value on one line, shortened if it is long."""
     text = escape_text(json.dumps(value, ensure_ascii=False, default=str))

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import hashlib
 import json
-from collections.abc import Sequence
+import re
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cache, lru_cache
 from importlib.metadata import PackageMetadata, metadata, version
@@ -17,6 +18,7 @@ from assess.short_repr import ShortRepr
 NAME = "rocking-assess"
 PACKAGES = ("assess", "records", "reports", "spectra")  # whose files the digest of the sources covers
 GROUPS, DIGITS = 4, 4  # of a stamp, in groups: no spreadsheet takes it for a number or a date
+OF_MECHANISM = 2  # steps of the key of a mechanism, of which no one source knows all
 Floats = tuple[float, ...]
 Point = tuple[float, float]
 Place = tuple[float, float, float]
@@ -210,6 +212,25 @@ def origin(command: str, shown: str) -> str:
     return f"{program.name} {program.version}, stamp {stamp(f'{command} {shown}', program, ())}"
 
 
+def count_from_0(key: str) -> str:
+    """Write a key with dots and items counted from 0; errors print them in brackets, counted from 1."""
+    return re.sub(r"\[([1-9][0-9]{0,3})\]", lambda found: f".{int(found[1]) - 1}", key)
+
+
+def source_line(key: str, sources: Mapping[str, str]) -> str:
+    """Return the line of [report.sources] for a key, else that of the innermost table that holds it; empty without one.
+
+    A load is a table, and so is a joint. A mechanism, the building or the list of all loads is too much for one source.
+
+    Parameters
+    ----------
+    key : with dots, items of lists counted from 0
+    sources : lines by the keys that they are for, items of lists counted either way
+    """
+    stated = {count_from_0(place): text for place, text in sources.items()}
+    return next((stated[each] for each in (key, *_tables_that_hold(key)) if each in stated), "")
+
+
 def this_program() -> Program:
     """Return the program that runs."""
     return Program(NAME, version(NAME))
@@ -273,6 +294,19 @@ def file_sha256(path: Path) -> str:
     """
     status = path.stat()
     return _sha256(path.absolute(), status.st_size, status.st_mtime_ns, status.st_ino)
+
+
+def _tables_that_hold(key: str) -> Iterator[str]:
+    """Yield the tables that one source may know: the innermost, and all within a mechanism but its loads."""
+    steps = key.split(".")
+    for count in range(len(steps) - 1, 0, -1):
+        if steps[0] == "mechanisms":
+            holds = count > OF_MECHANISM and steps[count - 1] != "loads"
+        else:
+            rows = steps[count].isdigit()  # of a table that is written as a list, such as a hazard
+            holds = (count == len(steps) - 1 or rows) and steps[0] != "building"
+        if holds:
+            yield ".".join(steps[:count])
 
 
 def _field(about: PackageMetadata, key: str) -> str:

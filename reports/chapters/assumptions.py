@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 
 from assess.messages.message import Quantity
 from assess.results import ResolvedValue, Results
+from assess.results.provenance import source_line
 from reports import governing
 from reports.document import Block, Cell, Column, Prose, Section, Table, nonempty
 from reports.language.texts import Phrase, Reference, Text, Verbatim, listing, say, say_count
@@ -89,11 +90,10 @@ def assumptions_table(results: Results) -> Table:
 
 
 def value_source(results: Results, key: str, value: ResolvedValue) -> ValueSource:
-    """Return the source of a value: of the longest key of the sources that its own key begins with."""
-    stated = [start for start in _source_lines(results) if key == start or key.startswith(f"{start}.")]
-    if stated and value.given:
-        return _parse_source(str(_source_lines(results)[max(stated, key=len)]))
-    return ValueSource("" if value.given else DEFAULT)
+    """Return the source of a value, by the rule that the verdict goes by."""
+    if not value.given:
+        return ValueSource(DEFAULT)
+    return _parse_source(source_line(key, _source_lines(results)))
 
 
 def stated_source(line: str) -> Text:

@@ -11,10 +11,8 @@ from assess.codes.verdict import Decision
 from assess.study.run import run_study
 from tests.support.projects import NTC, block, lines, project_toml, study_of, wall
 
-SOURCES = {
-    "materials.m.disintegration": "measured: survey",
-    "mechanisms.wall.loads[1]": "measured: pull-out tests",
-}
+SURVEY = {"materials.m.disintegration": "measured: survey"}
+PULL_OUT = {"mechanisms.wall.loads[1]": "measured: pull-out tests"}
 RANK = {Decision.FAIL: 0, Decision.INCOMPLETE: 1, Decision.PASS: 2}
 HEIGHTS = pytest.mark.parametrize("base", [0.0, 6.0])
 
@@ -35,7 +33,7 @@ def judged(tmp_path: Path, *, pga=0.25, thickness=0.5, base=0.0, loads=()):
         building={"height": "9 m", "storeys": 3, "ground_elevation": 0.0, "use_class": "II"},
         analysis={"procedures": ["ntc2018-nonlinear"]},
         materials={"m": {"density": 1800, "disintegration": "excluded"}},
-        report={"sources": SOURCES},
+        report={"sources": SURVEY | PULL_OUT if loads else SURVEY},
         bodies={"wall": wall(thickness, 3.0, 3.0, material="m", base=[0.0, 0.0, base])},
         mechanisms={"wall": lines(block(direction=[1, 0, 0]), f"loads = [{', '.join(loads)}]")},
         records={"synthetic": {"count": 1, "seed": 1, "duration": "25 s"}},

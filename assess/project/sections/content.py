@@ -21,7 +21,7 @@ from assess.declaration import (
     Name,
 )
 from assess.loads.load import body_faults
-from assess.project.section import KeyPath, ProjectSection, count_from_0, error_at, quote_names, value_text
+from assess.project.section import KeyPath, ProjectSection, error_at, quote_names, value_text
 from assess.project.sections.analysis import Analysis
 from assess.project.sections.bodies_and_loads import (
     BodySection,
@@ -46,25 +46,15 @@ from assess.project.values import (
     text_of_date,
 )
 from assess.results import ChecklistItem
+from assess.results.provenance import source_line
 
 ASSUMED = "assumed"
 SOURCE_KINDS = ("measured", "literature", ASSUMED)
 NO_SOURCE = "assum"  # of a text, in any case: what it says is an assumption
-OF_MECHANISM = 2  # steps of the key of a mechanism, of which no one source knows all
 MOST_FIGURES = 12
 MOST_REVISIONS = 40
 ALIKE = ("client", "checker", "date", "reference")
 """Keys that may stand at the top of the file or in [report]."""
-
-
-def _tables_that_hold(key: str) -> Iterator[str]:
-    """Yield the innermost table that holds a key, and the load or joint that holds this table, by their keys."""
-    steps = key.split(".")
-    for count in range(len(steps) - 1, 0, -1):
-        within_mechanism = steps[0] == "mechanisms" and count > OF_MECHANISM and steps[count - 1] != "loads"
-        innermost = count == len(steps) - 1 and steps[0] not in ("mechanisms", "building")
-        if within_mechanism or innermost:
-            yield ".".join(steps[:count])
 
 
 def _begins_with_its_kind(text: str) -> str:
@@ -165,14 +155,11 @@ class Report(ProjectSection):
     with "measured: …", "literature: …" or "assumed: …\""""
 
     def source_of(self, key: str) -> str:
-        """Return the source of a key, else that of the innermost table that holds it; empty where none vouches for it.
-
-        A load is a table, and so is a joint. A mechanism, the building or a list is too much for one source to know.
+        """Return the source of a key or of the innermost table that holds it; empty where none vouches for it.
 
         key : with dots, items of lists counted from 0
         """
-        stated = {count_from_0(place): text for place, text in self.sources.items()}
-        found = next((stated[each] for each in (key, *_tables_that_hold(key)) if each in stated), "")
+        found = source_line(key, self.sources)
         return "" if found.strip().lower().startswith(NO_SOURCE) else found
 
     @model_validator(mode="after")

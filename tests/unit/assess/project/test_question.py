@@ -69,7 +69,7 @@ def test_an_italian_pass_needs_sound_masonry_shown(tmp_path, material, sources, 
 def test_masonry_without_a_material_says_it_in_its_own_table(tmp_path):
     assert keys(facts(tmp_path, "tabled")) == ["mechanisms.tabled.disintegration", "report.sources"]
     assert keys(facts(tmp_path, of="roof")) == ["bodies.roof.disintegration", "report.sources"]
-    shown = '"mechanisms.tabled" = "literature: a table"'
+    shown = '"mechanisms.tabled.disintegration" = "literature: a table"'
     assert keys(facts(tmp_path, "tabled", tabled=EXCLUDED, sources=shown)) == []
 
 

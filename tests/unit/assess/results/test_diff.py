@@ -28,13 +28,15 @@ PROJECT = project_toml(
     report={
         "sources": {
             "materials.stone": "measured: blocks bonded through the wall",
-            "mechanisms.parapet": "measured: blocks bonded through the wall",
+            "mechanisms.parapet.disintegration": "measured: blocks bonded through the wall",
         }
     },
     records={"synthetic": {"count": 1, "duration": 8}},
     analysis={"levels": ["0.1 g", "0.3 g"], "procedures": ["asce43-05-spectrum", "dmi2008-linear"]},
 )
 TIE = 'sides = "one"\nloads = [{ kind = "tie", force = "20 kN", at = [0, 4], direction = [-1, 0] }]'
+SOURCES = "[report.sources]"
+TIE_SHOWN = f'{SOURCES}\n"mechanisms.wall.loads[1]" = "measured: anchored behind the floor, tensioned in 2024"'
 
 
 @pytest.fixture(scope="module")
@@ -49,7 +51,7 @@ def before(folder: Path) -> Results:
 
 @pytest.fixture(scope="module")
 def after(folder: Path, before: Results) -> Results:
-    return results_of(folder, PROJECT.replace('sides = "one"', TIE, 1))
+    return results_of(folder, PROJECT.replace('sides = "one"', TIE, 1).replace(SOURCES, TIE_SHOWN, 1))
 
 
 def of_kind(found: tuple[Difference, ...], kind: str) -> Iterator[Difference]:
@@ -69,8 +71,9 @@ def test_a_tie_turns_the_verdict_which_stands_first(before: Results, after: Resu
     assert margin.before < 1.0 < margin.after
     assert [change.kind for change in found] == sorted((c.kind for c in found), key=KINDS.index)
     assert {change.where for change in found} <= {"wall", "mechanisms.wall", "", "project.toml"}  # parapet: as it was
-    (tied,) = of_kind(found, "project")
+    tied, source = of_kind(found, "project")
     assert (tied.what, tied.before) == ("mechanisms.wall.loads[1]", None)
+    assert source.what == "report.sources.mechanisms.wall.loads[1]"
     assert (tied.after["kind"], tied.after["force"]) == ("tie", 20000.0)
     (file,) = of_kind(found, "input")
     assert (file.where, file.what) == ("project.toml", "sha256")

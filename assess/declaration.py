@@ -13,6 +13,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator
 from dataclasses import dataclass, fields
+from enum import Enum
 from functools import cache
 from itertools import pairwise
 from math import inf, isfinite, pi
@@ -193,6 +194,21 @@ class Scatters(Mark):
     crosses_zero: bool = False
 
 
+class Safe(Enum):
+    """What a run does in place of taking a value that no source vouches for."""
+
+    STATED = "as stated"
+    ABSENT = "the key left out: what the code or the drawing gives"
+    WITHOUT = "the table left out that holds the key: a tie, a force"
+
+
+@dataclass(frozen=True)
+class Drawn:
+    """A value that the drawing of the building gives, by its name in `assess.project.overrides`."""
+
+    name: str
+
+
 @dataclass(frozen=True)
 class Evidence(Mark):
     """Who vouches for an input, and which way it helps the wall.
@@ -201,12 +217,14 @@ class Evidence(Mark):
     helps : whether more of it makes the wall safer (for a choice: whether it does), less safe, either, or neither
     instead : what counts where no source vouches for it
     judged : why this kind and this sense, where that is a judgement
+    safe : what a run takes in its place where no source vouches for it: a value [SI], or one that is found
     """
 
     kind: Literal["defines", "drawn", "chosen", "loads", "code", "measured", "action", "clamped", "free"]
     helps: Literal["up", "down", "either", "none"]
     instead: str
     judged: str = ""
+    safe: float | str | bool | Drawn | Safe = Safe.STATED
 
 
 ITS_KIND = Evidence(

@@ -17,7 +17,7 @@ from typing import Annotated
 
 import numpy as np
 
-from assess.declaration import Evidence, Number
+from assess.declaration import Drawn, Evidence, Number, Safe
 from assess.messages.message import Message, Quantity, note, whole_number
 from records.errors import RecordError
 from records.kernel import peak_displacements
@@ -39,8 +39,10 @@ SUITE_SIZE = Evidence(
     "as stated; of fewer than seven the largest decides",
     judged="of seven records and more the mean counts",
 )
-SEED = Evidence("action", "either", "the hash of target and recipe; both suites run, the worse decides")
-DURATION = Evidence("action", "down", "25 s; 20 s for ASCE 43-05")
+SEED = Evidence(
+    "action", "either", "the hash of target and recipe; both suites run, the worse decides", safe=Safe.ABSENT
+)
+DURATION = Evidence("action", "down", "25 s; 20 s for ASCE 43-05", safe=Drawn("duration"))
 
 
 @dataclass(frozen=True)

@@ -23,6 +23,7 @@ from assess.declaration import (
     PositiveTime,
     PositiveYears,
     RatioToOne,
+    Safe,
     Several,
 )
 from spectra import asce7, ec8, ntc, nzs1170_5
@@ -36,9 +37,9 @@ CORNER = Evidence("defines", "down", "as stated", judged="it lifts long periods,
 PEAK = Evidence("defines", "either", "as stated", judged="the level branch rises with it, and the soil factor falls")
 GROUND = Evidence("defines", "either", "as stated", judged="soft ground lifts long periods, and strong motion little")
 TOPOGRAPHY = Evidence("defines", "down", "as stated", judged="S_T grows from T1 to T4")
-RELIEF = Evidence("drawn", "down", "1, the top of the relief")
+RELIEF = Evidence("drawn", "down", "1, the top of the relief", safe=1.0)
 LEVEL = Evidence("chosen", "either", "both levels stand beside each other", judged="what is asked of a wall rises too")
-DAMPED = Evidence("measured", "up", "5 %; above 10 % only measured, never above 30 %")
+DAMPED = Evidence("measured", "up", "5 %; above 10 % only measured, never above 30 %", safe=0.05)
 DAMPED_TABLE = Evidence("defines", "down", "as stated", judged="damped more, the same ordinates mean more at 5 %")
 
 Asce7Code = Annotated[Literal["asce7-05", "ibc2009", "asce7-10", "asce7-16"], THE_CODE]
@@ -185,7 +186,13 @@ class Nzs1170Spectrum(DesignSpectrum):
     """return period, 20 to 2500 years, in place of r"""
     near_fault_distance: Annotated[
         NotNegativeLength | None,
-        Evidence("code", "up", "the distance to the nearest fault of Table 3.6", judged="N(T, D) falls with it"),
+        Evidence(
+            "code",
+            "up",
+            "the distance to the nearest fault of Table 3.6",
+            judged="N(T, D) falls with it",
+            safe=Safe.ABSENT,
+        ),
     ] = None
     """distance to the nearest major fault, like "8 km"; absent: none is near"""
 

@@ -31,7 +31,7 @@ from assess.codes.check import (
     reason_message,
 )
 from assess.codes.context import PLINTH, Building, Context, Wall
-from assess.declaration import Evidence, PositiveAcceleration
+from assess.declaration import Evidence, PositiveAcceleration, Safe
 from assess.messages.message import Message, Quantity, Severity, Term, message
 from assess.oscillator import Branch, BranchName, Oscillator, threshold
 
@@ -56,12 +56,14 @@ POSITION = Evidence(
     "either",
     "by storeys and elevation, else the strictest row for a pass",
     judged="the wall of a top storey may be less slender, that of a first storey more",
+    safe=Safe.ABSENT,
 )
 MASONRY = Evidence(
     "measured",
     "up",
     'absent: "coursed" is a condition of a pass',
     judged='"coursed" takes a condition from a pass, "rubble" leaves the wall without an answer',
+    safe=Safe.ABSENT,
 )
 
 
@@ -73,7 +75,7 @@ class Asce41Options:
     """row of Table 11-5: "one-storey", "first-storey", "top-storey" or "other"; if absent by [building], elevation"""
     masonry: Annotated[Masonry | None, MASONRY] = None
     """"coursed", or "rubble", which the table is not for; if absent a pass holds on condition that it is coursed"""
-    seismicity: Annotated[Seismicity, Evidence("code", "down", '"high"')] = "high"
+    seismicity: Annotated[Seismicity, Evidence("code", "down", '"high"', safe="high")] = "high"
     """level of seismicity, on which the limit of parapets hangs: "high", h/t 1.5, or "moderate", 2.5"""
     s_x1: Annotated[PositiveAcceleration | None, ORDINATE] = None
     """S_X1 at the site's own peak ground acceleration; if absent the spectrum at 1 s; needed where that is a table"""

@@ -56,7 +56,7 @@ from assess.codes.pga_rotation import (
     to_equivalent_blocks,
     to_pga_curve,
 )
-from assess.declaration import Evidence, PositiveLength
+from assess.declaration import Evidence, PositiveLength, Safe
 from assess.messages.message import Severity, Term, message
 from assess.oscillator import (
     Branch,
@@ -81,7 +81,7 @@ THIRD = 1.0 / 3.0  # of the same: allowed by A.2
 THESIS_DAMPING = 0.05
 
 
-ALLOWABLE = Evidence("chosen", "up", "absent: sliding is for information")
+ALLOWABLE = Evidence("chosen", "up", "absent: sliding is for information", safe=Safe.ABSENT)
 
 
 @dataclass(frozen=True)

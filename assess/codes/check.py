@@ -9,7 +9,7 @@ from math import inf
 from typing import Literal, TypedDict
 
 from assess.codes.calculation_sheet import Bound, Step
-from assess.declaration import Evidence
+from assess.declaration import Evidence, Safe
 from assess.messages.message import Message, Severity, Term, Value, message
 from assess.oscillator import BRANCH_NAMES, Branch, BranchName, Oscillator
 from assess.short_repr import ShortRepr
@@ -23,7 +23,7 @@ AMERICAN = ("asce7-05", "ibc2009", "asce7-10", "asce7-16")
 EUROPEAN = ("ec8", "ntc2008", "ntc2018")
 NEW_ZEALAND = ("nzs1170.5",)
 TABLE_SPECTRUM = "table"  # the engineer's own spectrum, for any code
-ORDINATE = Evidence("code", "down", "that of the site's spectrum; on a table not answered")
+ORDINATE = Evidence("code", "down", "that of the site's spectrum; on a table not answered", safe=Safe.ABSENT)
 """Of the ordinate by which a code's own clause begins."""
 
 NEEDED = 0.84

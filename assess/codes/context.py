@@ -10,7 +10,7 @@ from typing import Annotated, Literal
 from assess.codes.calculation_sheet import Given
 from assess.codes.check import InputAt
 from assess.codes.histories import SuiteResponse
-from assess.declaration import Damping, Evidence, PositiveTime
+from assess.declaration import Damping, Evidence, PositiveTime, Safe
 from assess.errors import ProcedureError
 from assess.messages.message import Message
 from assess.oscillator import BranchName, HingeForces, LocalLimit, OpenSeat, Oscillator
@@ -73,7 +73,9 @@ class Wall:
     gravity: Mapping[BranchName, Gravity] = field(default_factory=dict)
 
 
-SOFTENED_PERIOD = Evidence("measured", "either", "the worst over 1.5 to 2.0 times the period of the elastic building")
+SOFTENED_PERIOD = Evidence(
+    "measured", "either", "the worst over 1.5 to 2.0 times the period of the elastic building", safe=Safe.WITHOUT
+)
 
 
 @dataclass(frozen=True)
@@ -82,7 +84,7 @@ class StatedFirstMode:
 
     period: Annotated[PositiveTime, SOFTENED_PERIOD]
     """period of the first mode at this limit state, like "0.5 s\""""
-    damping: Annotated[Damping, Evidence("measured", "up", "10 %; never above 30 %")]
+    damping: Annotated[Damping, Evidence("measured", "up", "10 %; never above 30 %", safe=0.10)]
     """its damping ratio"""
     reason: Annotated[
         str,

@@ -31,7 +31,7 @@ from assess.codes.check import (
     reason_message,
 )
 from assess.codes.context import Context, WallSupport
-from assess.declaration import Evidence, Number, PositiveAcceleration
+from assess.declaration import Evidence, Number, PositiveAcceleration, Safe
 from assess.messages.message import Term
 from assess.oscillator import Branch, BranchName, Oscillator, elastic_frequency, linear_multiplier, threshold
 from spectra.floor import ec8_floor_factor
@@ -51,7 +51,9 @@ ELEMENTS: dict[WallSupport, str] = {
 RESONANCE = 1.0  # T_a / T_1 where the building is not known: the worst
 
 
-BEHAVIOUR_FACTOR = Evidence("code", "up", "1.0 for what stands free, 2.0 for what spans or is held by the drawing")
+BEHAVIOUR_FACTOR = Evidence(
+    "code", "up", "1.0 for what stands free, 2.0 for what spans or is held by the drawing", safe=Safe.ABSENT
+)
 IMPORTANCE = Evidence("code", "down", "1.0; 1.5 where life depends on it")
 
 

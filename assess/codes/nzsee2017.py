@@ -52,7 +52,7 @@ from assess.codes.check import (
 )
 from assess.codes.context import Context, Gravity, WallSupport
 from assess.codes.pga_rotation import pga_rotation, to_pga_curve
-from assess.declaration import Evidence, Number, PositiveAcceleration, Share
+from assess.declaration import Evidence, Number, PositiveAcceleration, Safe, Share
 from assess.messages.message import Message, Quantity, Term, message
 from assess.oscillator import Branch, BranchName, Oscillator, energy, threshold
 from spectra.arrays import FloatArray
@@ -72,8 +72,10 @@ LET_GO: dict[WallSupport, float] = {"spanning": 0.6, "free": 0.8}  # rotation fr
 LARGEST_FLOOR_FACTOR = 3.0  # C_Hi, NZS 1170.5, 8.3
 
 
-USABLE_ROTATION = Evidence("code", "up", "0.6 of walls that span, 0.3 of others; a larger one is for comparison")
-RISK_FACTOR = Evidence("code", "down", "1.0, where less")
+USABLE_ROTATION = Evidence(
+    "code", "up", "0.6 of walls that span, 0.3 of others; a larger one is for comparison", safe=Safe.ABSENT
+)
+RISK_FACTOR = Evidence("code", "down", "1.0, where less", safe=1.0)
 
 
 @dataclass(frozen=True)

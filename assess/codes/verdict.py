@@ -32,8 +32,15 @@ from assess.codes.question import (
     requested_ranks,
     target_of,
 )
-from assess.messages.message import Message, Severity, Term, message
+from assess.messages.message import Message, Quantity, Severity, Term, message
 from assess.short_repr import ShortRepr
+
+
+class State(StrEnum):
+    """Which state of the project decides."""
+
+    AS_TYPED = "as-typed"
+    REPLACED = "unsourced-replaced"
 
 
 @dataclass(frozen=True, repr=False)
@@ -64,6 +71,8 @@ class Verdict(ShortRepr):
     index : "at most" the least of the mechanisms', as they are local ones only; of a ratio of demand to capacity the
         largest; None where one is not known
     clauses : rule and clause of the basis; uncompared : what could not be compared with any text of the standard
+    state : of the project, whose mechanisms these are; other_state : the better one, None where nothing differs
+    overrides : the values that help, with the outcome without each
     """
 
     basis: str
@@ -81,6 +90,57 @@ class Verdict(ShortRepr):
     provisional: Decision | None = None
     clauses: tuple[tuple[str, str], ...] = ()
     uncompared: tuple[str, ...] = ()
+    state: State = State.AS_TYPED
+    other_state: OtherState | None = None
+    overrides: tuple[Override, ...] = ()
+
+
+@dataclass(frozen=True, repr=False)
+class Override(ShortRepr):
+    """A value that helps, with the outcome of the building where something else stands in its place.
+
+    key, value : as the project file has them; instead : what code or drawing give
+    source : who vouches for it; empty where nobody does
+    margin_instead : PGA at capacity over the action's; 0 for what falls at rest, None where it is not known
+    """
+
+    key: str
+    value: str
+    instead: str
+    outcome_instead: Decision
+    source: str = ""
+    margin_instead: float | None = None
+
+    @property
+    def message(self) -> Message:
+        """What the verdict hangs on, in words."""
+        end = {None: "-unknown", 0.0: "-falls"}.get(self.margin_instead, "")
+        values: dict[str, Quantity | Term | Message | str] = {
+            "key": self.key,
+            "value": self.value,
+            "source": self.source,
+            "outcome": OUTCOME_TERMS[self.outcome_instead],
+            "margin": Quantity(self.margin_instead or 0.0, "ratio", 3),
+        }
+        key = f"override-{'sourced' if self.source else 'unsourced'}{end}"
+        return message(key, values, severity=Severity.WARNING, where=self.key)
+
+
+@dataclass(frozen=True, repr=False)
+class MechanismOutcome(ShortRepr):
+    """The outcome of one mechanism in the state that does not decide."""
+
+    mechanism: str
+    outcome: Decision
+    margin: float | None
+
+
+@dataclass(frozen=True, repr=False)
+class OtherState(ShortRepr):
+    """The state of the project that does not decide, as no value differs or its outcome is better."""
+
+    outcome: Decision
+    mechanisms: tuple[MechanismOutcome, ...]
 
 
 class Decision(StrEnum):
@@ -97,6 +157,28 @@ def worst_outcome(outcomes: Iterable[Decision]) -> Decision:
     if Decision.FAIL in found:
         return Decision.FAIL
     return Decision.INCOMPLETE if Decision.INCOMPLETE in found or not found else Decision.PASS
+
+
+def is_worse(outcome: Decision, margin: float | None, *, than: tuple[Decision, float | None]) -> bool:
+    """Return whether an outcome is worse than another, or as bad with a margin that is lower by more than 1 %.
+
+    Parameters
+    ----------
+    outcome, margin : of a mechanism or building; the margin is PGA at capacity over the action's, None if not known
+    than : the other outcome, with its margin
+    """
+    ranks = (Decision.PASS, Decision.INCOMPLETE, Decision.FAIL)
+    if outcome != than[0]:
+        return ranks.index(outcome) > ranks.index(than[0])
+    return margin is not None and than[1] is not None and margin < than[1] * (1.0 - SAME_MARGIN)
+
+
+OUTCOME_TERMS = {
+    Decision.PASS: Term("pass"),
+    Decision.FAIL: Term("fail"),
+    Decision.INCOMPLETE: Term("incomplete"),
+}
+SAME_MARGIN = 0.01  # share by which a margin may fall without being worse
 
 
 def verdict(question: Question, mechanisms: Sequence[MechanismChecks]) -> Verdict:

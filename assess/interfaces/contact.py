@@ -15,7 +15,7 @@ from typing import Annotated, Literal
 import numpy as np
 from numpy.typing import ArrayLike
 
-from assess.declaration import UNCERTAIN, Evidence, Fault, Forms, JointStiffness, PositiveLength, Strength
+from assess.declaration import UNCERTAIN, Evidence, Fault, Forms, JointStiffness, PositiveLength, Safe, Strength
 from assess.errors import InterfaceError
 from assess.interfaces.kernel.equilibrium import crushing_depth, touch
 from assess.interfaces.section import CONTACT_SIZES, ContactSection, Shape, mirror
@@ -31,6 +31,7 @@ OWN_STRENGTH = Evidence(
     "up",
     "the material's, 50 MPa at most",
     judged="an infinite strength is the rigid reading and stays; it helps where crushing is modelled",
+    safe=Safe.ABSENT,
 )
 
 
@@ -50,7 +51,7 @@ class Interface:
     shape: Annotated[
         Literal["outline"] | Shape,
         OUTLINE_OR_SIZE,
-        Evidence("drawn", "up", "the outline of the mesh at the hinge"),
+        Evidence("drawn", "up", "the outline of the mesh at the hinge", safe=Safe.ABSENT),
     ] = "outline"
     """"outline" of the mesh at the hinge, or { rectangle | hollow_rectangle | circle | annulus | polygon = … }"""
 

@@ -33,6 +33,7 @@ from assess.declaration import (
     PositiveLength,
     PositiveMass,
     PositiveRatio,
+    Safe,
     Share,
     StatedDirection,
     StatedPlace,
@@ -68,11 +69,11 @@ StatedForce = Annotated[
 BlockNumber = Annotated[int, Number(least=0, most=2)]
 WHERE_DRAWN = Evidence("drawn", "either", "as drawn; an unknown eccentricity is a sixth of the thickness outwards")
 ITS_BLOCK = Evidence("drawn", "either", "the block that it touches")
-ITS_SEAT = Evidence("measured", "up", "absent: SLC is not answered, and a pass at SLV is conditional")
+ITS_SEAT = Evidence("measured", "up", "absent: SLC is not answered, and a pass at SLV is conditional", safe=Safe.ABSENT)
 BY_WHERE_IT_RESTS = "a weight holds a wall down or drives it over, by where it rests"
 WHERE_IT_HURTS = Evidence("loads", "either", "variable loads only where they hurt", judged=BY_WHERE_IT_RESTS)
 ITS_WAY = Evidence("drawn", "either", "as drawn")
-ITS_END = Evidence("measured", "up", "absent: it counts in the multiplier alone")
+ITS_END = Evidence("measured", "up", "absent: it counts in the multiplier alone", safe=Safe.ABSENT)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -105,7 +106,9 @@ class ForceLoad:
     """A dead force: the thrust of a vault or roof."""
 
     kind: ClassVar[Literal["force"]] = "force"
-    force: Annotated[StatedForce, UNCERTAIN, Evidence("loads", "either", "none where it holds the wall")]
+    force: Annotated[
+        StatedForce, UNCERTAIN, Evidence("loads", "either", "none where it holds the wall", safe=Safe.WITHOUT)
+    ]
     """[along the direction, up], or a size with `direction`"""
     at: Annotated[StatedPlace, WHERE_DRAWN]
     """[x, y, z], or [distance along the direction, elevation]"""
@@ -135,7 +138,9 @@ class TieLoad:
     """
 
     kind: ClassVar[Literal["tie"]] = "tie"
-    force: Annotated[PositiveForce, UNCERTAIN, Evidence("measured", "up", "the wall without the tie")]
+    force: Annotated[
+        PositiveForce, UNCERTAIN, Evidence("measured", "up", "the wall without the tie", safe=Safe.WITHOUT)
+    ]
     """pretension, like "30 kN\""""
     at: Annotated[StatedPlace, WHERE_DRAWN]
     """where it holds the block: [x, y, z], or [distance along the direction, elevation]"""
@@ -143,17 +148,23 @@ class TieLoad:
     """the way it pulls: [x, y, z], or [along the direction, up]; or give anchor"""
     anchor: Annotated[StatedPlace | None, ITS_WAY] = None
     """the fixed end: [x, y, z], or [distance along the direction, elevation]"""
-    both: Annotated[bool, Evidence("measured", "up", "false: slack on the branch where it shortens")] = False
+    both: Annotated[bool, Evidence("measured", "up", "false: slack on the branch where it shortens", safe=False)] = (
+        False
+    )
     """true: taut on both branches"""
     until: Annotated[StatedUntil | None, ITS_END] = None
     """"collapse" if it is shown to be there up to collapse; or the displacement of its point at which it breaks; if
     absent it counts in the multiplier alone"""
-    strength: Annotated[PositiveForce | None, UNCERTAIN, Evidence("measured", "up", "the wall without the tie")] = None
+    strength: Annotated[
+        PositiveForce | None, UNCERTAIN, Evidence("measured", "up", "the wall without the tie", safe=Safe.ABSENT)
+    ] = None
     """least of bar, plate, masonry and far wall; it never pulls with more"""
-    length: Annotated[PositiveLength | None, Evidence("drawn", "up", "absent: it does not last to collapse")] = None
+    length: Annotated[
+        PositiveLength | None, Evidence("drawn", "up", "absent: it does not last to collapse", safe=Safe.ABSENT)
+    ] = None
     """of the bar, over which it stretches"""
     fracture_strain: Annotated[
-        PositiveRatio | None, Evidence("measured", "up", "absent: it does not last to collapse")
+        PositiveRatio | None, Evidence("measured", "up", "absent: it does not last to collapse", safe=Safe.ABSENT)
     ] = None
     """of the bar; it breaks where it has lengthened by more than this times its length"""
     block: Annotated[BlockNumber, ITS_BLOCK] = 0
@@ -180,7 +191,9 @@ class OverburdenLoad:
     """of the load from mid-thickness of the top towards `direction`; 0, or where the bodies touch, if absent"""
     through: Annotated[
         Through,
-        Evidence("measured", "up", "fixed", judged="a load that moves to the edge that closes rights the wall"),
+        Evidence(
+            "measured", "up", "fixed", judged="a load that moves to the edge that closes rights the wall", safe="fixed"
+        ),
     ] = None
     """"joint": it presses where the top does, from mid-thickness to the edge as the wall turns (rigid: at hinge C);
     "fixed": it stays in its place on the wall; if absent "joint" on the middle of a joint at C, else "fixed\""""
@@ -205,9 +218,11 @@ class BodyLoad:
     """"floor" (weight), or "roof" or "vault" (weight and thrust)"""
     tolerance: Annotated[PositiveLength, Evidence("clamped", "either", "the default")] = CONTACT_TOLERANCE
     """faces this near each other touch"""
-    share: Annotated[Share | None, Evidence("loads", "either", "by statics from what else carries it")] = None
+    share: Annotated[
+        Share | None, Evidence("loads", "either", "by statics from what else carries it", safe=Safe.ABSENT)
+    ] = None
     """part of the body that this block carries, in (0, 1]; by statics from what else carries it if absent"""
-    bearing: Annotated[bool | None, Evidence("drawn", "either", "as the contact shows")] = None
+    bearing: Annotated[bool | None, Evidence("drawn", "either", "as the contact shows", safe=Safe.ABSENT)] = None
     """true: the block carries weight; false: it is only pushed; as the contact shows if absent"""
     seat: Annotated[PositiveLength | None, ITS_SEAT] = None
     """how far the contact can move along the direction before the body falls off the block, like "0.12 m\""""
@@ -216,14 +231,18 @@ class BodyLoad:
     mass: Annotated[PositiveMass | None, UNCERTAIN, WHERE_IT_HURTS] = None
     """of the whole body; its volume times the density of its material if absent"""
     thrust: Annotated[
-        PositiveForce | None, UNCERTAIN, Evidence("loads", "down", "from its shape, where that is more")
+        PositiveForce | None,
+        UNCERTAIN,
+        Evidence("loads", "down", "from its shape, where that is more", safe=Safe.ABSENT),
     ] = None
     """of a roof or vault on this block, along the direction of motion, outwards; from its shape if absent"""
-    span: Annotated[PositiveLength | None, Evidence("drawn", "down", "from its bounding box")] = None
+    span: Annotated[PositiveLength | None, Evidence("drawn", "down", "from its bounding box", safe=Safe.ABSENT)] = None
     """of a roof or vault along its thrust; from its bounding box if absent"""
-    rise: Annotated[PositiveLength | None, Evidence("drawn", "up", "from its bounding box")] = None
+    rise: Annotated[PositiveLength | None, Evidence("drawn", "up", "from its bounding box", safe=Safe.ABSENT)] = None
     """of the ridge or crown above the springing; from the bounding box if absent"""
-    tied: Annotated[bool | None, FileDefault(False), Evidence("loads", "up", "false: its thrust acts")] = None
+    tied: Annotated[bool | None, FileDefault(False), Evidence("loads", "up", "false: its thrust acts", safe=False)] = (
+        None
+    )
     """true: ties or tie-beams take the thrust"""
     vault: Annotated[
         Literal["barrel", "quadripartite"] | None, Evidence("drawn", "either", "as the faces of the mesh show")

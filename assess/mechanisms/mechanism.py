@@ -13,7 +13,17 @@ from typing import Annotated, ClassVar, Literal
 
 import numpy as np
 
-from assess.declaration import FREE, Evidence, Inclination, IsHorizontal, KeyFault, Length, Name, Ratio, SpacePoint
+from assess.declaration import (
+    FREE,
+    Evidence,
+    Inclination,
+    IsHorizontal,
+    KeyFault,
+    Length,
+    Name,
+    Ratio,
+    SpacePoint,
+)
 from assess.geometry.planar import Outline
 from assess.interfaces.contact import Interface
 from assess.loads.load import (
@@ -63,7 +73,12 @@ class BlockMechanism:
     """only what lies above moves: an elevation like "4.77 m", or a crack, { point, normal } or { point, angle }"""
     sides: Annotated[
         Sides | None,
-        Evidence("chosen", "either", "as bodies touch it", judged="a wall behind stops rocking and takes its energy"),
+        Evidence(
+            "chosen",
+            "either",
+            "as bodies touch it",
+            judged="a wall behind stops rocking and takes its energy",
+        ),
     ] = None
     """"two", or "one": positive rotation only, the building behind stops the other; if absent, as bodies touch it"""
     loads: tuple[LoadDefinition, ...] = ()

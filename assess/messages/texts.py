@@ -183,6 +183,13 @@ TEXTS: Mapping[str, str] = {
     "seat-travel": "{what}: {moved}",
     "not-scanned": "a pass by histories is valid only if no lower PGA is worse, which was not looked at: [analysis] "
     "scan = true runs the histories at rising PGA",
+    # values that help
+    "override-unsourced": "{key} = {value} has no source; without it: {outcome}, up to {margin} times the action",
+    "override-unsourced-falls": "{key} = {value} has no source; without it what it holds falls under its own loads",
+    "override-unsourced-unknown": "{key} = {value} has no source; without it: {outcome}",
+    "override-sourced": "{key} = {value} ({source}); without it: {outcome}, up to {margin} times the action",
+    "override-sourced-falls": "{key} = {value} ({source}); without it what it holds falls under its own loads",
+    "override-sourced-unknown": "{key} = {value} ({source}); without it: {outcome}",
     # conditions and gaps of the verdict
     "no-deciding-method": "no method that may decide {state} was requested or applies: {methods}",
     "missing-key": "{key}: {text}",

@@ -22,7 +22,8 @@ from assess.model.bodies import Bodies
 from assess.model.directions import mechanism_as_given, mechanism_in_direction
 from assess.project import sections
 from assess.project.input_messages import project_messages
-from assess.project.keys import KeySweep, ProjectVariant, dependents
+from assess.project.keys import KeySweep, ProjectVariant, Setting, dependents, read_case
+from assess.project.overrides import replace_values, replaceables_of
 from assess.project.project_file import Project, resolve
 from assess.project.question import (
     facts_of,
@@ -68,6 +69,7 @@ from assess.study.amplification import MechanismInPlace, amplify
 from assess.study.study import (
     Fitting,
     PulseGrid,
+    Replaceable,
     Study,
     Sweep,
     SweepCase,
@@ -120,6 +122,7 @@ def build_to_decide(project: Project) -> Study:
         if project.sweeps:
             return study_of(project)
         study, files, messages = _deciding_study(project)
+        study = _with_replaceables(study, project, files, read_again=build_to_decide)
         return replace(study, messages=_input_messages(project, study, files, messages))
 
 
@@ -141,6 +144,7 @@ def study_of(project: Project, *, executor: Executor | None = None) -> Study:
     study, files, messages = _deciding_study(project, executor=executor)
     variants = Variants(project, files.solids, partial(cases_of, project=project, files=files))
     annex, annex_messages = annex_of(project, uses_of(content, study))
+    study = _with_replaceables(study, project, files, read_again=study_of)
     return replace(
         study,
         annex=annex,
@@ -157,6 +161,27 @@ def study_of(project: Project, *, executor: Executor | None = None) -> Study:
         variables=variables_of(variants, study),
         sampling=sampling_of(variants, study),
     )
+
+
+def _with_replaceables(
+    study: Study, project: Project, files: ProjectFiles, *, read_again: Callable[[Project], Study]
+) -> Study:
+    """Return a study with its values that something stands for, and what builds it without some of them.
+
+    read_again : builds the study of the project in which they are replaced
+    """
+
+    def study_at(setting: Setting) -> Callable[[str], Study]:
+        content = read_case(setting, project.content, project.raw, project.folder)
+        known = _files_of_case(content, project, files)
+        return lambda name: _study_of_mechanisms(content, known, names=(name,))
+
+    def replaced(values: Sequence[Replaceable]) -> Study:
+        without = read_again(replace_values(project, values))
+        return replace(without, replaceables=(), replaced=None)
+
+    found = replaceables_of(project, files.solids, study, study_at=study_at)
+    return replace(study, replaceables=found, replaced=replaced)
 
 
 def case_of(variant: ProjectVariant, project: Project, files: ProjectFiles, *, names: tuple[str, ...]) -> SweepCase:

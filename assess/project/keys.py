@@ -21,7 +21,7 @@ from pydantic import ValidationError
 from pydantic.fields import FieldInfo
 from pydantic_core import ErrorDetails
 
-from assess.declaration import BOUNDS, Scatters, marks_of
+from assess.declaration import BOUNDS, Safe, Scatters, marks_of
 from assess.errors import ProjectError
 from assess.loads.load import bodies_of as loading_bodies
 from assess.messages.message import escape_text
@@ -102,10 +102,49 @@ def with_value(node: Any, path: Sequence[str | int], value: Any, resolved: Any) 
 
 
 def with_values(raw: Mapping[str, Any], setting: Setting, resolved: Content) -> Mapping[str, Any]:
-    """Return what the file says with other values at some keys."""
+    """Return what the file says with other values at some keys, and without those whose value is `Safe.ABSENT`."""
+    removed = [path for path, value in setting.items() if value is Safe.ABSENT]
     for path, value in setting.items():
-        raw = with_value(raw, path, value, resolved)
+        if value is not Safe.ABSENT and not any(path[: len(other)] == other for other in removed):
+            raw = with_value(raw, path, value, resolved)
+    outermost = [path for path in removed if not any(path[: len(other)] == other != path for other in removed)]
+    for path in sorted(outermost, key=_places, reverse=True):
+        raw = _without(raw, path)  # of a list the last first, so that the others keep their places
+        sources = look_up(raw, ("report", "sources"))[1]
+        if isinstance(sources, Mapping):
+            raw = with_value(raw, ("report", "sources"), _sources_without(sources, path), resolved)
     return raw
+
+
+def _places(path: KeyPath) -> tuple[int, ...]:
+    return tuple(step for step in path if isinstance(step, int))
+
+
+def _without(node: Any, path: Sequence[str | int]) -> Any:
+    """Return a copy of `node` without what stands at `path`; the same where nothing does."""
+    step, *rest = path
+    if isinstance(node, list):
+        place = int(step)
+        return [*node[:place], *([_without(node[place], rest)] if rest else []), *node[place + 1 :]]
+    if not isinstance(node, Mapping) or step not in node:
+        return node
+    below = {step: _without(node[str(step)], rest)} if rest else {}
+    return {key: below.get(key, value) for key, value in node.items() if rest or key != step}
+
+
+def _sources_without(sources: Mapping[str, str], path: KeyPath) -> dict[str, str]:
+    """Return the sources of what is left without a key or entry: entries behind it in its list move up by one."""
+    gone, before = ".".join(map(str, path)), "".join(f"{step}." for step in path[:-1])
+    found = {}
+    for given, text in sources.items():
+        key = count_from_0(given)
+        place, dot, rest = key.removeprefix(before).partition(".")
+        if f"{key}.".startswith(f"{gone}."):
+            continue
+        if isinstance(path[-1], int) and key.startswith(before) and place.isdigit() and int(place) > path[-1]:
+            key = f"{before}{int(place) - 1}{dot}{rest}"
+        found[key] = text
+    return found
 
 
 def value_at(content: Content, path: KeyPath) -> Any:

@@ -126,7 +126,9 @@ class ProjectSection(BaseModel):
         for key, text in cls.meanings().items():
             properties[key]["description"] = text
         for key, evidence in cls.evidence_of_keys().items():
-            properties[key][EVIDENCE] = {name: text for name, text in asdict(evidence).items() if text}
+            properties[key][EVIDENCE] = {
+                name: text for name, text in asdict(evidence).items() if text and name != "safe"
+            }
         return found
 
     @model_validator(mode="before")

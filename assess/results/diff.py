@@ -415,6 +415,8 @@ def _verdict_statements(found: Verdict | None) -> Statements:
         ("", "action, PGA"): found.action.pga_g,
         ("", "target"): found.target,
         ("", "index"): None if found.index is None else found.index.value,
+        ("", "state"): found.state.value,
+        ("", "rests on"): "; ".join(each.message.text for each in found.overrides) or None,
         ("", "conditions"): "; ".join(each.text for each in found.conditions) or None,
         ("", "missing"): ", ".join(each.key for each in found.missing) or None,
     }

@@ -24,6 +24,7 @@ from assess.codes.question import Question, methods_of
 from assess.codes.verdict import Verdict
 from assess.dynamics.packing import Equation
 from assess.dynamics.pulses import CriticalMechanism, Envelope, envelope, find_critical
+from assess.errors import FallingError
 from assess.mechanisms.mechanism import Mechanism
 from assess.messages.message import Message, Quantity, first_names, locate, message, note, warning
 from assess.oscillator import Oscillator
@@ -52,14 +53,15 @@ from assess.study.histories import (
 )
 from assess.study.history_controls import convergence_control, energy_control, governing_history
 from assess.study.mechanism_results import comparison_rows, parameters
+from assess.study.states import Overrides, decides, find_overrides, merge_states, verdict_where_walls_fall
 from assess.study.study import (
     Progress,
     PulseGrid,
     ScaledRecord,
     Study,
     case_text,
-    follows_motion,
     may_follow_motion,
+    needs_motions,
     no_progress,
     require_spectrum,
 )
@@ -82,7 +84,7 @@ from spectra.spectrum import Spectrum
 
 
 def run_study(study: Study, *, jobs: int = 0, progress: Progress = no_progress) -> Results:
-    """Assess a study.
+    """Assess a study, in the worse of its two states (`assess.study.states`).
 
     Each mechanism that sweeps change is represented by its controlling case.
 
@@ -111,6 +113,34 @@ def run_study(study: Study, *, jobs: int = 0, progress: Progress = no_progress) 
     progress("ground motions", 0, 1)
     motions = motions_of(study, spectrum, jobs=jobs)
     study = replace(study, suite_faults=suite_faults(study, spectrum, motions))
+    typed = _run_state(study, spectrum, motions, jobs=jobs, progress=progress)
+    assert typed.verdict is not None
+    progress("values without a source", 0, 1)
+    overrides = find_overrides(study, motions, jobs=jobs)
+    try:
+        replaced = _replaced(study, overrides)
+    except FallingError:
+        verdict = merge_states(typed.verdict, verdict_where_walls_fall(typed.verdict, overrides), overrides.lines)
+        return replace(typed, verdict=verdict)
+    if replaced is None or not decides(other := find_state_verdict(replaced, jobs=jobs), typed.verdict):
+        return replace(typed, verdict=merge_states(typed.verdict, None if replaced is None else other, overrides.lines))
+    other_motions = motions_of(replaced, require_spectrum(replaced), jobs=jobs)
+    replaced = replace(replaced, suite_faults=suite_faults(replaced, require_spectrum(replaced), other_motions))
+    found = _run_state(replaced, require_spectrum(replaced), other_motions, jobs=jobs, progress=progress)
+    assert found.verdict is not None
+    verdict = merge_states(typed.verdict, found.verdict, overrides.lines)
+    return replace(found, project=typed.project, inputs=typed.inputs, stamp=typed.stamp, verdict=verdict)
+
+
+def _replaced(study: Study, overrides: Overrides) -> Study | None:
+    """Return the study in which no value stands that helps without a source; None where all may stand."""
+    return study.replaced(overrides.replaced) if overrides.replaced and study.replaced else None
+
+
+def _run_state(
+    study: Study, spectrum: Spectrum, motions: tuple[ScaledRecord, ...], *, jobs: int, progress: Progress
+) -> Results:
+    """Assess one state of a study under its motions."""
     sweeps = run_sweeps(study, motions, jobs=jobs, progress=progress)
     controlling = controlling_cases(sweeps)
     unswept = replace(
@@ -172,10 +202,7 @@ class CheckedMechanism:
 
 
 def find_verdict(study: Study, *, jobs: int = 1) -> Verdict:
-    """Return the verdict of a study as `run` finds it.
-
-    What is at the limit is found by the usual 5 % alone: the tolerance of the survey, which changes no outcome, is not
-    tried. A study with sweeps is run whole, since its controlling cases decide.
+    """Return the verdict of a study as `run` finds it, in the worse of its two states.
 
     Parameters
     ----------
@@ -191,15 +218,39 @@ def find_verdict(study: Study, *, jobs: int = 1) -> Verdict:
     AssessError
         If a record, mechanism or procedure cannot be evaluated.
     """
+    typed = find_state_verdict(study, jobs=jobs)
+    methods = methods_of(study.question)
+    study = replace(study, procedures=tuple(procedure for procedure in study.procedures if procedure in methods))
+    motions: tuple[ScaledRecord, ...] = ()
+    if study.replaceables and needs_motions(study):
+        motions = motions_of(study, require_spectrum(study), jobs=jobs)
+    overrides = find_overrides(study, motions, jobs=jobs, with_sources=False)
+    try:
+        replaced = _replaced(study, overrides)
+    except FallingError:
+        return merge_states(typed, verdict_where_walls_fall(typed, overrides), overrides.lines)
+    other = None if replaced is None else find_state_verdict(replaced, jobs=jobs)
+    return merge_states(typed, other, overrides.lines)
+
+
+def find_state_verdict(study: Study, *, jobs: int = 1) -> Verdict:
+    """Return the verdict of one state of a study.
+
+    What is at the limit is found by the usual 5 % alone: the tolerance of the survey, which changes no outcome, is not
+    tried. A study with sweeps is run whole, since its controlling cases decide. Parameters and errors are those of
+    `find_verdict`.
+    """
     if study.sweeps:
-        decided = run_study(study, jobs=jobs).verdict
+        motions = motions_of(study, require_spectrum(study), jobs=jobs)
+        study = replace(study, suite_faults=suite_faults(study, require_spectrum(study), motions))
+        decided = _run_state(study, require_spectrum(study), motions, jobs=jobs, progress=no_progress).verdict
         assert decided is not None
         return decided
     spectrum = require_spectrum(study)
     methods = methods_of(study.question)
     study = replace(study, procedures=tuple(procedure for procedure in study.procedures if procedure in methods))
-    motions: tuple[ScaledRecord, ...] = ()
-    if _needs_motions(study):
+    motions = ()
+    if needs_motions(study):
         motions = motions_of(study, spectrum, jobs=jobs)
         study = replace(study, suite_faults=suite_faults(study, spectrum, motions))
     checked = [_check_what_decides(study, spectrum, motions, mechanism, jobs=jobs) for mechanism in study.mechanisms]
@@ -391,12 +442,6 @@ def _decide_with_tolerance(
     return decide(with_question, results, losses) if losses else decided
 
 
-def _needs_motions(study: Study) -> bool:
-    """Return whether an answer of a study depends on its ground motions."""
-    above = any(study.amplified[mechanism.name].height is not None for mechanism in study.mechanisms)
-    return above or any(follows_motion(name) for name in study.procedures)
-
-
 def _check_what_decides(
     study: Study, spectrum: Spectrum, motions: tuple[ScaledRecord, ...], mechanism: Mechanism, *, jobs: int
 ) -> CheckedMechanism:
@@ -494,7 +539,9 @@ def _as_assessed(
 ) -> AssessedMechanism:
     """Return a mechanism as it was assessed: in the study, or in the controlling case of its sweep."""
     study_there, mechanism = _where_assessed(study, swept, result.name)
-    motions_there = motions if swept is None else motions_of_case(swept.controlling_case, study, motions, jobs=jobs)
+    motions_there = (
+        motions if swept is None else motions_of_case(swept.controlling_case.study, study, motions, jobs=jobs)
+    )
     return AssessedMechanism(mechanism, study_there, motions_there, result)
 
 

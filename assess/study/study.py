@@ -102,6 +102,8 @@ class Study:
     scan : whether histories are run at rising PGA for the capacity
     sampling : how its uncertain numbers are sampled; None if that is not requested
     annex : of verification that the report names; None if there is none
+    replaceables : its values that something stands for where no source vouches for them
+    replaced : returns the study in which these are replaced
     """
 
     spectrum: Spectrum | None
@@ -140,6 +142,8 @@ class Study:
     scan: bool = True
     sampling: Sampling | None = None
     annex: AnnexResult | None = None
+    replaceables: tuple[Replaceable, ...] = ()
+    replaced: Callable[[Sequence[Replaceable]], Study] | None = None
 
 
 @dataclass(frozen=True)
@@ -269,6 +273,28 @@ class Sampling:
 
 
 @dataclass(frozen=True)
+class Replaceable:
+    """A value of the project that may help a wall, and what a run takes where no source vouches for it.
+
+    key, value : as the file has them; instead : what stands in its place; source : who vouches for it, may be empty
+    mechanisms : those that it can change, by name
+    either_way : whether more of it may help or not
+    place, replacement : where the file says otherwise without it, and what
+    study_at : returns the study of one mechanism with that
+    """
+
+    key: str
+    value: str
+    instead: str
+    source: str
+    either_way: bool
+    mechanisms: tuple[str, ...]
+    place: tuple[str | int, ...]
+    replacement: object
+    study_at: Callable[[str], Study]
+
+
+@dataclass(frozen=True)
 class UnvariedNumber:
     """A number of a mechanism that its sensitivity does not vary, and why."""
 
@@ -321,6 +347,12 @@ def may_follow_motion(question: Question) -> bool:
 def follows_motion(procedure: str) -> bool:
     """Return whether a procedure follows the ground's motion: by histories, or by their energy."""
     return PROCEDURES[procedure].family in (Family.HISTORY, Family.ENERGY)
+
+
+def needs_motions(study: Study) -> bool:
+    """Return whether an answer of a study depends on its ground motions."""
+    above = any(study.amplified[mechanism.name].height is not None for mechanism in study.mechanisms)
+    return above or any(follows_motion(name) for name in study.procedures)
 
 
 def deciding_limit_states(question: Question) -> tuple[str, ...]:

@@ -68,10 +68,9 @@ def run_sweeps(
 
 
 def motions_of_case(
-    case: SweepCase, study: Study, motions: tuple[ScaledRecord, ...], *, jobs: int
+    changed: Study, study: Study, motions: tuple[ScaledRecord, ...], *, jobs: int
 ) -> tuple[ScaledRecord, ...]:
     """Return the motions of the study itself, or those of a case that changes them or the site."""
-    changed = case.study
     assert changed.spectrum is not None  # no number takes the site away
     same = all(getattr(changed, key) == getattr(study, key) for key in ("artificial", "scale_to", "record_factor"))
     if same and changed.spectrum is study.spectrum and changed.records is study.records:
@@ -340,7 +339,7 @@ def _assess_case(
     """Assess the mechanisms of one case, under the motions of the study unless the case changes them."""
     spectrum = case.study.spectrum
     assert spectrum is not None  # no number takes the site away
-    motions_there = motions_of_case(case, study, motions, jobs=jobs)
+    motions_there = motions_of_case(case.study, study, motions, jobs=jobs)
     faults = study.suite_faults if motions_there is motions else suite_faults(case.study, spectrum, motions_there)
     assessed = replace(case.study, suite_faults=faults)
     results = assess_mechanisms(assessed, spectrum, motions_there, jobs=jobs, progress=no_progress)

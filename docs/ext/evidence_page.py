@@ -17,8 +17,9 @@ HEAD = """# What each key rests on
 
 Every value of a [project file](project-file.md) has a class, which says by whom it comes about, and a sense, which way
 more of it makes the wall look safer: up, down, either way, or none. Of a choice the sense is that of making it. The
-class says what is to become of a value that helps and that no source in `[report.sources]` vouches for; a verdict does
-not apply this yet, but for the masonry that disintegrates and for ties.
+class says what becomes of a value that helps and that no source in `[report.sources]` vouches for
+([the two states](verdict.md#the-two-states)); not all rows are applied yet: choices, directions and cracks stand as
+typed.
 
 | class | what it holds | rule |
 |---|---|---|

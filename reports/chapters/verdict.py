@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 
 from assess.codes.check import Check, Outcome
 from assess.codes.histories import ratio_figures
-from assess.codes.verdict import Decision, MechanismVerdict, Verdict, relevant_warnings
+from assess.codes.verdict import Decision, MechanismVerdict, State, Verdict, relevant_warnings
 from assess.messages.message import Message, Quantity
 from assess.results import MechanismResult, Results, SpectrumResult
 from reports import governing
@@ -79,6 +79,7 @@ def sections(results: Results) -> list[Section]:
         ),
         Facts(tuple(_basis_facts(results, verdict))),
         *_short_list(say("The verdict is subject to these conditions:"), conditions(results, verdict)),
+        *_short_list(_hangs_on(verdict), [each.message for each in verdict.overrides]),
         *_missing(verdict, results),
         *_short_list(say("Warnings that bear on the verdict:"), warnings(results)),
         matrix(results, verdict),
@@ -96,6 +97,13 @@ def headline(verdict: Verdict) -> Text:
     if not verdict.basis:
         return say("No code is named that decides: the results of all methods are for comparison only.")
     return _some_are_open(verdict, pga)
+
+
+def _hangs_on(verdict: Verdict) -> Text:
+    """Return the title of the values that help: what the verdict hangs on, or what was not believed."""
+    if verdict.state == State.REPLACED:
+        return say("It decides what holds without the values that no source vouches for; each alone:")
+    return say("The verdict hangs on these values:")
 
 
 def conditions(results: Results, verdict: Verdict) -> list[Text]:

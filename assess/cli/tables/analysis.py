@@ -78,6 +78,7 @@ def run_text(results: Results) -> str:
         *(f"note: {each.where}: {each.text}" for each in notes),
         "",
         *_verdict(found, results.report),
+        *(f"rests on: {each.message.text}" for each in found.overrides),
         *(f"condition: {each.text}" for each in found.conditions),
         *(f"warning: {each.where}: {each.text}" for each in warnings),
         *dict.fromkeys(_remarks(results)),

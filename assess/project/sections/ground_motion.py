@@ -16,6 +16,7 @@ from assess.declaration import (
     UNCERTAIN,
     Count,
     Damping,
+    Drawn,
     Evidence,
     IsRange,
     Length,
@@ -25,6 +26,7 @@ from assess.declaration import (
     PositiveLength,
     PositiveRatio,
     PositiveTime,
+    Safe,
 )
 from assess.project.section import DeclaredSection, ProjectSection, error_at, plain_data, quote_names, table_of
 from assess.project.tables import table_by_code
@@ -92,6 +94,7 @@ BUILDING_HEIGHT = Evidence(
     "up",
     "the top of the highest body, where it is more than 10 % above that",
     judged="in a taller building a mechanism stands relatively lower",
+    safe=Drawn("height"),
 )
 STOREYS = Evidence(
     "drawn", "down", "as drawn", judged="the first mode of many storeys moves the top more than that of one"
@@ -115,15 +118,19 @@ SCHOOL = Evidence(
     judged="a school is to reach 0.60, another building 0.10 above the index before, which may be more or less",
 )
 FIRST_PERIOD = Evidence(
-    "measured", "either", "the worst from it to 0.05 H^0.75; beyond 0.5 to 4 times that only a test counts"
+    "measured",
+    "either",
+    "the worst from it to 0.05 H^0.75; beyond 0.5 to 4 times that only a test counts",
+    safe=Safe.ABSENT,
 )
-FIRST_DAMPING = Evidence("measured", "up", "5 %; above 10 % only measured, never above 30 %")
-FIRST_FREQUENCY = Evidence("measured", "either", "the worst from it to that of 0.05 H^0.75")
+FIRST_DAMPING = Evidence("measured", "up", "5 %; above 10 % only measured, never above 30 %", safe=0.05)
+FIRST_FREQUENCY = Evidence("measured", "either", "the worst from it to that of 0.05 H^0.75", safe=Safe.ABSENT)
 EFFECTIVE_HEIGHT = Evidence(
     "measured",
     "up",
     "Rayleigh's of the bodies as drawn",
     judged="the higher the resultant of the first mode, the less of it acts at a given height",
+    safe=Drawn("resultant"),
 )
 
 
@@ -209,6 +216,7 @@ SCALE_TO = Evidence(
     "either",
     '"spectrum"',
     judged="a record may exceed what it is scaled to by the one measure and not by the other",
+    safe=Safe.ABSENT,
 )
 LOCK = Evidence("action", "either", "the suite that its recipe selects")
 
@@ -237,7 +245,7 @@ class Records(ProjectSection):
     """{ count, seed, duration } of artificial records"""
     scale_to: Annotated[Literal["spectrum", "pga", "none"], SCALE_TO] = "spectrum"
     """scale each record to the "spectrum" (least squares), to its "pga", or "none"; levels then multiply"""
-    factor: Annotated[PositiveRatio, Evidence("action", "down", "1.0, where less")] = 1.0
+    factor: Annotated[PositiveRatio, Evidence("action", "down", "1.0, where less", safe=1.0)] = 1.0
     """further factor on every record, like 1.05, where the mean of the suite falls short of what its code asks"""
     lock: Annotated[FilePlace | None, LOCK] = None
     """file like "records.lock.toml", written by `assess records select PROJECT --lock`: its records and factors are

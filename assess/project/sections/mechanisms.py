@@ -31,6 +31,7 @@ from assess.declaration import (
     PositiveFrequency,
     PositiveLength,
     PositiveRatio,
+    Safe,
 )
 from assess.interfaces.contact import Interface
 from assess.loads.load import Place
@@ -188,7 +189,9 @@ class RestitutionSection(ProjectSection):
 
 
 AMPLIFIED = Evidence("chosen", "either", "the other methods that can be computed stand beside it")
-FIRST_MODE = Evidence("measured", "either", "the worst over the range that holds the code's value and Rayleigh's")
+FIRST_MODE = Evidence(
+    "measured", "either", "the worst over the range that holds the code's value and Rayleigh's", safe=Safe.ABSENT
+)
 
 
 class NoAmplification(ProjectSection):
@@ -201,7 +204,9 @@ class NoAmplification(ProjectSection):
 class RaisedAmplification(ProjectSection):
     """What every method that amplifies needs."""
 
-    height: Annotated[NotNegativeLength | None, Evidence("drawn", "down", "its base as drawn over the ground")] = None
+    height: Annotated[
+        NotNegativeLength | None, Evidence("drawn", "down", "its base as drawn over the ground", safe=Safe.ABSENT)
+    ] = None
     """of the mechanism's base above the ground; by its elevation if absent"""
 
 
@@ -293,7 +298,9 @@ class ChainKeys(ProjectSection):
     interfaces: dict[HingeName, Interface] = Field(default_factory=dict)
     amplification: AmplificationSection = Field(default_factory=NoAmplification)
     """{ method = "srss" | "modal-filter" | "ec8" | "nzs1170.5" | …, height, … }: the motion's way up to its base"""
-    base_elevation: Annotated[Length | None, Evidence("drawn", "down", "as drawn over the ground")] = None
+    base_elevation: Annotated[
+        Length | None, Evidence("drawn", "down", "as drawn over the ground", safe=Safe.ABSENT)
+    ] = None
     """of its base above the ground, where it is drawn alone and not in its place"""
     examines: Annotated[ItemKeys | None, CHECKLIST] = None
     """what of the report's list of possible mechanisms it examines, like "gable"; if absent, as its kind tells"""

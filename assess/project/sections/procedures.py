@@ -30,6 +30,7 @@ from assess.declaration import (
     PositiveStress,
     PositiveTime,
     Ratio,
+    Safe,
 )
 from assess.project.section import ProjectSection, default_table, error_at, quote_names
 from assess.project.values import unique
@@ -133,8 +134,10 @@ class VerdictSection(ProjectSection, title="VerdictSection"):
 KnowledgeLevel = Literal["LC1", "LC2", "LC3"]
 
 
-KNOWLEDGE = Evidence("measured", "up", "LC1")
-CONFIDENCE_FACTOR = Evidence("code", "down", "that of the knowledge level; one below it is for comparison")
+KNOWLEDGE = Evidence("measured", "up", "LC1", safe="LC1")
+CONFIDENCE_FACTOR = Evidence(
+    "code", "down", "that of the knowledge level; one below it is for comparison", safe=Safe.ABSENT
+)
 
 
 class Italian(ProjectSection):

@@ -67,4 +67,4 @@ def _found(node: Any) -> Iterator[dict[str, str]]:
 
 
 def _written(evidence: dict[str, str]) -> frozenset[tuple[str, str]]:
-    return frozenset((name, text) for name, text in evidence.items() if text)
+    return frozenset((name, text) for name, text in evidence.items() if text and name != "safe")

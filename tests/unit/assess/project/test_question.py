@@ -109,11 +109,14 @@ def test_a_table_that_may_have_no_heading_of_its_own_is_marked_so():
     assert toml_lines(asked, ["site.pga"])[0].endswith("# in your file already: add below it")
 
 
+SURVEYED = '"mechanisms.wall.loads[1]" = "measured: survey"'
+
+
 @pytest.mark.parametrize(("tied", "conditions"), [(False, []), (True, ["counts-at-rest"])])
 def test_a_linear_pass_says_that_it_counts_ties_nobody_shows_to_last(tmp_path, tied, conditions):
     tie = 'sides = "one"\nloads = [{ kind = "tie", at = [-0.2, 5.8], anchor = [-6.0, 5.8], force = "20 kN" }]'
     file = tmp_path / "project.toml"
-    given = {"more": tie if tied else ""}
+    given = {"more": tie, "sources": SURVEYED} if tied else {}
     file.write_text('[verdict]\nprocedures = ["ntc2018-linear"]\n' + site(**given), encoding="utf-8")
     study = build(load(file))
     spectrum = replace(study.spectrum, factor=0.1 * study.spectrum.factor)

@@ -1,0 +1,167 @@
+"""The values of a project file that may help a wall, and what a run takes where no source vouches for them.
+
+What stands in place of a value is declared beside its key (`assess.declaration.Evidence.safe`); here it is looked up
+for each key that the file gives. Whether the value helps is found by assessing the wall with both.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import replace
+from functools import cache, partial
+
+from assess.codes.procedures import PROCEDURES
+from assess.codes.question import methods_of
+from assess.declaration import Drawn, Evidence, Safe
+from assess.geometry.solid import Solids
+from assess.project import sections
+from assess.project.keys import Setting, dependents, value_at, with_values
+from assess.project.project_file import Project, load_tree
+from assess.project.question import basis_of
+from assess.project.section import KeyPath, ProjectSection, key_text, look_up, value_text
+from assess.study.study import Replaceable, Study, follows_motion
+
+ONE_MODE = 2.0 / 3.0  # of the height: the resultant of a linear mode of even mass (Circolare 7/2019, C7.2.10)
+
+
+def replaceables_of(
+    project: Project, solids: Solids, study: Study, *, study_at: Callable[[Setting], Callable[[str], Study]]
+) -> tuple[Replaceable, ...]:
+    """Return every value of a project that something stands for, in the order of the file.
+
+    Parameters
+    ----------
+    project : as read
+    solids : its bodies by name, None without geometry
+    study : of the project
+    study_at : returns what builds the study of each mechanism with other values at some keys
+    """
+    content = project.content
+    beside = {each.name: each.adjacent_bodies for each in study.mechanisms}
+    methods = methods_of(study.question)
+    found = []
+    for path, evidence in given_keys(content, ()):
+        setting = _setting(path, evidence, content, solids)
+        if setting is None or not _bears_on(path, methods):
+            continue
+        ((place, value),) = setting.items()
+        found.append(
+            Replaceable(
+                key=key_text(path),
+                value=value_text(look_up(project.raw, path)[1]),
+                instead=evidence.instead if isinstance(value, Safe) else _value_text(value),
+                source=content.report.source_of(".".join(map(str, path))),
+                either_way=evidence.helps == "either",
+                mechanisms=dependents(content, path, beside=beside),
+                place=place,
+                replacement=value,
+                study_at=_built_once(partial(study_at, setting)),
+            )
+        )
+    return tuple(found)
+
+
+def replace_values(project: Project, values: Sequence[Replaceable]) -> Project:
+    """Return the project as a file says it that has other values at these keys."""
+    setting = {each.place: each.replacement for each in values}
+    raw = dict(with_values(project.raw, setting, project.content))
+    found = load_tree(raw, project.path, sha256=project.sha256)
+    return replace(found, uncertain=project.uncertain, messages=project.messages)
+
+
+def given_keys(table: ProjectSection, path: KeyPath) -> Iterator[tuple[KeyPath, Evidence]]:
+    """Yield each key that the file gives in a table or below it, with who vouches for its value."""
+    evidence = type(table).evidence_of_keys()
+    for name, field in type(table).table_keys().items():
+        own = next(key for key, each in type(table).model_fields.items() if each is field)
+        if own not in table.model_fields_set:
+            continue
+        value = getattr(table, own)
+        if name in evidence:
+            yield (*path, name), evidence[name]
+        yield from _below((*path, name), value)
+
+
+def _built_once(build: Callable[[], Callable[[str], Study]]) -> Callable[[str], Study]:
+    """Return what builds the study of each mechanism by content that is read at the first of them."""
+    read = cache(build)
+    return lambda mechanism: read()(mechanism)
+
+
+def _bears_on(path: KeyPath, methods: Sequence[str]) -> bool:
+    """Return whether a key can bear on the methods that decide: records on histories, options of a code on its own."""
+    if path[0] == "records":
+        return any(map(follows_motion, methods))
+    if path[0] != "procedures":
+        return True
+    options = {PROCEDURES[name].options.replace("_", "-") for name in methods}
+    return path[1] in options
+
+
+def _below(path: KeyPath, value: object) -> Iterator[tuple[KeyPath, Evidence]]:
+    if isinstance(value, ProjectSection):
+        yield from given_keys(value, path)
+    elif isinstance(value, Mapping):
+        for name, each in value.items():
+            yield from _below((*path, name), each)
+    elif isinstance(value, tuple):
+        for place, each in enumerate(value):
+            yield from _below((*path, place), each)
+
+
+def _setting(path: KeyPath, evidence: Evidence, content: sections.Content, solids: Solids) -> Setting | None:
+    """Return what stands in place of a value; None where nothing does, or where the value does not help."""
+    safe = evidence.safe
+    if safe is Safe.STATED:
+        return None
+    if safe is Safe.WITHOUT:
+        return {path[:-1]: Safe.ABSENT}
+    given = value_at(content, path)
+    if isinstance(safe, Drawn):
+        find, same = DRAWN[safe.name]
+        drawn = find(content, solids)
+        helps = drawn is not None and (given > same * drawn if evidence.helps == "up" else given < same * drawn)
+        return {path: drawn} if helps else None
+    if isinstance(safe, float) and isinstance(given, float):
+        helps = given > safe if evidence.helps == "up" else given < safe
+        return {path: safe} if helps else None
+    return None if given == safe else {path: safe}
+
+
+def _value_text(value: object) -> str:
+    return f"{value:.4g}" if isinstance(value, float) else str(value)
+
+
+def _drawn_height(content: sections.Content, solids: Solids) -> float | None:
+    """Return the height of the highest body, and of mechanisms drawn alone, above the ground [m]; None if unknown."""
+    ground = 0.0 if content.building is None else content.building.ground_elevation or 0.0
+    tops = [float(solid.vertices[:, 2].max()) - ground for solid in solids.values() if solid is not None]
+    for mechanism in content.mechanisms.values():
+        if not isinstance(mechanism, sections.ChainSection):
+            tops.append(mechanism.elevation)
+        elif mechanism.base_elevation is not None:
+            own = [solids[name] for block in mechanism.blocks for name in block]
+            levels = [level for solid in own if solid is not None for level in solid.vertices[:, 2]]
+            tops.append(mechanism.base_elevation + float(max(levels) - min(levels)) if levels else 0.0)
+    return max(tops, default=0.0) or None
+
+
+def _resultant_height(content: sections.Content, solids: Solids) -> float | None:
+    """Return the height of the resultant of a linear first mode [m]; None where no height is known."""
+    drawn, stated = _drawn_height(content, solids), None if content.building is None else content.building.height
+    known = [each for each in (drawn, stated) if each is not None]
+    return ONE_MODE * min(known) if known else None
+
+
+def _shortest_records(content: sections.Content, solids: Solids) -> float | None:
+    """Return the least duration of artificial records [s]."""
+    basis = basis_of(content)
+    return 20.0 if basis is not None and basis.name == "asce43-05" else 25.0
+
+
+DRAWN: Mapping[str, tuple[Callable[[sections.Content, Solids], float | None], float]] = {
+    "height": (_drawn_height, 1.1),
+    "resultant": (_resultant_height, 1.0),
+    "duration": (_shortest_records, 1.0),
+}
+"""What the drawing gives, by its name, and the factor on it up to which a typed value is the same."""

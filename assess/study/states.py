@@ -1,0 +1,214 @@
+"""The two states of a project: as typed, and with every value replaced that helps and that no source vouches for.
+
+What a value is worth is found with it alone replaced, by the methods that decide without histories; where histories
+alone decide, by one suite at the site's action, without the scan. The state in which all are replaced at once is
+assessed as the project itself is, and the worse of the two decides.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from functools import partial
+
+from assess.codes.check import Check
+from assess.codes.procedures import uses_histories
+from assess.codes.question import methods_of
+from assess.codes.verdict import (
+    Decision,
+    MechanismOutcome,
+    OtherState,
+    Override,
+    State,
+    Verdict,
+    is_worse,
+    worst_outcome,
+)
+from assess.errors import AssessError, FallingError
+from assess.study.checks import checks_without_scan, decide
+from assess.study.study import Replaceable, ScaledRecord, Study, needs_motions, require_spectrum
+from assess.study.suites import suite_faults
+from assess.study.variations import motions_of_case
+from spectra.errors import SpectrumError
+
+FALLING = 0.0  # margin of a mechanism that falls under its loads
+
+
+@dataclass(frozen=True)
+class Overrides:
+    """The values that help.
+
+    lines : the outcome without each; replaced : those that no source vouches for
+    falling : mechanisms that fall at rest without one of these
+    """
+
+    lines: tuple[Override, ...] = ()
+    replaced: tuple[Replaceable, ...] = ()
+    falling: frozenset[str] = frozenset()
+
+
+def find_overrides(
+    study: Study, motions: tuple[ScaledRecord, ...], *, jobs: int, with_sources: bool = True
+) -> Overrides:
+    """Find the values that help, and which are to be replaced at once, as no source vouches for them.
+
+    A value whose sense is known is replaced even where it makes no difference alone, as it may hide another.
+
+    Parameters
+    ----------
+    study : Study
+        The project as typed.
+    motions : tuple of ScaledRecord
+        Its records.
+    jobs : int
+        Number of threads; 0 for all cores.
+    with_sources : bool
+        Whether values with a source are tried too; what decides does not depend on them.
+
+    Returns
+    -------
+    Overrides
+        A line for each value without which a mechanism comes off worse; and what is replaced.
+    """
+    tried = [
+        each
+        for each in study.replaceables
+        if (with_sources or not each.source) and not _goes_with_its_table(each, study.replaceables)
+    ]
+    if not tried or study.question.basis is None:
+        return Overrides()
+    outcome = partial(_outcome, whole=study, motions=motions, jobs=jobs)
+    alone = {each.name: outcome(partial(_alone, study, each.name)) for each in study.mechanisms}
+    typed = {name: found for name, found in alone.items() if found is not None}
+    overrides: list[Override] = []
+    replaced: list[Replaceable] = []
+    falling: set[str] = set()
+    for value in tried:
+        every = {name: outcome(partial(value.study_at, name)) for name in value.mechanisms}
+        without = {name: found for name, found in every.items() if found is not None}
+        if len(without) < len(every):
+            continue  # the project cannot be read without it: it says what the case is
+        helps = any(is_worse(*found, than=typed[name]) for name, found in without.items())
+        if not value.source and (helps or not value.either_way):
+            replaced.append(value)
+        if helps:
+            overrides.append(_override(value, without))
+        if not value.source:
+            falling |= {name for name, (_, margin) in without.items() if margin == FALLING}
+    return Overrides(tuple(overrides), tuple(replaced), frozenset(falling))
+
+
+def merge_states(typed: Verdict, replaced: Verdict | None, overrides: tuple[Override, ...]) -> Verdict:
+    """Return the verdict of the worse state, with the outcome of the other and the values that the verdict hangs on.
+
+    Parameters
+    ----------
+    typed : of the project as typed
+    replaced : of the state in which what no source vouches for is replaced; None where nothing is
+    overrides : with the outcome without each
+    """
+    if replaced is None:
+        return replace(typed, overrides=overrides)
+    if not decides(replaced, typed):
+        return replace(typed, other_state=_other_state(replaced), overrides=overrides)
+    return replace(replaced, state=State.REPLACED, other_state=_other_state(typed), overrides=overrides)
+
+
+def verdict_where_walls_fall(typed: Verdict, overrides: Overrides) -> Verdict:
+    """Return the verdict of the state in which mechanisms fall at rest, as values are replaced at once.
+
+    Where none falls by one value alone, all that these bear on count as falling.
+    """
+    names = overrides.falling or {name for value in overrides.replaced for name in value.mechanisms}
+    mechanisms = (
+        replace(each, outcome=Decision.FAIL, margin=FALLING, margin_most=None, at_the_limit=False, answers=())
+        if each.mechanism in names
+        else each
+        for each in typed.mechanisms
+    )
+    return replace(typed, outcome=Decision.FAIL, at_the_limit=False, index=None, mechanisms=tuple(mechanisms))
+
+
+def decides(replaced: Verdict, typed: Verdict) -> bool:
+    """Return whether the state in which values are replaced decides, as it is worse than the project as typed."""
+    mechanisms = zip(replaced.mechanisms, typed.mechanisms, strict=True)
+    if replaced.outcome != typed.outcome:
+        return is_worse(replaced.outcome, None, than=(typed.outcome, None))
+    return any(is_worse(one.outcome, one.margin, than=(other.outcome, other.margin)) for one, other in mechanisms)
+
+
+Outcome = tuple[Decision, float | None]
+"""The outcome of a mechanism, and the PGA at capacity over the action's where that is known."""
+
+
+@dataclass(frozen=True)
+class _CheckedMechanism:
+    name: str
+    checks: tuple[Check, ...]
+
+
+def _alone(study: Study, name: str) -> Study:
+    return replace(study, mechanisms=tuple(each for each in study.mechanisms if each.name == name))
+
+
+def _outcome(
+    build: Callable[[], Study], *, whole: Study, motions: tuple[ScaledRecord, ...], jobs: int
+) -> Outcome | None:
+    """Return the outcome of the one mechanism of a study; one that falls under its loads fails. None if not built.
+
+    Parameters
+    ----------
+    build : builds the study
+    whole, motions : the study that it varies, and the motions of that
+    jobs : number of threads
+    """
+    try:
+        study = build()
+    except FallingError:
+        return Decision.FAIL, FALLING
+    except (AssessError, SpectrumError):
+        return None
+    try:
+        methods = methods_of(study.question)
+        least_work = tuple(each for each in methods if not uses_histories(each)) or methods
+        asked = replace(study, procedures=least_work, suite_faults=whole.suite_faults)
+        there: tuple[ScaledRecord, ...] = ()
+        if needs_motions(asked):
+            there = motions_of_case(study, whole, motions, jobs=jobs)
+            if there is not motions:
+                asked = replace(asked, suite_faults=suite_faults(study, require_spectrum(study), there))
+        checks = checks_without_scan(asked, require_spectrum(study), there, jobs=jobs)
+    except FallingError:
+        return Decision.FAIL, FALLING
+    except (AssessError, SpectrumError):
+        return Decision.INCOMPLETE, None
+    (found,) = decide(asked, [_CheckedMechanism(study.mechanisms[0].name, checks)]).mechanisms
+    return found.outcome, found.margin
+
+
+def _goes_with_its_table(value: Replaceable, others: Sequence[Replaceable]) -> bool:
+    """Return whether the table of a value, such as a tie, is left out whole by another that has the same source."""
+    return any(
+        each.source == value.source
+        and len(each.place) < len(value.place)
+        and value.place[: len(each.place)] == each.place
+        for each in others
+    )
+
+
+def _override(value: Replaceable, outcomes: dict[str, Outcome]) -> Override:
+    """Return the line of a value, with the outcomes without it of the mechanisms that it bears on."""
+    margins = [margin for _, margin in outcomes.values()]
+    return Override(
+        key=value.key,
+        value=value.value,
+        instead=value.instead,
+        outcome_instead=worst_outcome(outcome for outcome, _ in outcomes.values()),
+        source=value.source,
+        margin_instead=None if None in margins else min(each for each in margins if each is not None),
+    )
+
+
+def _other_state(found: Verdict) -> OtherState:
+    mechanisms = (MechanismOutcome(each.mechanism, each.outcome, each.margin) for each in found.mechanisms)
+    return OtherState(found.outcome, tuple(mechanisms))

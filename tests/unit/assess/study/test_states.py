@@ -1,0 +1,107 @@
+"""The worse of two states decides: the project as typed, and without the values that no source vouches for."""
+
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from assess.codes.verdict import Decision, State, Verdict
+from assess.project.build import build
+from assess.project.project_file import load
+from assess.study.run import run_study
+from tests.support.projects import NTC, block, lines, project_toml, wall
+
+BUILDING = {"storeys": 2, "ground_elevation": 0.0, "use_class": "II"}
+HEIGHT = 7.4  # of the top of the wall, which is the highest body
+THIN = 0.16  # of a wall that needs a tie
+PULLED = "measured: pull-out tests of two anchors"
+
+
+def verdict_of(
+    folder: Path,
+    *,
+    height: float = HEIGHT,
+    thickness: float = 0.3,
+    tie: str = "",
+    sources: dict[str, str] | None = None,
+) -> Verdict:
+    """Return the verdict on a wall on the upper floor."""
+    text = project_toml(
+        site={"spectrum": NTC, "limit_state": "SLV"},
+        building={**BUILDING, "height": height},
+        materials={"m": {"density": 1800, "disintegration": "excluded"}},
+        report={"sources": {"materials.m.disintegration": "measured: survey", **(sources or {})}},
+        analysis={"procedures": ["ntc2018-nonlinear"], "scan": False},
+        records={"synthetic": {"count": 1, "duration": "25 s"}},
+        bodies={"wall": wall(thickness, 3.0, 3.0, material="m", base=[0.0, 0.0, HEIGHT - 3.0])},
+        mechanisms={"wall": lines(block(direction=[1, 0, 0], sides="one"), f"loads = [{tie}]")},
+    )
+    (folder / "project.toml").write_text(text, encoding="utf-8")
+    found = run_study(build(load(folder)), jobs=1).verdict
+    assert found is not None
+    return found
+
+
+def tie(**more: Any) -> str:
+    """Return a tie at the top of the wall that lasts up to collapse."""
+    given = {
+        "force": "15 kN",
+        "strength": "40 kN",
+        "length": "6 m",
+        "fracture_strain": 0.1,
+        "until": "collapse",
+        **more,
+    }
+    place = "at = [-0.15, 7.3], anchor = [-6.0, 7.3]"
+    rest = ", ".join(
+        f'{key} = "{value}"' if isinstance(value, str) else f"{key} = {value}" for key, value in given.items()
+    )
+    return f'{{ kind = "tie", {place}, {rest} }}'
+
+
+@pytest.mark.parametrize("typed", [9.0, 300.0])
+def test_a_building_typed_higher_than_it_is_drawn_is_as_high_as_drawn(tmp_path: Path, typed: float) -> None:
+    drawn, found = verdict_of(tmp_path), verdict_of(tmp_path, height=typed)
+    (line,) = found.overrides
+    assert (found.state, line.key, line.source) == (State.REPLACED, "building.height", "")
+    assert found.mechanisms == drawn.mechanisms
+    assert found.other_state is not None
+    assert found.other_state.mechanisms[0].margin > drawn.mechanisms[0].margin
+
+
+def test_a_building_within_ten_per_cent_of_the_highest_body_is_as_typed(tmp_path: Path) -> None:
+    found = verdict_of(tmp_path, height=1.09 * HEIGHT)
+    assert (found.state, found.overrides, found.other_state) == (State.AS_TYPED, (), None)
+
+
+def test_a_source_lets_the_height_stand_and_its_worth_be_seen(tmp_path: Path) -> None:
+    drawn = verdict_of(tmp_path)
+    found = verdict_of(tmp_path, height=9.0, sources={"building.height": "measured: survey of the roof"})
+    (line,) = found.overrides
+    assert (found.state, line.margin_instead) == (State.AS_TYPED, drawn.mechanisms[0].margin)
+    assert found.mechanisms[0].margin > drawn.mechanisms[0].margin
+
+
+def test_a_tie_with_its_source_is_one_line_with_the_outcome_without_it(tmp_path: Path) -> None:
+    without = verdict_of(tmp_path, thickness=THIN)
+    found = verdict_of(tmp_path, thickness=THIN, tie=tie(), sources={"mechanisms.wall.loads[1]": PULLED})
+    (line,) = found.overrides
+    assert (found.state, found.outcome, without.outcome) == (State.AS_TYPED, Decision.PASS, Decision.FAIL)
+    assert (line.key, line.source) == ("mechanisms.wall.loads[1].force", PULLED)
+    assert (line.outcome_instead, line.margin_instead) == (Decision.FAIL, without.mechanisms[0].margin)
+
+
+def test_a_source_for_the_mechanism_or_all_its_loads_vouches_for_no_tie(tmp_path: Path) -> None:
+    without = verdict_of(tmp_path, thickness=THIN)
+    for key in ("mechanisms.wall", "mechanisms.wall.loads"):
+        found = verdict_of(tmp_path, thickness=THIN, tie=tie(), sources={key: PULLED})
+        assert found.outcome == without.outcome == Decision.FAIL
+
+
+def test_a_tie_behind_one_that_is_left_out_keeps_its_source(tmp_path: Path) -> None:
+    """Of two ties the first has no source: in the state without it the second stays, and its source is its own."""
+    alone = verdict_of(tmp_path, thickness=THIN, tie=tie(), sources={"mechanisms.wall.loads[1]": PULLED})
+    both = f"{tie(force='5 kN')}, {tie()}"
+    found = verdict_of(tmp_path, thickness=THIN, tie=both, sources={"mechanisms.wall.loads[2]": PULLED})
+    assert found.other_state is not None
+    assert found.other_state.mechanisms[0].margin == pytest.approx(alone.mechanisms[0].margin, rel=1e-12)

@@ -17,7 +17,7 @@ OLD_IS_NO_FAULT := -W ignore::DeprecationWarning -W ignore::PendingDeprecationWa
 RECORDS ?= $(CURDIR)/../shared/records
 NO_BROWSER := chromium and chromium-driver do not install here; tests that open the HTML report in them will be skipped
 
-.PHONY: help demo test test-wheel check dist wheel lowest costs bench study peers fuzz kill faults mutate figures pages docs docs-links same catalogue lock
+.PHONY: help demo test test-wheel check dist wheel lowest costs bench study peers fuzz adversary kill faults mutate figures pages docs docs-links same catalogue lock
 
 help:                      ## the verbs, and what each does
 	@$(PYTHON) -c 'import re; print(*(f"make {v:12} {t}" for v, t in re.findall(r"(?m)^([a-z-]+):[^#\n]*## *(.*)", open("Makefile").read())), sep="\n")'
@@ -68,6 +68,9 @@ peers: build/peers/installed  ## speed and error beside other programs, in an en
 
 fuzz: .venv/tests          ## mutated inputs for SECONDS by SEED, of CLASS if given, by JOBS processes: docs/robustness.md
 	$(BIN)/python -m tools.fuzz --seconds $(SECONDS) --seed $(SEED) $(if $(CLASS),--class $(CLASS)) $(if $(JOBS),--jobs $(JOBS))
+
+adversary: .venv/tests     ## every value at every key of projects that fail: none may buy a pass in silence: docs/robustness.md
+	$(BIN)/python -m tools.adversary
 
 kill: .venv/tests          ## KILLS runs and indexes killed at random and at aimed moments: nothing may be lost
 	$(BIN)/python tools/kill/study.py $(KILLS)

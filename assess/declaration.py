@@ -77,6 +77,8 @@ class Number(Mark):
         if isinstance(value, str):
             return ""
         several = value if isinstance(value, tuple) else (value,)
+        if self.infinite and value == inf:
+            return ""
         if not all(isfinite(each) or (self.infinite and each > 0.0) for each in several):
             return "not a finite number"
         if several is value:
@@ -200,6 +202,7 @@ class Safe(Enum):
     STATED = "as stated"
     ABSENT = "the key left out: what the code or the drawing gives"
     WITHOUT = "the table left out that holds the key: a tie, a force"
+    WEAKEST = "the weakest that can be computed, where that is clearly weaker: a direction, a crack"
 
 
 @dataclass(frozen=True)
@@ -266,8 +269,21 @@ PositiveAcceleration = Annotated[float, Number("acceleration", above=0)]
 PositiveForce = Annotated[float, Number("force", above=0)]
 PositiveStress = Annotated[float, Number("stress", above=0)]
 NotNegativeStress = Annotated[float, Number("stress", least=0)]
-Strength = Annotated[float, Number("stress", above=0, infinite=True)]
-JointStiffness = Annotated[float, Number("stiffness", above=0, infinite=True)]
+NO_MASONRY = "must be greater than 0 and 50 MPa or less, beyond which there is no masonry"
+MasonryStrength = Annotated[float, Number("stress", above=0, most=50e6, beyond=NO_MASONRY)]
+Strength = Annotated[
+    float, Number("stress", above=0, most=50e6, infinite=True, beyond=f'{NO_MASONRY}; "inf" is the rigid reading')
+]
+JointStiffness = Annotated[
+    float,
+    Number(
+        "stiffness",
+        above=0,
+        most=2e12,
+        infinite=True,
+        beyond='must be greater than 0 and 2 TPa/m or less; of a stiffer joint say model = "rigid"',
+    ),
+]
 PositiveDensity = Annotated[float, Number("density", above=0)]
 PositiveInertia = Annotated[float, Number("inertia", above=0)]
 PositiveAreaMass = Annotated[float, Number("mass per area", above=0)]
@@ -282,6 +298,13 @@ NotNegativeRatio = Annotated[float, Number("ratio", least=0)]
 RatioToOne = Annotated[float, Number("ratio", least=0, most=1)]
 Share = Annotated[float, Number("ratio", above=0, most=1)]
 Damping = Annotated[float, Number("ratio", above=0, below=1)]
+BuildingDamping = Annotated[
+    float, Number("ratio", above=0, most=0.3, beyond="must be greater than 0 and 0.3 or less; 0.05 is 5 % of critical")
+]
+NominalLife = Annotated[
+    float,
+    Number("duration", least=5, beyond="must be 5 years or more: 10 for construction phases, 50 for ordinary works"),
+]
 Uplift = Annotated[float, Number("ratio", above=0, below=pi / 2)]
 Count = Annotated[int, Number(least=1)]
 Name = Annotated[str, IsName()]

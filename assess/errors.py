@@ -46,7 +46,14 @@ class CrackError(MechanismError):
 
 
 class FallingError(MechanismError):
-    """A mechanism already falls by itself, towards the direction or under its forces."""
+    """A mechanism already falls by itself, towards the direction or under its forces.
+
+    multiplier : uplift multiplier at rest, 0 or negative; None where it is not known
+    """
+
+    def __init__(self, text: str, multiplier: float | None = None) -> None:
+        super().__init__(text)
+        self.multiplier = multiplier
 
 
 class InterfaceError(AssessError):

@@ -11,24 +11,29 @@ import numpy as np
 from assess.codes.check import Check
 from assess.codes.procedures import PROCEDURES
 from assess.results import BranchName, HistoryResult, MechanismResult, Results
+from assess.results.run import FallingMechanism
 from reports.language.texts import Phrase, Text, Verbatim, listing, say
 
 
-def mechanism_title(mechanism: MechanismResult) -> str:
+def mechanism_title(mechanism: MechanismResult | FallingMechanism) -> str:
     """Return the mechanism's label, or its name where it has none."""
     return mechanism.label or mechanism.name
 
 
 def mechanism_number(results: Results, name: str) -> str:
-    """Return the number of a mechanism by its name: "M1" for the first of the results."""
-    place = next(place for place, each in enumerate(results.mechanisms, start=1) if each.name == name)
+    """Return the number of a mechanism by its name: "M1" for the first; those that fall at rest come last."""
+    place = next(place for place, each in enumerate(_every_mechanism(results), start=1) if each.name == name)
     return f"M{place}"
 
 
 def numbered_title(results: Results, name: str) -> Verbatim:
     """Return number and title of a mechanism by its name: "M1 Wall 6"."""
-    found = next(each for each in results.mechanisms if each.name == name)
+    found = next(each for each in _every_mechanism(results) if each.name == name)
     return Verbatim(f"{mechanism_number(results, name)} {mechanism_title(found)}")
+
+
+def _every_mechanism(results: Results) -> tuple[MechanismResult | FallingMechanism, ...]:
+    return (*results.mechanisms, *results.falling)
 
 
 def procedure_title(procedure: str) -> Text:

@@ -16,6 +16,7 @@ from assess.declaration import (
     Evidence,
     Fault,
     IsInputFile,
+    NominalLife,
     NotAKey,
     NotNegativeLength,
     PositiveAcceleration,
@@ -152,7 +153,9 @@ class Ec8Spectrum(DesignSpectrum):
         Literal[1, 2], Evidence("defines", "either", "as stated", judged="type 2 is higher, and shorter")
     ] = 1
     """1 where earthquakes above magnitude 5.5 govern, else 2"""
-    importance_factor: Annotated[PositiveRatio, Evidence("code", "down", "that of the importance class")] = 1.0
+    importance_factor: Annotated[
+        PositiveRatio, Evidence("code", "down", "1.0, that of importance class II, where less", safe=1.0)
+    ] = 1.0
     """gamma_I: 0.8, 1.0, 1.2, 1.4 for importance classes I to IV"""
 
     def horizontal(self, *, pga: float | None = None) -> Spectrum:
@@ -180,7 +183,7 @@ class Nzs1170Spectrum(DesignSpectrum):
     """site subsoil class, "A" (strong rock) to "E" (very soft)"""
     z: Annotated[PositiveRatio, HAZARD]
     """hazard factor Z, like 0.13 in Auckland"""
-    r: Annotated[PositiveRatio | None, Evidence("code", "down", "that of the return period of the basis")] = None
+    r: Annotated[PositiveRatio | None, Evidence("code", "down", "1.0, that of 500 years, where less", safe=1.0)] = None
     """return period factor R, 1.0 for 500 years; or give return_period"""
     return_period: Annotated[PositiveYears | None, Evidence("defines", "down", "that of the basis")] = None
     """return period, 20 to 2500 years, in place of r"""
@@ -281,7 +284,7 @@ class NtcHazardSpectrum(DesignSpectrum):
     """name and edition of the code"""
     hazard: Annotated[tuple[HazardRow, ...], AT_LEAST_TWO, HAZARD]
     """rows { return_period, a_g, f_0, t_c_star }, rising in return period"""
-    nominal_life: Annotated[PositiveYears, Evidence("defines", "down", "50 years, that of ordinary works")]
+    nominal_life: Annotated[NominalLife, Evidence("defines", "down", "50 years, that of ordinary works")]
     """nominal life V_N, like 50: in years"""
     use_class: Annotated[
         Literal["I", "II", "III", "IV"] | None, Evidence("defines", "down", "that of the use of the building")

@@ -10,7 +10,7 @@ from typing import Annotated, Literal
 from assess.codes.calculation_sheet import Given
 from assess.codes.check import InputAt
 from assess.codes.histories import SuiteResponse
-from assess.declaration import Damping, Evidence, PositiveTime, Safe
+from assess.declaration import BuildingDamping, Evidence, PositiveTime, Safe, marks_of
 from assess.errors import ProcedureError
 from assess.messages.message import Message
 from assess.oscillator import BranchName, HingeForces, LocalLimit, OpenSeat, Oscillator
@@ -84,7 +84,7 @@ class StatedFirstMode:
 
     period: Annotated[PositiveTime, SOFTENED_PERIOD]
     """period of the first mode at this limit state, like "0.5 s\""""
-    damping: Annotated[Damping, Evidence("measured", "up", "10 %; never above 30 %", safe=0.10)]
+    damping: Annotated[BuildingDamping, Evidence("measured", "up", "10 %; never above 30 %", safe=0.10)]
     """its damping ratio"""
     reason: Annotated[
         str,
@@ -132,8 +132,8 @@ def building(
     for name, value in (("height", height), ("storeys", storeys), ("period", period), ("damping", damping)):
         if (value is not None or name == "height") and not (is_number(value) and 0.0 < value < inf):
             raise ProcedureError(f"building: {name} = {value}: give a finite number greater than 0")
-    if damping >= 1.0:
-        raise ProcedureError(f"building: damping = {damping}: give a number less than 1 (0.05 is 5 % of critical)")
+    if fault := next(each.fault(damping) for each in marks_of(BuildingDamping)):
+        raise ProcedureError(f"building: damping = {damping}: {fault}")
     if storeys is not None and storeys != int(storeys):
         raise ProcedureError(f"building: storeys = {storeys}: give a whole number")
     return Building(height, storeys, default_period(height) if period is None else period, damping)

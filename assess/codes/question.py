@@ -89,6 +89,10 @@ class MechanismChecks:
     tolerance: float = 0.0
 
 
+VerdictFacts = tuple[tuple[Missing, ...], tuple[Message, ...]]
+"""What the pass of a mechanism needs and is not given, and what it depends on."""
+
+
 def missing_input(key: str, why: Message, toml: str = "", *, reasons: tuple[Message, ...] = ()) -> Missing:
     """Return an input that is missing.
 

@@ -11,6 +11,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from enum import StrEnum
 from math import inf, isclose
+from typing import Protocol
 
 from assess.codes.bases import Basis, IndexKind, LimitState, LimitStateRole
 from assess.codes.check import Check, Outcome
@@ -159,18 +160,24 @@ def worst_outcome(outcomes: Iterable[Decision]) -> Decision:
     return Decision.INCOMPLETE if Decision.INCOMPLETE in found or not found else Decision.PASS
 
 
-def is_worse(outcome: Decision, margin: float | None, *, than: tuple[Decision, float | None]) -> bool:
-    """Return whether an outcome is worse than another, or as bad with a margin that is lower by more than 1 %.
+SAME_MARGIN = 0.01  # share by which a margin may fall without being worse
+
+
+def is_worse(
+    outcome: Decision, margin: float | None, *, than: tuple[Decision, float | None], same: float = SAME_MARGIN
+) -> bool:
+    """Return whether an outcome is worse than another, or as bad with a margin that is lower by more than a share.
 
     Parameters
     ----------
     outcome, margin : of a mechanism or building; the margin is PGA at capacity over the action's, None if not known
     than : the other outcome, with its margin
+    same : the share
     """
     ranks = (Decision.PASS, Decision.INCOMPLETE, Decision.FAIL)
     if outcome != than[0]:
         return ranks.index(outcome) > ranks.index(than[0])
-    return margin is not None and than[1] is not None and margin < than[1] * (1.0 - SAME_MARGIN)
+    return margin is not None and than[1] is not None and margin < than[1] * (1.0 - same)
 
 
 OUTCOME_TERMS = {
@@ -178,7 +185,6 @@ OUTCOME_TERMS = {
     Decision.FAIL: Term("fail"),
     Decision.INCOMPLETE: Term("incomplete"),
 }
-SAME_MARGIN = 0.01  # share by which a margin may fall without being worse
 
 
 def verdict(question: Question, mechanisms: Sequence[MechanismChecks]) -> Verdict:
@@ -220,6 +226,61 @@ def verdict(question: Question, mechanisms: Sequence[MechanismChecks]) -> Verdic
         clauses=basis.clauses,
         uncompared=basis.uncompared,
     )
+
+
+class Falling(Protocol):
+    """A mechanism that falls at rest under its own loads."""
+
+    @property
+    def name(self) -> str:
+        """Its name."""
+
+    @property
+    def uplift_multiplier(self) -> float | None:
+        """At rest, 0 or negative; None where it is not known."""
+
+    @property
+    def reason(self) -> str:
+        """Why it falls."""
+
+
+def add_falling_mechanisms(found: Verdict, falling: Sequence[Falling]) -> Verdict:
+    """Return a verdict with the mechanisms that fall under their own loads: each fails, whatever the basis.
+
+    Parameters
+    ----------
+    found : of the mechanisms that stand
+    falling : those that do not
+    """
+    if not falling:
+        return found
+    zero = Index(IndexKind.ZETA_E, 0.0) if found.index is not None and found.index.name == IndexKind.ZETA_E else None
+    state = next(iter(found.limit_states), "")
+
+    def answer(mechanism: Falling) -> Answer:
+        return Answer(state, Decision.FAIL, "", None, zero, falling_message(mechanism))
+
+    fallen = tuple(MechanismVerdict(each.name, Decision.FAIL, 0.0, False, (answer(each),)) for each in falling)
+    return replace(
+        found,
+        outcome=Decision.FAIL,
+        at_the_limit=False,
+        provisional=None,
+        index=zero,
+        mechanisms=(*found.mechanisms, *fallen),
+    )
+
+
+FALLS = "falls-at-rest"
+
+
+def falling_message(mechanism: Falling) -> Message:
+    """Return why a mechanism fails that falls under its own loads, with its multiplier."""
+    values: dict[str, Quantity | Term | Message | str] = {"reason": mechanism.reason}
+    if mechanism.uplift_multiplier is not None:
+        values["multiplier"] = Quantity(mechanism.uplift_multiplier, "ratio", 3)
+    key = FALLS if "multiplier" in values else f"{FALLS}-unknown"
+    return message(key, values, severity=Severity.WARNING, where=f"mechanisms.{mechanism.name}")
 
 
 @dataclass(frozen=True)
@@ -451,8 +512,8 @@ def action_text(action: Action) -> str:
 
 
 def relevant_warnings(warnings: Sequence[Message]) -> tuple[Message, ...]:
-    """Return the messages that bear on a verdict: all but notes."""
-    return tuple(each for each in warnings if each.severity != Severity.NOTE)
+    """Return the messages that bear on a verdict: all but notes, and why a mechanism falls, which is its reason."""
+    return tuple(each for each in warnings if each.severity != Severity.NOTE and not each.key.startswith(FALLS))
 
 
 def _decide_mechanism(mechanism: MechanismChecks, criteria: _Criteria) -> MechanismVerdict:

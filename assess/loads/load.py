@@ -71,7 +71,8 @@ WHERE_DRAWN = Evidence("drawn", "either", "as drawn; an unknown eccentricity is 
 ITS_BLOCK = Evidence("drawn", "either", "the block that it touches")
 ITS_SEAT = Evidence("measured", "up", "absent: SLC is not answered, and a pass at SLV is conditional", safe=Safe.ABSENT)
 BY_WHERE_IT_RESTS = "a weight holds a wall down or drives it over, by where it rests"
-WHERE_IT_HURTS = Evidence("loads", "either", "variable loads only where they hurt", judged=BY_WHERE_IT_RESTS)
+WHERE_IT_HURTS = Evidence("loads", "either", "nothing where it helps", judged=BY_WHERE_IT_RESTS, safe=Safe.WITHOUT)
+AS_ITS_BODY = Evidence("loads", "either", "as its body", judged=BY_WHERE_IT_RESTS, safe=Safe.ABSENT)
 ITS_WAY = Evidence("drawn", "either", "as drawn")
 ITS_END = Evidence("measured", "up", "absent: it counts in the multiplier alone", safe=Safe.ABSENT)
 
@@ -228,7 +229,7 @@ class BodyLoad:
     """how far the contact can move along the direction before the body falls off the block, like "0.12 m\""""
     at: Annotated[StatedPlace | None, WHERE_DRAWN] = None
     """where it acts: [x, y, z], or [distance along the direction, elevation]; centroid of the contact if absent"""
-    mass: Annotated[PositiveMass | None, UNCERTAIN, WHERE_IT_HURTS] = None
+    mass: Annotated[PositiveMass | None, UNCERTAIN, AS_ITS_BODY] = None
     """of the whole body; its volume times the density of its material if absent"""
     thrust: Annotated[
         PositiveForce | None,
@@ -248,9 +249,9 @@ class BodyLoad:
         Literal["barrel", "quadripartite"] | None, Evidence("drawn", "either", "as the faces of the mesh show")
     ] = None
     """as the faces of the mesh show if absent"""
-    construction: Annotated[int | None, Number(least=1, most=5), WHERE_IT_HURTS] = None
+    construction: Annotated[int | None, Number(least=1, most=5), AS_ITS_BODY] = None
     """weight of a vault by Ungewitter's case 1 to 5 over its intrados, in place of the mesh's volume"""
-    fill: Annotated[PositiveAreaMass | None, UNCERTAIN, WHERE_IT_HURTS] = None
+    fill: Annotated[PositiveAreaMass | None, UNCERTAIN, AS_ITS_BODY] = None
     """fill and plaster over the plan of a vault, beside its own weight, like "80 kg/m^2\""""
     block: Annotated[BlockNumber | None, ITS_BLOCK] = None
     """which block it acts on, from 0 at the base; if absent the one that it touches, or all that it bears on"""

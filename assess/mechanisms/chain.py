@@ -437,7 +437,8 @@ def require_stable(chain: Chain, *, name: str) -> None:
     if rest.restoring[0] <= 0.0:
         raise FallingError(
             f'mechanism "{name}": already falling: its weights resist with {rest.weight[0]:.4g} N m at rest, '
-            f"{_overturning_causes(chain, rest)}"
+            f"{_overturning_causes(chain, rest)}",
+            rest.restoring[0] / (g * rest.excitation[0]) if rest.excitation[0] > 0.0 else None,
         )
     if rest.excitation[0] <= 0.0:
         raise MechanismError(

@@ -22,6 +22,7 @@ from assess.declaration import (
     Length,
     Name,
     Ratio,
+    Safe,
     SpacePoint,
 )
 from assess.geometry.planar import Outline
@@ -49,7 +50,7 @@ from spectra.arrays import FloatArray
 Sides = Literal["one", "two"]
 Vector = tuple[float, float, float]
 ALONG_X: Vector = (1.0, 0.0, 0.0)
-WEAKEST = Evidence("chosen", "either", "the weakest direction, where it is weaker by more than 10 %")
+WEAKEST = Evidence("chosen", "either", "the weakest direction, where it is weaker by more than 10 %", safe=Safe.WEAKEST)
 DRAWN_HINGES = Evidence("drawn", "either", "the edges as drawn, inside the outline of the contact")
 AS_CRACKED = Evidence("drawn", "either", "as the crack is surveyed; the weakest cut computed")
 
@@ -191,6 +192,7 @@ class Mechanism:
     adjacent_bodies : the bodies in contact with it that would stop its motion one way or another
     messages : further messages for the engineer
     candidates : the directions among which the weakest was found, or with which a given one was compared
+    weaker : the weakest free direction, where the given one has a multiplier more than 10 % above it; else None
     """
 
     name: str
@@ -211,6 +213,7 @@ class Mechanism:
     rebounds: tuple[float, ...] = (1.0,)
     direction: Vector | None = None
     candidates: tuple[DirectionCandidate, ...] = ()
+    weaker: Vector | None = None
     adjacent_bodies: tuple[str, ...] = ()
     messages: tuple[Message, ...] = ()
 

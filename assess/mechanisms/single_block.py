@@ -97,6 +97,10 @@ def single_block(
     """
     if sides == "one" and hinge_negative is not None:
         raise MechanismError(f'mechanism "{name}": hinges_negative with sides = "one"; remove one of them')
+    off_base = (
+        *_off_base_warnings(body, hinge, "A", name=name),
+        *_off_base_warnings(body, hinge_negative, "A'", name=name),
+    )
     block = RigidBlock(body.mass, body.centroid, body.inertia)
     positive = Chain((block,), (hinge or _edge_hinge(body, "positive", name=name),), loads)
     _require_stable(positive, name=name, towards="positive")
@@ -113,7 +117,7 @@ def single_block(
         label=label,
         restitution=restitution,
         outlines=(body.outline,),
-        warnings=(*_off_base_warnings(body, hinge, "A"), *_off_base_warnings(body, hinge_negative, "A'"), *warnings),
+        warnings=(*off_base, *warnings),
     )
 
 
@@ -246,12 +250,19 @@ def _require_stable(chain: Chain, *, name: str, towards: str) -> None:
     if behind <= 0:
         raise FallingError(
             f'mechanism "{name}": already falling in {towards} rotation: the centroid lies {-behind:.4g} m beyond '
-            "the hinge; check the geometry, the direction, the hinges and the loads"
+            "the hinge; check the geometry, the direction, the hinges and the loads",
+            behind / height,
         )
 
 
-def _off_base_warnings(body: PlanarBody, hinge: Point | None, label: str) -> list[Message]:
-    """Return a warning if a given hinge does not lie on the base of the body."""
+OUTSIDE = 0.05  # of the width of the base: a hinge farther beside it is none
+
+
+def _off_base_warnings(body: PlanarBody, hinge: Point | None, label: str, *, name: str) -> list[Message]:
+    """Return a warning if a given hinge lies above or below the base of the body.
+
+    Raises MechanismError for one that lies beside it.
+    """
     if hinge is None or body.base is None:
         return []
     low, high = body.base
@@ -260,6 +271,12 @@ def _off_base_warnings(body: PlanarBody, hinge: Point | None, label: str) -> lis
     elevation = low[1] + (hinge[0] - low[0]) * (high[1] - low[1]) / (width or 1.0)
     if low[0] - tolerance <= hinge[0] <= high[0] + tolerance and abs(hinge[1] - elevation) <= tolerance:
         return []
+    beside = OUTSIDE * width  # a survey's tolerance may bring a hinge at the edge just beyond it
+    if not low[0] - beside <= hinge[0] <= high[0] + beside:
+        raise MechanismError(
+            f'mechanism "{name}": hinge {label} at x = {hinge[0]:.4g} m lies outside its contact, '
+            f"from x = {low[0]:.4g} to {high[0]:.4g} m; give a point of it"
+        )
     ends = lengths(low_x=low[0], low_z=low[1], high_x=high[0], high_z=high[1])
     return [warning("hinge-off-base", hinge=label, **point_values(hinge), **ends)]
 

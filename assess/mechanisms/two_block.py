@@ -17,7 +17,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Annotated, ClassVar, Literal, get_args
 
-from assess.declaration import Evidence, KeyFault, Name, Number
+from assess.declaration import Evidence, KeyFault, Name, Number, Safe
 from assess.errors import MechanismError
 from assess.geometry.cut import Piece
 from assess.geometry.planar import PlanarBody, top_edge
@@ -63,7 +63,7 @@ class TwoBlock(BlockMechanism):
     crack: Annotated[
         float | CrackRule | None,
         CRACK_ELEVATION,
-        Evidence("chosen", "either", "the weakest height, where it is weaker by more than 10 %"),
+        Evidence("chosen", "either", "the weakest height, where it is weaker by more than 10 %", safe=Safe.WEAKEST),
     ] = None
     """"sorrentino" (eq. 3.27), "minimum" (least uplift multiplier), or an elevation; hinge B's if hinges are given"""
 

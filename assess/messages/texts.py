@@ -220,6 +220,9 @@ TEXTS: Mapping[str, str] = {
     "use_class",
     "pga-lowered": "a pass is valid for site.pga = {given}, which replaces {own} from the parameters of the spectrum",
     "thrust-is-tied": "a pass is valid only if ties or tie-beams carry the thrust of {what} up to collapse",
+    "falls-at-rest": "it falls under its own loads, uplift multiplier {multiplier}: {reason}",
+    "falls-at-rest-unknown": "it falls under its own loads: {reason}",
+    "examined-above-cut": "a pass holds for what lies above the cut; no mechanism examines {bodies} from the base",
     "premise-anchorage": "a pass is valid only if the wall is anchored to floors and roof",
     "premise-collar-joints": "a pass is valid only if the collar joints between the leaves are sound",
     "premise-coursed": "a pass is valid for coursed masonry, not for rubble: state which it is in "

@@ -123,10 +123,12 @@ def build_in_weakest_direction(search: DirectionSearch) -> Built:
 
 
 NEAR = 1.1  # multipliers up to this many times the least are compared by d0*
+MUCH_WEAKER = 1.1  # times its multiplier is below that of the given direction: it is examined too
 MUCH_STRONGER = 1.5  # of the least multiplier: a free direction so strong does not stand for a weak axis held both ways
 ON_SIDE = (0.5, 1.1)  # of the half width of the base: a given hinge is on the side towards which it is as far out
 OTHER_SIDE = "the hinge that is given lies on another side"
 DIGITS = 6  # candidates that agree to so many are as weak
+KeyPath = tuple[str | int, ...]
 Towards = Callable[[Vector], Mechanism]
 
 
@@ -232,11 +234,38 @@ def _build_in_given_direction(search: DirectionSearch) -> Built:
     behind = () if into else _bodies_that_stop(search.obstacles, _opposite_direction(ahead))
     built = mechanism_of(search.name, _with_sides(search.definition, behind), search.bodies)
     messages = [*_direction_warnings(into, ahead, search), *_sides_messages(behind, search)]
-    if search.definition.hinges is not None or next(search.definition.keys_along(), None) is not None:
+    keys_along = tuple(search.definition.keys_along())
+    if search.definition.hinges is not None or any(key[0] != "loads" for key in keys_along):
         return _with_messages(built, (), messages, search)
+    if keys_along:  # loads in the plane of motion turn with it: the wall without them says which way it is weak
+        return _with_weaker_direction_of_bare_wall(built, ahead, keys_along, messages, search)
     candidates = tuple(_evaluate_candidate(angle, search)[0] for angle in search.angles)
-    messages += _weaker_direction_warnings(built.mechanism, candidates, search)
+    weakest = _weakest_unobstructed(candidates, search, one_sided=built.mechanism.sides == "one")
+    own = min(map(uplift_multiplier, built.mechanism.chains))
+    if weakest is not None and _multiplier_of(weakest) < CLEARLY * own:
+        messages.append(_weaker_direction_warning(built.mechanism, weakest, search))
+        if MUCH_WEAKER * _multiplier_of(weakest) < own:
+            built = replace(built, mechanism=replace(built.mechanism, weaker=weakest.direction))
     return _with_messages(built, candidates, messages, search)
+
+
+def _with_weaker_direction_of_bare_wall(
+    built: Built, ahead: Vector, keys_along: Sequence[KeyPath], messages: Sequence[Message], search: DirectionSearch
+) -> Built:
+    """Return the mechanism with the direction in which it is clearly weaker without the loads in its plane."""
+    flat = {key[1] for key in keys_along}
+    loads = tuple(load for place, load in enumerate(search.definition.loads) if place not in flat)
+    try:
+        bare = _prepare_search(search.name, replace(search.definition, loads=loads), search.bodies)
+        both = (ahead, _opposite_direction(ahead)) if built.mechanism.sides == "two" else (ahead,)
+        own = min(uplift_multiplier(bare.mechanism_towards(each).positive) for each in both)
+        candidates = tuple(_evaluate_candidate(angle, bare)[0] for angle in bare.angles)
+    except AssessError:  # it does not stand, or does not crack, without them
+        return _with_messages(built, (), messages, search)
+    weakest = _weakest_unobstructed(candidates, bare, one_sided=built.mechanism.sides == "one")
+    if weakest is not None and MUCH_WEAKER * _multiplier_of(weakest) < own:
+        built = replace(built, mechanism=replace(built.mechanism, weaker=weakest.direction))
+    return _with_messages(built, (), messages, search)
 
 
 def _direction_warnings(into: Sequence[str], ahead: Vector, search: DirectionSearch) -> Iterator[Message]:
@@ -246,20 +275,22 @@ def _direction_warnings(into: Sequence[str], ahead: Vector, search: DirectionSea
         yield message("direction-into", values, severity=Severity.WARNING, where=search.where)
 
 
-def _weaker_direction_warnings(
-    given: Mechanism, candidates: Sequence[DirectionCandidate], search: DirectionSearch
-) -> Iterator[Message]:
-    """Warn if an unobstructed candidate is clearly weaker than the mechanism in its given direction."""
+def _weakest_unobstructed(
+    candidates: Sequence[DirectionCandidate], search: DirectionSearch, *, one_sided: bool
+) -> DirectionCandidate | None:
+    """Return the weakest candidate that nothing stops, of a one-sided mechanism among those ahead; None if none is."""
     ahead = np.array(direction_at(direction_angle(search.definition.towards)))
     unobstructed = [each for each in candidates if each.uplift_multiplier is not None and not each.touching]
-    if given.sides == "one":  # what stops it stands behind
+    if one_sided:  # what stops it stands behind
         unobstructed = [each for each in unobstructed if np.array(each.direction) @ ahead > -AHEAD]
     if not unobstructed:
-        return
-    weak = _weakest_of([_with_displacement(each, search) for each in _near_least(unobstructed)])
-    own = min((given.positive, *([given.negative] if given.negative else [])), key=uplift_multiplier)
-    if _multiplier_of(weak) >= CLEARLY * uplift_multiplier(own):
-        return
+        return None
+    return _weakest_of([_with_displacement(each, search) for each in _near_least(unobstructed)])
+
+
+def _weaker_direction_warning(given: Mechanism, weak: DirectionCandidate, search: DirectionSearch) -> Message:
+    """Return the warning that another direction is clearly weaker than the given one."""
+    own = min(given.chains, key=uplift_multiplier)
     values: dict[str, Value] = {
         "direction": _vector_text(weak.direction),
         "weaker": Quantity(_multiplier_of(weak)),
@@ -267,7 +298,7 @@ def _weaker_direction_warnings(
         "given": Quantity(uplift_multiplier(own)),
         "given_d0": _length_text(_displacement_of(own, name=search.name)),
     }
-    yield message("direction-weaker", values, severity=Severity.WARNING, where=search.where)
+    return message("direction-weaker", values, severity=Severity.WARNING, where=search.where)
 
 
 def _length_text(length: float | None) -> Value:
@@ -372,7 +403,7 @@ def _evaluate_candidate(angle: float, search: DirectionSearch) -> tuple[Directio
     except FallingError as error:
         if search.definition.direction is None and not candidate.touching:
             raise FallingError(
-                f"{error} (towards {_vector_text(direction)}, looked at as `direction` is absent)"
+                f"{error} (towards {_vector_text(direction)}, looked at as `direction` is absent)", error.multiplier
             ) from None
         return candidate, str(error)
     except AssessError as error:

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from math import inf
 
 import numpy as np
 
-from assess.errors import GeometryError
+from assess.errors import GeometryError, MechanismError
 from assess.geometry.boolean import overlap_warnings
 from assess.geometry.contact import CONTACT_TOLERANCE
 from assess.geometry.cut import Piece
@@ -108,6 +109,7 @@ def _loads_of_entry(
     else:
         part = LoadSet((_load_in_plane(number, load, definition.towards),), ())
     outlines = [piece.body.outline for piece in blocks.pieces]
+    _require_end_within_height(part.loads, outlines, where=blocks.where)
     warnings = (
         *part.warnings,
         *_misplaced_load_warnings(part.loads, blocks),
@@ -196,6 +198,19 @@ def _tie_in_plane(name: str, load: TieLoad, at: Point, way: Point | None, direct
         fracture_strain=load.fracture_strain,
         evidence=load.evidence,
     )
+
+
+def _require_end_within_height(loads: Sequence[Load], outlines: Sequence[Outline], *, where: str) -> None:
+    """Raise MechanismError for a force or tie that is to end at a displacement longer than its point is high."""
+    levels = [point[1] for outline in outlines for ring in outline for point in ring]
+    for load in loads:
+        end = getattr(load, "until", None)
+        height = load.at[1] - min(levels) if levels else inf
+        if isinstance(end, float) and end > height > 0.0:
+            raise MechanismError(
+                f'{where}: load "{load.name}": until = {end:.4g} m is longer than its point is high above the base of '
+                f"what moves, {height:.4g} m; give the displacement at which it ends"
+            )
 
 
 def _moving_anchor_warnings(loads: Sequence[Load], outlines: Sequence[Outline]) -> Iterator[Message]:

@@ -11,8 +11,9 @@ from pathlib import Path
 import numpy as np
 
 from assess.codes.context import Building
+from assess.codes.verdict import falling_message
 from assess.dynamics.packing import Equation
-from assess.errors import ProjectError, locate_errors
+from assess.errors import FallingError, ProjectError, locate_errors
 from assess.geometry.mesh import MeshesBySelection
 from assess.geometry.solid import Solid, scale_density
 from assess.mechanisms.kinds import Definition
@@ -64,6 +65,7 @@ from assess.project.site_and_structure import (
 from assess.project.variables import Cases, Variants, sampling_of, survey_of, uncertainty_messages, variables_of
 from assess.results import Input
 from assess.results.provenance import file_sha256
+from assess.results.run import FallingMechanism
 from assess.results.verification import AnnexResult
 from assess.study.amplification import MechanismInPlace, amplify
 from assess.study.study import (
@@ -227,9 +229,10 @@ def _deciding_study(
     models = models_of(content.bodies, known={})
     solids = {name: solid_of(name, body, content.materials, models) for name, body in content.bodies.items()}
     named, messages = _all_records(content.records, project.folder, spectrum)
-    study = _study_of_mechanisms(content, ProjectFiles(models, solids, spectrum, named), names=content.mechanisms)
+    files = ProjectFiles(models, solids, spectrum, named)
+    study = _study_of_mechanisms(content, files, names=content.mechanisms, may_fall=True)
     selection = content.records.selection
-    if selection is not None and spectrum is not None:
+    if selection is not None and spectrum is not None and study.mechanisms:
         named, messages = select_records(
             content.records,
             selection,
@@ -243,17 +246,33 @@ def _deciding_study(
 
 
 def _study_of_mechanisms(
-    content: sections.Content, files: ProjectFiles, *, names: Iterable[str], built_by: Builder = mechanism_in_direction
+    content: sections.Content,
+    files: ProjectFiles,
+    *,
+    names: Iterable[str],
+    built_by: Builder = mechanism_in_direction,
+    may_fall: bool = False,
 ) -> Study:
     """Build the study of some mechanisms of a project, without messages about its file.
 
     built_by : builds a mechanism; `mechanism_as_given` where direction and sides are settled
+    may_fall : whether mechanisms that fall under their own loads are set apart; raises FallingError for one otherwise
     """
     site, building = site_in(content), content.building
     chosen = {name: content.mechanisms[name] for name in names}
     definitions, bodies = definitions_of(content), bodies_of(content, files.solids)
     ground = ground_of(building, definitions, files.solids)
-    built = {name: built_by(name, definitions[name], bodies) for name in chosen}
+    built: dict[str, Built] = {}
+    falling: list[FallingMechanism] = []
+    for name, section in chosen.items():
+        try:
+            built[name] = built_by(name, definitions[name], bodies)
+        except FallingError as error:
+            if not may_fall:
+                raise
+            reason = str(error).removeprefix(f'mechanism "{name}": already falling').lstrip(": ")
+            falling.append(FallingMechanism(name, section.label, section.kind, error.multiplier, reason))
+    chosen = {name: chosen[name] for name in built}
     in_place = {
         name: MechanismInPlace(
             name=name,
@@ -298,6 +317,7 @@ def _study_of_mechanisms(
         free_periods=free_periods_of(content),
         knowledge=knowledge_of(content),
         limit_state=None if site is None else site.own_limit_state,
+        falling=tuple(falling),
     )
 
 
@@ -318,6 +338,7 @@ def _input_messages(
         *uncertainty_messages(project),
         *locate(files.spectrum.warnings if files.spectrum else (), "site.spectrum"),
         *project_messages(project.content, files.solids, study),
+        *map(falling_message, study.falling),
         *messages,
     )
 

@@ -10,8 +10,12 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import cache, partial
 
+import numpy as np
+
+from assess.codes.context import default_period
 from assess.codes.procedures import PROCEDURES
 from assess.codes.question import methods_of
+from assess.codes.verdict import SAME_MARGIN
 from assess.declaration import Drawn, Evidence, Safe
 from assess.geometry.solid import Solids
 from assess.project import sections
@@ -21,6 +25,9 @@ from assess.project.question import basis_of
 from assess.project.section import KeyPath, ProjectSection, key_text, look_up, value_text
 from assess.study.study import Replaceable, Study, follows_motion
 
+SAME_MULTIPLIER = 1.0 - 1.0 / 1.1  # of a direction or crack: no more than 10 % above that of the weakest
+BETWEEN = 3  # periods tried between that of the building as stated and the code's
+NEAR_TOP = 0.98  # of the height of a wall: its crack where nothing presses on it
 ONE_MODE = 2.0 / 3.0  # of the height: the resultant of a linear mode of even mass (Circolare 7/2019, C7.2.10)
 
 
@@ -41,29 +48,34 @@ def replaceables_of(
     methods = methods_of(study.question)
     found = []
     for path, evidence in given_keys(content, ()):
-        setting = _setting(path, evidence, content, solids)
+        setting = _setting(path, evidence, content, solids, study)
         if setting is None or not _bears_on(path, methods):
             continue
-        ((place, value),) = setting.items()
-        found.append(
-            Replaceable(
-                key=key_text(path),
-                value=value_text(look_up(project.raw, path)[1]),
-                instead=evidence.instead if isinstance(value, Safe) else _value_text(value),
-                source=content.report.source_of(".".join(map(str, path))),
-                either_way=evidence.helps == "either",
-                mechanisms=dependents(content, path, beside=beside),
-                place=place,
-                replacement=value,
-                study_at=_built_once(partial(study_at, setting)),
+        for each in (setting, *_settings_between(path, content)):
+            place, value = next(iter(each.items()))
+            found.append(
+                Replaceable(
+                    key=key_text(path),
+                    value=value_text(look_up(project.raw, path)[1]),
+                    instead=evidence.instead if isinstance(value, Safe) else _value_text(value),
+                    source=content.report.source_of(".".join(map(str, path))),
+                    either_way=evidence.helps == "either",
+                    same=SAME_MULTIPLIER if evidence.safe is Safe.WEAKEST else SAME_MARGIN,
+                    mechanisms=dependents(content, path, beside=beside),
+                    place=place,
+                    setting=each,
+                    study_at=_built_once(partial(study_at, each)),
+                )
             )
-        )
     return tuple(found)
 
 
 def replace_values(project: Project, values: Sequence[Replaceable]) -> Project:
     """Return the project as a file says it that has other values at these keys."""
-    setting = {each.place: each.replacement for each in values}
+    rising = sorted(
+        values, key=lambda each: len(each.setting)
+    )  # what a load that is left out brings with it comes last
+    setting = {place: value for each in rising for place, value in each.setting.items()}
     raw = dict(with_values(project.raw, setting, project.content))
     found = load_tree(raw, project.path, sha256=project.sha256)
     return replace(found, uncertain=project.uncertain, messages=project.messages)
@@ -109,13 +121,18 @@ def _below(path: KeyPath, value: object) -> Iterator[tuple[KeyPath, Evidence]]:
             yield from _below((*path, place), each)
 
 
-def _setting(path: KeyPath, evidence: Evidence, content: sections.Content, solids: Solids) -> Setting | None:
+def _setting(
+    path: KeyPath, evidence: Evidence, content: sections.Content, solids: Solids, study: Study
+) -> Setting | None:
     """Return what stands in place of a value; None where nothing does, or where the value does not help."""
     safe = evidence.safe
     if safe is Safe.STATED:
         return None
+    if safe is Safe.WEAKEST:
+        weakest = _weakest(path, content, study)
+        return None if weakest is None else {path: weakest}
     if safe is Safe.WITHOUT:
-        return {path[:-1]: Safe.ABSENT}
+        return {path[:-1]: Safe.ABSENT, **_crack_without(path, content, solids)}
     given = value_at(content, path)
     if isinstance(safe, Drawn):
         find, same = DRAWN[safe.name]
@@ -126,6 +143,43 @@ def _setting(path: KeyPath, evidence: Evidence, content: sections.Content, solid
         helps = given > safe if evidence.helps == "up" else given < safe
         return {path: safe} if helps else None
     return None if given == safe else {path: safe}
+
+
+def _settings_between(path: KeyPath, content: sections.Content) -> tuple[Setting, ...]:
+    """Return what lies between the stated first mode of the building and that of the code, as either may be worse."""
+    if path not in (("building", "period"), ("building", "natural_frequency")):
+        return ()
+    height = None if content.building is None else content.building.height
+    if height is None:
+        return ()
+    code = default_period(height) if path[-1] == "period" else 1.0 / default_period(height)
+    return tuple({path: float(value)} for value in np.geomspace(value_at(content, path), code, BETWEEN + 2)[1:-1])
+
+
+def _crack_without(path: KeyPath, content: sections.Content, solids: Solids) -> Setting:
+    """Return the crack of a wall without one of its loads: the weakest, near the very top where no load is left.
+
+    Without load or tension eq. 3.27 and the least multiplier both put the crack at the top (`assess.model.walls`).
+    """
+    if path[0] != "mechanisms":
+        return {}
+    section = content.mechanisms[str(path[1])]
+    by_formula = section.kind == "two-block" and section.hinges is None and len(section.blocks) == 1
+    if not by_formula or isinstance(section.crack, float):
+        return {}
+    wall = solids[section.blocks[0][0]]
+    if len(section.loads) > 1 or wall is None:
+        return {(*path[:2], "crack"): "minimum"}
+    low, high = (float(level) for level in (wall.vertices[:, 2].min(), wall.vertices[:, 2].max()))
+    return {(*path[:2], "crack"): low + NEAR_TOP * (high - low)}
+
+
+def _weakest(path: KeyPath, content: sections.Content, study: Study) -> list[float] | str | None:
+    """Return the direction or the crack of least multiplier; None where the stated one may stand."""
+    if path[-1] == "direction":
+        weaker = next((each.weaker for each in study.mechanisms if each.name == path[1]), None)
+        return None if weaker is None else list(weaker)
+    return "minimum" if isinstance(value_at(content, path), float) else None
 
 
 def _value_text(value: object) -> str:
@@ -153,6 +207,11 @@ def _resultant_height(content: sections.Content, solids: Solids) -> float | None
     return ONE_MODE * min(known) if known else None
 
 
+def _lowest_foot(content: sections.Content, solids: Solids) -> float | None:
+    """Return the elevation of the foot of the lowest body [m]; None without geometry."""
+    return min((float(solid.vertices[:, 2].min()) for solid in solids.values() if solid is not None), default=None)
+
+
 def _shortest_records(content: sections.Content, solids: Solids) -> float | None:
     """Return the least duration of artificial records [s]."""
     basis = basis_of(content)
@@ -161,6 +220,7 @@ def _shortest_records(content: sections.Content, solids: Solids) -> float | None
 
 DRAWN: Mapping[str, tuple[Callable[[sections.Content, Solids], float | None], float]] = {
     "height": (_drawn_height, 1.1),
+    "ground": (_lowest_foot, 1.0),
     "resultant": (_resultant_height, 1.0),
     "duration": (_shortest_records, 1.0),
 }

@@ -15,7 +15,7 @@ from assess.codes.context import FreePeriod, SiteHazard
 from assess.codes.italian_limit_states import ItalianOptions
 from assess.codes.ntc2018_clauses import free_period
 from assess.codes.procedures import KNOWLEDGE_CODES, PROCEDURES, CodeOptions, default_procedures
-from assess.codes.question import SOURCES, Action, Missing, Question, methods_of, missing_input
+from assess.codes.question import SOURCES, Action, Missing, Question, VerdictFacts, methods_of, missing_input
 from assess.errors import ProjectError, locate_errors
 from assess.messages.message import Message, Quantity, Severity, message
 from assess.project import sections
@@ -30,8 +30,6 @@ from spectra import ntc
 from spectra.spectrum import Spectrum
 
 LIKE = 5e-3  # of a PGA: one given to three figures is the hazard's own
-VerdictFacts = tuple[tuple[Missing, ...], tuple[Message, ...]]
-"""What the pass of a mechanism needs and is not given, and what it depends on."""
 
 
 def basis_of(content: sections.Content) -> Basis | None:
@@ -168,7 +166,25 @@ def _conditions(content: sections.Content, name: str, premises: Sequence[Premise
     section = content.mechanisms[name]
     loads = section.loads if isinstance(section, sections.ChainSection) else ()
     tied = (load.body for load in loads if load.kind == "body" and load.tied)
-    return (*own, *(message("thrust-is-tied", {"what": body}, severity=Severity.WARNING) for body in tied))
+    return (
+        *own,
+        *_unexamined_below_cut(content, name),
+        *(message("thrust-is-tied", {"what": body}, severity=Severity.WARNING) for body in tied),
+    )
+
+
+def _unexamined_below_cut(content: sections.Content, name: str) -> Iterator[Message]:
+    """Yield the condition of a mechanism of what lies above a cut, whose bodies no other examines from their base."""
+    section = content.mechanisms[name]
+    if not isinstance(section, sections.ChainSection) or section.cut is None:
+        return
+    whole = [
+        each for each in content.mechanisms.values() if isinstance(each, sections.ChainSection) and each.cut is None
+    ]
+    from_their_base = {body for each in whole for block in each.blocks for body in block}
+    bodies = [body for block in section.blocks for body in block if body not in from_their_base]
+    if bodies and not content.report.source_of(f"mechanisms.{name}.cut"):
+        yield message("examined-above-cut", {"bodies": ", ".join(bodies)}, severity=Severity.WARNING)
 
 
 def procedures_of(content: sections.Content) -> tuple[str, ...]:

@@ -335,7 +335,8 @@ def _number_type(value: Any, number: Number) -> Any:
     if count:
         forms.append({"type": "array", "items": quantity, "minItems": count, "maxItems": count})
     forms += [{"type": "string", "pattern": rf"^\s*{word}\s*$"} for word in words]
-    schema = WithJsonSchema({"anyOf": forms}) if len(forms) > 1 else _described(number.dimension)
+    form = "quantity or infinite" if number.infinite else "quantity"
+    schema = WithJsonSchema({"anyOf": forms}) if len(forms) > 1 else _described(number.dimension, form)
     return Annotated[value, BeforeValidator(read_any), schema, kind, number]
 
 

@@ -446,7 +446,7 @@ def _index_faults(value: Any, where: str) -> Iterator[str]:
 
 def _name_faults(results: r.Results) -> Iterator[str]:
     """Yield names of mechanisms that are repeated, and names elsewhere that are not among them."""
-    names = [each.name for each in results.mechanisms]
+    names = [*(each.name for each in results.mechanisms), *(each.name for each in results.falling)]
     for place, name in enumerate(names):
         if name in names[:place]:
             yield f"mechanisms[{place}].name: {json.dumps(name)} a second time"

@@ -22,6 +22,7 @@ class Results(ShortRepr):
 
     project : maps each key, written with dots, to its resolved value
     stamp : of the inputs and the program, the same in every output of these results; "" in results of older versions
+    falling : mechanisms that fall under their own loads, which have no more than their place in the verdict
     uncertainty : None where the project gives no uncertain numbers, and in results of older versions
     verification : the annex of verification that the run names; None where there is none
     """
@@ -45,6 +46,21 @@ class Results(ShortRepr):
     controls: tuple[Control, ...] = ()
     uncertainty: UncertaintyResult | None = None
     verification: AnnexResult | None = None
+    falling: tuple[FallingMechanism, ...] = ()
+
+
+@dataclass(frozen=True, repr=False)
+class FallingMechanism(ShortRepr):
+    """A mechanism that falls at rest under its own loads.
+
+    uplift_multiplier : at rest, 0 or negative; None where it is not known; reason : why it falls
+    """
+
+    name: str
+    label: str
+    kind: str
+    uplift_multiplier: float | None
+    reason: str
 
 
 @dataclass(frozen=True, repr=False)

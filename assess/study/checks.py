@@ -26,8 +26,8 @@ from assess.codes.asce43_05 import ASCE43_05_SPECTRUM
 from assess.codes.check import Check, Outcome, Reason, reason_message
 from assess.codes.context import Building, Context, Gravity, Transfer, Wall, WallSupport
 from assess.codes.procedures import apply_procedure, uses_histories, with_options
-from assess.codes.question import MechanismChecks, Question
-from assess.codes.verdict import Verdict, mark_deciding, verdict
+from assess.codes.question import MechanismChecks, Question, VerdictFacts, missing_input
+from assess.codes.verdict import Verdict, add_falling_mechanisms, mark_deciding, verdict
 from assess.geometry.planar import Outline
 from assess.loads.load import Force, Load, Point, PointMass, upward
 from assess.mechanisms.chain import Chain, virtual_work
@@ -175,12 +175,24 @@ def decide(study: Study, mechanisms: Sequence[WithChecks], tolerance: Mapping[st
         MechanismChecks(
             mechanism.name,
             mechanism.checks,
-            *study.facts.get(mechanism.name, ((), ())),
+            *_facts_of(study, mechanism.name),
             losses.get(mechanism.name, 0.0),
         )
         for mechanism in mechanisms
     ]
-    return verdict(study.question, checked)
+    return add_falling_mechanisms(verdict(study.question, checked), study.falling)
+
+
+CONTRADICTIONS = ("load-in-the-air",)
+"""Warnings that a drawing contradicts itself: nothing can be said of it until it is mended."""
+
+
+def _facts_of(study: Study, name: str) -> VerdictFacts:
+    """Return what a pass of a mechanism needs, where its drawing contradicts itself too, and its conditions."""
+    missing, conditions = study.facts.get(name, ((), ()))
+    warnings = next((each.warnings for each in study.mechanisms if each.name == name), ())
+    wrong = (missing_input(f"mechanisms.{name}.loads", each) for each in warnings if each.key in CONTRADICTIONS)
+    return (*missing, *wrong), conditions
 
 
 def mark_result(decided: Verdict, question: Question, result: MechanismResult) -> MechanismResult:

@@ -24,7 +24,7 @@ from assess.codes.question import Question, methods_of
 from assess.codes.verdict import Verdict
 from assess.dynamics.packing import Equation
 from assess.dynamics.pulses import CriticalMechanism, Envelope, envelope, find_critical
-from assess.errors import FallingError
+from assess.errors import AssessError
 from assess.mechanisms.mechanism import Mechanism
 from assess.messages.message import Message, Quantity, first_names, locate, message, note, warning
 from assess.oscillator import Oscillator
@@ -53,7 +53,7 @@ from assess.study.histories import (
 )
 from assess.study.history_controls import convergence_control, energy_control, governing_history
 from assess.study.mechanism_results import comparison_rows, parameters
-from assess.study.states import Overrides, decides, find_overrides, merge_states, verdict_where_walls_fall
+from assess.study.states import Overrides, decides, find_overrides, merge_states
 from assess.study.study import (
     Progress,
     PulseGrid,
@@ -80,6 +80,7 @@ from assess.study.variations import (
 from assess.workers import available_cores
 from records.pulses import PULSE_SHAPES
 from spectra.arrays import FloatArray
+from spectra.errors import SpectrumError
 from spectra.spectrum import Spectrum
 
 
@@ -117,13 +118,13 @@ def run_study(study: Study, *, jobs: int = 0, progress: Progress = no_progress) 
     assert typed.verdict is not None
     progress("values without a source", 0, 1)
     overrides = find_overrides(study, motions, jobs=jobs)
-    try:
-        replaced = _replaced(study, overrides)
-    except FallingError:
-        verdict = merge_states(typed.verdict, verdict_where_walls_fall(typed.verdict, overrides), overrides.lines)
-        return replace(typed, verdict=verdict)
+    replaced = _replaced(study, overrides)
     if replaced is None or not decides(other := find_state_verdict(replaced, jobs=jobs), typed.verdict):
         return replace(typed, verdict=merge_states(typed.verdict, None if replaced is None else other, overrides.lines))
+    if (
+        replaced.falling != study.falling
+    ):  # nothing can be shown of what falls: the pages are those of the project as typed
+        return replace(typed, verdict=merge_states(typed.verdict, other, overrides.lines))
     other_motions = motions_of(replaced, require_spectrum(replaced), jobs=jobs)
     replaced = replace(replaced, suite_faults=suite_faults(replaced, require_spectrum(replaced), other_motions))
     found = _run_state(replaced, require_spectrum(replaced), other_motions, jobs=jobs, progress=progress)
@@ -133,8 +134,16 @@ def run_study(study: Study, *, jobs: int = 0, progress: Progress = no_progress) 
 
 
 def _replaced(study: Study, overrides: Overrides) -> Study | None:
-    """Return the study in which no value stands that helps without a source; None where all may stand."""
-    return study.replaced(overrides.replaced) if overrides.replaced and study.replaced else None
+    """Return the study in which no value stands that helps without a source; None where all may stand.
+
+    Where they cannot all be replaced at once, as two exclude each other, it is that without the one that helps most.
+    """
+    if not overrides.replaced or study.replaced is None:
+        return None
+    try:
+        return study.replaced(overrides.replaced)
+    except (AssessError, SpectrumError):
+        return study.replaced(overrides.replaced_alone)
 
 
 def _run_state(
@@ -180,6 +189,7 @@ def _run_state(
         comparison=comparison_rows(results),
         sweeps=sweep_results(sweeps, controlling),
         verdict=verdict,
+        falling=study.falling,
         ground_motion=ground_motion(study, spectrum, motions),
         sensitivity=sensitivities(study, spectrum, motions, results, jobs=jobs, progress=progress),
         stamp=stamp("run", program, study.inputs),
@@ -225,10 +235,7 @@ def find_verdict(study: Study, *, jobs: int = 1) -> Verdict:
     if study.replaceables and needs_motions(study):
         motions = motions_of(study, require_spectrum(study), jobs=jobs)
     overrides = find_overrides(study, motions, jobs=jobs, with_sources=False)
-    try:
-        replaced = _replaced(study, overrides)
-    except FallingError:
-        return merge_states(typed, verdict_where_walls_fall(typed, overrides), overrides.lines)
+    replaced = _replaced(study, overrides)
     other = None if replaced is None else find_state_verdict(replaced, jobs=jobs)
     return merge_states(typed, other, overrides.lines)
 

@@ -9,7 +9,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
-from functools import partial
+from functools import partial, reduce
+from itertools import groupby
 
 from assess.codes.check import Check
 from assess.codes.procedures import uses_histories
@@ -39,12 +40,12 @@ class Overrides:
     """The values that help.
 
     lines : the outcome without each; replaced : those that no source vouches for
-    falling : mechanisms that fall at rest without one of these
+    replaced_alone : that of them without which a mechanism comes off worst
     """
 
     lines: tuple[Override, ...] = ()
     replaced: tuple[Replaceable, ...] = ()
-    falling: frozenset[str] = frozenset()
+    replaced_alone: tuple[Replaceable, ...] = ()
 
 
 def find_overrides(
@@ -82,20 +83,43 @@ def find_overrides(
     typed = {name: found for name, found in alone.items() if found is not None}
     overrides: list[Override] = []
     replaced: list[Replaceable] = []
-    falling: set[str] = set()
-    for value in tried:
-        every = {name: outcome(partial(value.study_at, name)) for name in value.mechanisms}
-        without = {name: found for name, found in every.items() if found is not None}
-        if len(without) < len(every):
+    least: tuple[Replaceable, Outcome] | None = None
+    for _, of_one_key in groupby(tried, key=lambda value: value.key):
+        each_way = [(value, _outcomes(value, outcome)) for value in of_one_key]
+        known = [(value, without) for value, without in each_way if without]
+        if not known:
             continue  # the project cannot be read without it: it says what the case is
-        helps = any(is_worse(*found, than=typed[name]) for name, found in without.items())
+        value, without = reduce(_worse_way, known)
+        helps = any(
+            is_worse(*found, than=typed[name], same=value.same) for name, found in without.items() if name in typed
+        )
         if not value.source and (helps or not value.either_way):
             replaced.append(value)
+            for found in without.values():
+                least = (value, found) if least is None or is_worse(*found, than=least[1]) else least
         if helps:
             overrides.append(_override(value, without))
-        if not value.source:
-            falling |= {name for name, (_, margin) in without.items() if margin == FALLING}
-    return Overrides(tuple(overrides), tuple(replaced), frozenset(falling))
+    return Overrides(tuple(overrides), tuple(replaced), () if least is None else (least[0],))
+
+
+def _outcomes(value: Replaceable, outcome: Callable[[Callable[[], Study]], Outcome | None]) -> dict[str, Outcome]:
+    """Return the outcome without a value of each mechanism that it bears on; empty where one cannot be built so."""
+    every = {name: outcome(partial(value.study_at, name)) for name in value.mechanisms}
+    without = {name: found for name, found in every.items() if found is not None}
+    return without if len(without) == len(every) else {}
+
+
+_Way = tuple[Replaceable, dict[str, "Outcome"]]
+
+
+def _worse_way(one: _Way, other: _Way) -> _Way:
+    """Return that of two values in place of one of which some mechanism comes off worst."""
+    least, least_other = (reduce(_worse_outcome, way[1].values()) for way in (one, other))
+    return other if is_worse(*least_other, than=least, same=0.0) else one
+
+
+def _worse_outcome(one: Outcome, other: Outcome) -> Outcome:
+    return other if is_worse(*other, than=one, same=0.0) else one
 
 
 def merge_states(typed: Verdict, replaced: Verdict | None, overrides: tuple[Override, ...]) -> Verdict:
@@ -114,27 +138,12 @@ def merge_states(typed: Verdict, replaced: Verdict | None, overrides: tuple[Over
     return replace(replaced, state=State.REPLACED, other_state=_other_state(typed), overrides=overrides)
 
 
-def verdict_where_walls_fall(typed: Verdict, overrides: Overrides) -> Verdict:
-    """Return the verdict of the state in which mechanisms fall at rest, as values are replaced at once.
-
-    Where none falls by one value alone, all that these bear on count as falling.
-    """
-    names = overrides.falling or {name for value in overrides.replaced for name in value.mechanisms}
-    mechanisms = (
-        replace(each, outcome=Decision.FAIL, margin=FALLING, margin_most=None, at_the_limit=False, answers=())
-        if each.mechanism in names
-        else each
-        for each in typed.mechanisms
-    )
-    return replace(typed, outcome=Decision.FAIL, at_the_limit=False, index=None, mechanisms=tuple(mechanisms))
-
-
 def decides(replaced: Verdict, typed: Verdict) -> bool:
     """Return whether the state in which values are replaced decides, as it is worse than the project as typed."""
-    mechanisms = zip(replaced.mechanisms, typed.mechanisms, strict=True)
     if replaced.outcome != typed.outcome:
         return is_worse(replaced.outcome, None, than=(typed.outcome, None))
-    return any(is_worse(one.outcome, one.margin, than=(other.outcome, other.margin)) for one, other in mechanisms)
+    before = {each.mechanism: (each.outcome, each.margin) for each in typed.mechanisms}
+    return any(is_worse(one.outcome, one.margin, than=before[one.mechanism]) for one in replaced.mechanisms)
 
 
 Outcome = tuple[Decision, float | None]
@@ -148,7 +157,7 @@ class _CheckedMechanism:
 
 
 def _alone(study: Study, name: str) -> Study:
-    return replace(study, mechanisms=tuple(each for each in study.mechanisms if each.name == name))
+    return replace(study, mechanisms=tuple(each for each in study.mechanisms if each.name == name), falling=())
 
 
 def _outcome(

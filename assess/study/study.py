@@ -10,7 +10,7 @@ from typing import Literal
 from assess.codes.check import Family
 from assess.codes.context import Building, FreePeriod, SiteHazard
 from assess.codes.procedures import PROCEDURES, CodeOptions
-from assess.codes.question import Missing, Question, find_limit_states, methods_of
+from assess.codes.question import Question, VerdictFacts, find_limit_states, methods_of
 from assess.dynamics.packing import Equation
 from assess.errors import ProjectError
 from assess.geometry.cut import Scene
@@ -23,7 +23,7 @@ from assess.results import (
     ResolvedValue,
 )
 from assess.results.fragility import FragilityMethod, HazardResult, MeasureResult, StateResult
-from assess.results.run import UncertainInput
+from assess.results.run import FallingMechanism, UncertainInput
 from assess.results.verification import AnnexResult
 from assess.study.amplification import HeightAboveGround, MechanismAmplification
 from records.compliance import CodeName
@@ -102,6 +102,7 @@ class Study:
     scan : whether histories are run at rising PGA for the capacity
     sampling : how its uncertain numbers are sampled; None if that is not requested
     annex : of verification that the report names; None if there is none
+    falling : mechanisms that fall at rest under their own loads, which are not among `mechanisms`
     replaceables : its values that something stands for where no source vouches for them
     replaced : returns the study in which these are replaced
     """
@@ -131,7 +132,7 @@ class Study:
     knowledge: Mapping[str, Mapping[str, str]]
     limit_state: str | None
     question: Question
-    facts: Mapping[str, tuple[tuple[Missing, ...], tuple[Message, ...]]]
+    facts: Mapping[str, VerdictFacts]
     heights: Mapping[str, HeightAboveGround] = field(default_factory=dict)
     record_factor: float = 1.0
     suite_faults: Mapping[str, tuple[Message, ...]] = field(default_factory=dict)
@@ -142,6 +143,7 @@ class Study:
     scan: bool = True
     sampling: Sampling | None = None
     annex: AnnexResult | None = None
+    falling: tuple[FallingMechanism, ...] = ()
     replaceables: tuple[Replaceable, ...] = ()
     replaced: Callable[[Sequence[Replaceable]], Study] | None = None
 
@@ -278,8 +280,8 @@ class Replaceable:
 
     key, value : as the file has them; instead : what stands in its place; source : who vouches for it, may be empty
     mechanisms : those that it can change, by name
-    either_way : whether more of it may help or not
-    place, replacement : where the file says otherwise without it, and what
+    either_way : whether more of it may help or not; same : share by which a margin may fall without it
+    place : what is changed; setting : what the file says at this and other keys without it
     study_at : returns the study of one mechanism with that
     """
 
@@ -288,9 +290,10 @@ class Replaceable:
     instead: str
     source: str
     either_way: bool
+    same: float
     mechanisms: tuple[str, ...]
     place: tuple[str | int, ...]
-    replacement: object
+    setting: Mapping[tuple[str | int, ...], object]
     study_at: Callable[[str], Study]
 
 

@@ -81,8 +81,10 @@ def motions_of(study: Study, spectrum: Spectrum, *, jobs: int = 1) -> tuple[Scal
     Returns
     -------
     tuple of ScaledRecord
-        In the order of the study.
+        In the order of the study; none where every mechanism falls under its own loads.
     """
+    if study.falling and not study.mechanisms:
+        return ()
     to_make = study.artificial
     if to_make is None:
         return _apply_record_factor(_scale_records(study, study.records, spectrum), spectrum, study)

@@ -175,15 +175,15 @@ def matrix(results: Results, verdict: Verdict) -> Table:
     columns += [Column(say("Largest D/C of the other methods"))] if folded else []
     rows = []
     for one in verdict.mechanisms:
-        mechanism = next(each for each in results.mechanisms if each.name == one.mechanism)
+        mechanism = next((each for each in results.mechanisms if each.name == one.mechanism), None)  # None: it falls
         rows.append(
             (
                 numbered_title(results, one.mechanism),
                 OutcomeCell(one.outcome.value, cells.outcome_text(one.outcome, near=one.at_the_limit)),
                 cells.margin_text(one, verdict.action),
                 *((_index_cell(one),) if has_index else ()),
-                *(_method_cell(results, mechanism, one, method) for method in shown),
-                *((_least_favourable_cell(results, mechanism, folded),) if folded else ()),
+                *(mechanism and _method_cell(results, mechanism, one, method) for method in shown),
+                *((mechanism and _least_favourable_cell(results, mechanism, folded),) if folded else ()),
             )
         )
     return Table("verdict", _matrix_caption(verdict), tuple(columns), tuple(rows), small=True)

@@ -142,13 +142,17 @@ OF_MECHANISMS: list[tuple[list[dict[str, Any]], dict[str, Any], str, str]] = [
 ]
 RIGID_STIFF = 'is for flexible interfaces; write model = "flexible", or remove it'
 BOW_TIE = [[0.0, 0.0], [1.0, 1.0], [1.0, 0.0], [0.0, 1.0]]
+OF_JOINTS = 'must be greater than 0 and 2 TPa/m or less; of a stiffer joint say model = "rigid"'
+OF_MASONRY = 'must be greater than 0 and 50 MPa or less, beyond which there is no masonry; "inf" is the rigid reading'
 OF_KEYS: list[tuple[dict[str, Any], str, str]] = [
     # joints
     ({"interface": {"stiffness": 1e10}}, "interface.stiffness", RIGID_STIFF),
     ({"interface": {"course_thickness": 0.02}}, "interface.course_thickness", RIGID_STIFF),
     ({"interface": {"model": "flexible"}}, "interface.stiffness", "give either stiffness or course_thickness"),
-    ({"interface": {"model": "flexible", "stiffness": -1e9}}, "interface.stiffness", ABOVE_0),
-    ({"interface": {"strength": 0.0}}, "interface.strength", ABOVE_0),
+    ({"interface": {"model": "flexible", "stiffness": -1e9}}, "interface.stiffness", OF_JOINTS),
+    ({"interface": {"model": "flexible", "stiffness": 3e12}}, "interface.stiffness", OF_JOINTS),
+    ({"interface": {"strength": 0.0}}, "interface.strength", OF_MASONRY),
+    ({"interface": {"strength": 6e7}}, "interface.strength", OF_MASONRY),
     (
         {"interface": {"model": "stiff"}},
         "interface.model",

@@ -24,7 +24,7 @@ from assess.codes.verdict import (
     relevant_warnings,
     target_text,
 )
-from assess.messages.message import UNITS, Message, count_noun, escape_text, locate
+from assess.messages.message import UNITS, Message, Severity, count_noun, escape_text, locate
 from assess.portfolio.tasks import EXIT_CODES
 from assess.results import CriticalResult, EnvelopeResult, ReportMatter, Results
 from assess.results.fragility import (
@@ -72,7 +72,7 @@ def run_text(results: Results) -> str:
         return "no verdict\n"
     pairs = [(one, answer) for one in found.mechanisms for answer in one.answers]
     warnings = relevant_warnings(results.warnings)
-    notes = [each for each in results.warnings if each not in warnings]
+    notes = [each for each in results.warnings if each.severity == Severity.NOTE]
     lines = [
         *_reasons(found),
         *(f"note: {each.where}: {each.text}" for each in notes),

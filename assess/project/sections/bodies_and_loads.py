@@ -9,6 +9,7 @@ from pydantic import Discriminator, Tag
 from assess.declaration import (
     UNCERTAIN,
     Evidence,
+    MasonryStrength,
     Name,
     NotNegativeRatio,
     NotNegativeStress,
@@ -77,7 +78,7 @@ class MaterialSection(ProjectSection):
     """mass per volume, like "2240 kg/m^3\""""
     young_modulus: Annotated[PositiveStress, UNCERTAIN, MODULUS] | None = None
     """modulus of elasticity, like "6.89 GPa\""""
-    compressive_strength: Annotated[PositiveStress, UNCERTAIN, COMPRESSION] | None = None
+    compressive_strength: Annotated[MasonryStrength, UNCERTAIN, COMPRESSION] | None = None
     """strength in compression, like "1.0 MPa\""""
     tensile_strength: Annotated[NotNegativeStress, UNCERTAIN, TENSION] | None = None
     """strength of the mortar in tension"""

@@ -14,8 +14,8 @@ from pydantic import Field, StrictBool, StrictStr, model_validator
 from assess.codes.context import StatedFirstMode, default_period
 from assess.declaration import (
     UNCERTAIN,
+    BuildingDamping,
     Count,
-    Damping,
     Drawn,
     Evidence,
     IsRange,
@@ -97,13 +97,14 @@ BUILDING_HEIGHT = Evidence(
     safe=Drawn("height"),
 )
 STOREYS = Evidence(
-    "drawn", "down", "as drawn", judged="the first mode of many storeys moves the top more than that of one"
+    "defines", "down", "as drawn", judged="the first mode of many storeys moves the top more than that of one"
 )
 GROUND_ELEVATION = Evidence(
     "drawn",
     "up",
-    "0 where the lowest body stands there, else not answered",
+    "the foot of the lowest body, where that is lower",
     judged="the higher the ground, the less a mechanism stands above it",
+    safe=Drawn("ground"),
 )
 USE_CLASS = Evidence(
     "defines",
@@ -151,7 +152,7 @@ class BuildingSection(ProjectSection):
         default_factory=lambda values: None if values.get("height") is None else default_period(values["height"])
     )
     """period of the first mode; 0.05 H^0.75 if absent"""
-    damping: Annotated[Damping, FIRST_DAMPING] = 0.05
+    damping: Annotated[BuildingDamping, FIRST_DAMPING] = 0.05
     """damping ratio of the first mode"""
     natural_frequency: Annotated[PositiveFrequency | None, FIRST_FREQUENCY] = None
     """first natural frequency for `amplification`, like "2.5 Hz"; 1 / period where that is given, else Rayleigh's"""
@@ -160,6 +161,16 @@ class BuildingSection(ProjectSection):
     times its period if absent"""
     effective_height: Annotated[PositiveLength | None, EFFECTIVE_HEIGHT] = None
     """height above the ground of the resultant of the first mode's inertia forces, for `amplification`"""
+
+    @model_validator(mode="after")
+    def _can_be(self) -> BuildingSection:
+        if self.height is not None and self.effective_height is not None and self.effective_height > self.height:
+            raise error_at("effective_height", f"above the building, height = {self.height:.4g} m")
+        for name, state in self.limit_states.items():
+            if self.period is not None and state.period < self.period:
+                reason = f"shorter than that of the elastic building, {self.period:.4g} s: damage softens it"
+                raise error_at(("limit_states", name, "period"), reason)
+        return self
 
 
 FILTER = Evidence(

@@ -10,7 +10,7 @@ import pytest
 from scipy.constants import g
 
 from assess.cli.tables.project import description
-from assess.errors import GeometryError, MechanismError, ProjectError
+from assess.errors import GeometryError, ProjectError
 from assess.project.build import build
 from assess.project.project_file import load
 from assess.study.mechanism_results import parameters
@@ -317,10 +317,10 @@ def test_hostile_names_appear_as_text(tmp_path):
     assert all(line.isprintable() for line in shown.splitlines())
 
 
-def test_thrust_that_overturns_the_wall_is_refused(tmp_path):
-    named = r'already falling.*: load "roof \(thrust\)" with H = 400 kN, V = \+0 kN up \(thrust \(given\); outwards\)'
-    with pytest.raises(MechanismError, match=named):
-        parameters(study_of(tmp_path, ROOF, 'body = "roof", role = "roof", thrust = "400 kN"'))
+def test_a_wall_that_a_thrust_overturns_falls_at_rest(tmp_path):
+    (falling,) = study_of(tmp_path, ROOF, 'body = "roof", role = "roof", thrust = "400 kN"').falling
+    assert 'load "roof (thrust)" with H = 400 kN, V = +0 kN up (thrust (given); outwards)' in falling.reason
+    assert falling.uplift_multiplier < 0.0
 
 
 def test_a_floor_on_the_upper_block_of_a_cracked_wall(tmp_path):

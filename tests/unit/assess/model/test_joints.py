@@ -10,6 +10,7 @@ import shapely
 import trimesh
 from scipy.constants import g
 
+from assess.errors import MechanismError
 from assess.oscillator import elastic_frequency
 from assess.study.mechanism_results import parameters
 from tests.support.projects import mechanism_of, refusal_of, study_of
@@ -220,11 +221,16 @@ def test_no_strength_known_is_told(tmp_path):
     assert not any("strength" in text for text in map(str, asked.warnings))
 
 
-@pytest.mark.parametrize(("x", "way"), [(0.4, "inside"), (0.6, "outside")])
-def test_a_hinge_away_from_the_edge_is_told(tmp_path, x, way):
-    found = mechanism_of(tmp_path, STONE, SINGLE, f"hinges = {{ A = [{x}, 0, 0] }}\n" + SOFT)
+def test_a_hinge_away_from_the_edge_is_told(tmp_path):
+    found = mechanism_of(tmp_path, STONE, SINGLE, "hinges = { A = [0.4, 0, 0] }\n" + SOFT)
     (text,) = [text for text in map(str, found.warnings) if "edge of its contact" in text]
-    assert text.startswith(f"interface A: the hinge lies 0.1 m {way} the edge of its contact, which is 1 m deep")
+    assert text.startswith("interface A: the hinge lies 0.1 m inside the edge of its contact, which is 1 m deep")
+
+
+def test_a_hinge_outside_its_contact_is_refused_with_both_numbers(tmp_path):
+    words = r"hinge A at x = 0.6 m lies outside its contact, from x = -0.5 to 0.5 m"
+    with pytest.raises(MechanismError, match=words):
+        mechanism_of(tmp_path, STONE, SINGLE, "hinges = { A = [0.6, 0, 0] }\n" + SOFT)
 
 
 def test_a_hinge_at_the_wrong_face_of_a_portal_is_told(tmp_path):

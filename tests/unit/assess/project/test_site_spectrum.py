@@ -1,5 +1,6 @@
 """[site.spectrum] of every code: from the project file to the ordinates, and one line for what is wrong."""
 
+import re
 from pathlib import Path
 
 import pytest
@@ -12,7 +13,7 @@ from assess.project.project_file import resolve
 from assess.project.site_and_structure import site_in, spectrum_of, vertical_of
 from assess.study.ground_motion import spectrum_result
 from spectra.errors import SpectrumError
-from tests.support.projects import load_project, published, replace_once, tables_toml
+from tests.support.projects import NTC, load_project, project_toml, published, replace_once, tables_toml
 
 ROWS = """hazard = [
   { return_period = 30, a_g = "0.05 g", f_0 = 2.4, t_c_star = "0.28 s" },
@@ -300,3 +301,27 @@ def test_what_the_code_refuses_is_one_line(case: str, tmp_path: Path) -> None:
     assert text.startswith(f"{project.path}: site.spectrum: ")
     assert expected in text
     assert text.isprintable()
+
+
+@pytest.mark.parametrize(
+    ("more", "words"),
+    [
+        ({"effective_height": 12.5}, "effective_height: 12.5: above the building, height = 9 m"),
+        (
+            {"period": 0.5, "limit_states": {"SLV": {"period": 0.4, "damping": 0.1, "reason": "test"}}},
+            "limit_states.SLV.period: 0.4: shorter than that of the elastic building, 0.5 s",
+        ),
+        ({"damping": 0.35}, "damping: 0.35: must be greater than 0 and 0.3 or less"),
+    ],
+)
+def test_a_building_that_cannot_be_is_refused_with_both_numbers(tmp_path, more, words):
+    text = project_toml(site={"spectrum": NTC}, building={"height": 9.0, **more})
+    with pytest.raises(ProjectError, match=re.escape(words)):
+        load_project(tmp_path, text)
+
+
+def test_a_nominal_life_below_five_years_is_refused(tmp_path):
+    hazard = [{"return_period": years, "a_g": 1.0, "f_0": 2.5, "t_c_star": 0.3} for years in (30, 2475)]
+    spectrum = {"code": "ntc2018", "hazard": hazard, "nominal_life": 4, "soil": "A"}
+    with pytest.raises(ProjectError, match="nominal_life: 4: must be 5 years or more"):
+        load_project(tmp_path, project_toml(site={"spectrum": spectrum}))

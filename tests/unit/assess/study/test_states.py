@@ -3,12 +3,13 @@
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 
 from assess.codes.verdict import Decision, State, Verdict
 from assess.project.build import build
 from assess.project.project_file import load
-from assess.study.run import run_study
+from assess.study.run import find_verdict, run_study
 from tests.support.projects import NTC, block, lines, project_toml, wall
 
 BUILDING = {"storeys": 2, "ground_elevation": 0.0, "use_class": "II"}
@@ -105,3 +106,71 @@ def test_a_tie_behind_one_that_is_left_out_keeps_its_source(tmp_path: Path) -> N
     found = verdict_of(tmp_path, thickness=THIN, tie=both, sources={"mechanisms.wall.loads[2]": PULLED})
     assert found.other_state is not None
     assert found.other_state.mechanisms[0].margin == pytest.approx(alone.mechanisms[0].margin, rel=1e-12)
+
+
+def weakest_against(folder: Path, mechanism: dict[str, Any], *, sources: dict[str, str] | None = None) -> Verdict:
+    """Return the verdict on a thin wall on the ground, with a mechanism of it."""
+    text = project_toml(
+        site={"spectrum": NTC | {"a_g": "0.25 g"}, "limit_state": "SLV"},
+        building={**BUILDING, "height": 4.5},
+        materials={"m": {"density": 1800, "disintegration": "excluded"}},
+        report={"sources": {"materials.m.disintegration": "measured: survey", **(sources or {})}},
+        analysis={"procedures": ["ntc2018-nonlinear"], "scan": False},
+        bodies={"wall": wall(0.2, 3.0, 4.5, material="m")},
+        mechanisms={"wall": block(**mechanism)},
+    )
+    (folder / "project.toml").write_text(text, encoding="utf-8")
+    return find_verdict(build(load(folder)))
+
+
+LOADED = {"loads": [{"kind": "overburden", "force": "10 kN"}]}
+SURVEYED = "measured: the crack that was surveyed"
+
+
+@pytest.mark.parametrize(
+    ("key", "typed", "weakest"),
+    [
+        ("direction", {"direction": [0, 1, 0]}, {"direction": [1, 0, 0]}),
+        ("direction", {"direction": [1, 3, 0], "loads": [{"kind": "mass", "mass": 10, "at": [0.0, 4.5]}]}, None),
+        ("crack", {"kind": "two-block", "crack": 0.05, **LOADED}, {"kind": "two-block", "crack": "minimum", **LOADED}),
+    ],
+)
+def test_the_weakest_is_examined_with_a_choice_that_is_stronger_unless_that_has_a_source(
+    tmp_path: Path, key: str, typed: dict[str, Any], weakest: dict[str, Any] | None
+) -> None:
+    """A wall examined along its length, or cracked next to the floor, is that which falls across its thickness."""
+    of_load = {"mechanisms.wall.loads[1]": "measured: survey"} if "loads" in typed else {}
+    found = weakest_against(tmp_path, typed, sources=of_load)
+    shown = weakest_against(tmp_path, typed, sources={f"mechanisms.wall.{key}": SURVEYED, **of_load})
+    assert (found.state, shown.state) == (State.REPLACED, State.AS_TYPED)
+    assert found.mechanisms[0].margin < 0.9 * shown.mechanisms[0].margin
+    if weakest is not None:
+        expected = weakest_against(tmp_path, weakest, sources=of_load)
+        assert found.mechanisms[0].margin == pytest.approx(expected.mechanisms[0].margin, rel=1e-9)
+
+
+def test_between_a_period_without_a_source_and_the_codes_the_worst_decides(tmp_path: Path) -> None:
+    """The floor's spectrum peaks between them: both ends hold where a period in between fails."""
+    stated, code = 3.0, 0.05 * HEIGHT**0.75
+    margins = [mode_of(tmp_path, period, shown=True).mechanisms[0].margin for period in np.geomspace(stated, code, 5)]
+    found = mode_of(tmp_path, stated, shown=False)
+    assert found.mechanisms[0].margin == pytest.approx(min(margins), rel=1e-9)
+    assert min(margins) < 0.99 * min(margins[0], margins[-1])
+
+
+def mode_of(folder: Path, period: float, *, shown: bool) -> Verdict:
+    """Return the verdict on a wall on the upper floor of a building of a first period."""
+    text = project_toml(
+        site={"spectrum": NTC, "limit_state": "SLV"},
+        building={**BUILDING, "height": HEIGHT, "period": float(period)},
+        materials={"m": {"density": 1800, "disintegration": "excluded"}},
+        report={
+            "sources": {"materials.m.disintegration": "measured: survey"}
+            | ({"building.period": "measured: ambient vibrations"} if shown else {})
+        },
+        analysis={"procedures": ["ntc2018-nonlinear"], "scan": False},
+        bodies={"wall": wall(0.3, 3.0, 3.0, material="m", base=[0.0, 0.0, HEIGHT - 3.0])},
+        mechanisms={"wall": block(direction=[1, 0, 0], sides="one")},
+    )
+    (folder / "project.toml").write_text(text, encoding="utf-8")
+    return find_verdict(build(load(folder)))

@@ -158,7 +158,6 @@ def test_one_sided_histories_never_turn_the_other_way(tmp_path):
 @pytest.mark.parametrize(
     ("mechanism", "words"),
     [
-        ("hinges = { A = [0.9, 0] }", "not on the base"),
         ("hinges = { A = [0.3, 2] }", "not on the base"),
         ("direction = [1, 0.05, 0]", "at a point, not along an edge"),
     ],

@@ -1,0 +1,53 @@
+"""A sample of what a reviewing authority would try: `make adversary` tries all of it."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+
+from assess.codes.verdict import Decision
+from tools.adversary.projects import PROJECTS
+from tools.adversary.trials import SILENT, TOLD, Trial, answer, is_told, outcome_of, sample, trials, with_trial
+
+SHARE = 150
+"""Trials of the sample: ten to fifteen seconds."""
+
+
+def test_every_project_fails_as_it_is() -> None:
+    found = {name: answer(tables) for name, tables in PROJECTS.items()}
+    assert {name: None if each is None else each.outcome for name, each in found.items()} == dict.fromkeys(
+        PROJECTS, Decision.FAIL
+    )
+
+
+def test_no_value_buys_an_outcome_in_silence() -> None:
+    found = {str(trial): outcome_of(trial) for trial in sample(list(trials()), SHARE, seed=1)}
+    assert [name for name, (word, _) in found.items() if word == SILENT] == []
+
+
+@pytest.mark.parametrize(
+    ("project", "path", "value"),
+    [
+        ("ntc-two-block", ("mechanisms", "wall", "crack"), 0.1),
+        ("ntc-free", ("mechanisms", "wall", "direction"), [1, 3, 0]),
+        ("ntc-upstairs", ("building", "height"), 300.0),
+        ("ntc-wall", ("mechanisms", "wall", "loads", 1, "at"), [-2.9, 4.5]),
+    ],
+)
+def test_what_once_bought_a_pass_no_longer_does(project: str, path: tuple[str | int, ...], value: object) -> None:
+    """A crack next to the floor, a wall along its length, a building too high, a tie in the air."""
+    trial = Trial(project, path, value, "")
+    after = answer(with_trial(PROJECTS[project], trial))
+    assert after is not None
+    assert after.outcome != Decision.PASS
+
+
+def test_an_improvement_that_nothing_names_is_silent() -> None:
+    before, trial = answer(PROJECTS["ntc-free"]), Trial("ntc-free", ("building", "storeys"), 3, "drawn")
+    assert before is not None
+    bought = replace(before, outcome=Decision.PASS)
+    assert bought.improves(before)
+    assert not is_told(trial, before, bought)
+    assert is_told(trial, before, replace(bought, named=frozenset({"building.storeys"})))
+    assert TOLD != SILENT

@@ -7,6 +7,7 @@ at SLV or SLC (C8.7.1.2.1.6, .8). Non-linear dynamic: no record beyond d0*, the 
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import partial
 
@@ -46,7 +47,7 @@ def assess_linear(oscillator: Oscillator, context: Context, *, options: ItalianO
 
 NONLINEAR_CLAUSE = "C8.7.1.2.1.8"
 SOFTENED_WORST = "first mode, softened by 1.5 to 2.0: that of the largest displacement"
-FIRST, AT_ACTIVATION = "T1'", "T1'_a"  # of the building: what asks most of d_LS, and of a0*
+ELASTIC, FIRST, AT_ACTIVATION = "T1", "T1'", "T1'_a"  # of the building: elastic, what asks most of d_LS, and of a0*
 
 
 def assess_nonlinear(oscillator: Oscillator, context: Context, *, options: ItalianOptions) -> tuple[Check, ...]:
@@ -63,19 +64,20 @@ def assess_nonlinear(oscillator: Oscillator, context: Context, *, options: Itali
 
 def _acceleration_demand_steps(
     case: LimitStateCase,
-    modes: clauses.FirstModes | None,
+    possible: Sequence[clauses.FirstModes],
     over_pga: Demands | None,
     *,
     T0: float,
     a0: float,
-    symbol: str = "T1",
 ) -> tuple[Step, ...]:
     """Write the accelerations of ground and floor, and the PGA a_g,SLD S at which the larger one reaches a0*.
 
-    symbol : of the most demanding first mode
+    possible : first modes of the building, of which the most demanding is written
     """
     if over_pga is None:
         return ()
+    modes = max(possible, key=lambda each: clauses.floor_acceleration(case.context, each, T0)[1], default=None)
+    symbol = ELASTIC if modes is None or modes.shortest == modes.longest else AT_ACTIVATION
     spectrum, free = case.context.spectrum, T0 > 0.0
     ground, floor = ("S_e(T0)" if free else "PGA"), ("S_eZ(T0)" if free else _peak_symbol(symbol))
     given = {"a0*": (a0, "m/s2"), "PGA": (case.pga, "m/s2"), ground: (over_pga.ground * case.pga, "m/s2")}
@@ -98,7 +100,7 @@ def _floor_acceleration_steps(
 ) -> tuple[Step, ...]:
     """Write the floor's acceleration under the most demanding first mode."""
     first, _ = clauses.floor_acceleration(case.context, modes, T0)
-    why = "first mode, softened by 1.5 to 2.0: that of the largest acceleration"
+    why = "first mode from the elastic to the softest: that of the largest acceleration"
     at = _ordinate_steps(case, modes, (symbol, first), ("T0", T0), damping=clauses.ELASTIC_DAMPING) if T0 > 0.0 else ()
     return (
         *first_mode_steps(modes, first, symbol, ("T0", T0), why),
@@ -126,6 +128,7 @@ class CapacityAndDemands:
 
     capacity: clauses.Ntc2018Capacity
     modes: clauses.FirstModes | None
+    activation_modes: tuple[clauses.FirstModes, ...]
     acceleration_per_pga: Demands | None
     displacement_per_pga: Demands | None
 
@@ -178,7 +181,8 @@ def _linear_check(case: LimitStateCase, options: ItalianOptions) -> Check:
     FC, q = case.confidence.factor, options.behaviour_factor if case.state == "SLV" else 1.0
     context, branch, modes = case.context, case.curves.starting, clauses.elastic_modes(case.context)
     T0 = clauses.period_before_uplift(branch, context)
-    over_pga = clauses.acceleration_demands(context, modes, T0=T0)
+    possible = () if modes is None else (modes,)
+    over_pga = clauses.acceleration_demands(context, possible, T0=T0)
     demands = None if over_pga is None else over_pga.scale(case.pga / q)
     a0 = kinematic.activation(branch, mass=case.curves.mass, confidence_factor=FC)
     return kinematic.acceleration_check(
@@ -194,7 +198,7 @@ def _linear_check(case: LimitStateCase, options: ItalianOptions) -> Check:
             *kinematic.activation_steps(case, clauses.EDITION),
             *_period_steps(case, T0=T0),
             *_share_steps(case, modes),
-            *_acceleration_demand_steps(case, modes, over_pga, T0=T0, a0=a0),
+            *_acceleration_demand_steps(case, possible, over_pga, T0=T0, a0=a0),
             *_linear_capacity_steps(case, over_pga, a0=a0, q=q),
             *kinematic.acceleration_ratio_steps(LINEAR_CLAUSES[case.state], demands, capacity=a0),
         ),
@@ -228,9 +232,7 @@ def _nonlinear_check(case: LimitStateCase) -> Check:
         *kinematic.activation_steps(case, clauses.EDITION),
         *_period_steps(case, T0=cap.T0),
         *_share_steps(case, derived.modes),
-        *_acceleration_demand_steps(
-            case, derived.modes, derived.acceleration_per_pga, T0=cap.T0, a0=cap.a0, symbol=AT_ACTIVATION
-        ),
+        *_acceleration_demand_steps(case, derived.activation_modes, derived.acceleration_per_pga, T0=cap.T0, a0=cap.a0),
         *_nonlinear_capacity_steps(case, cap),
         *_displacement_steps(case, derived, analysis),
     )
@@ -245,7 +247,9 @@ def _capacity_and_demands(case: LimitStateCase) -> CapacityAndDemands:
     modes, damping = clauses.ultimate_modes(context, case.state), clauses.ULTIMATE[case.state].damping
     cap = clauses.capacity_of(case.curves, state=case.state, confidence_factor=case.confidence.factor, T0=T0)
     per_pga = clauses.displacement_demands(context, modes, T0=T0, T=cap.T, damping=damping)
-    return CapacityAndDemands(cap, modes, clauses.acceleration_demands(context, modes, T0=T0), per_pga)
+    activation = clauses.activation_modes(context, case.state)
+    over_pga = clauses.acceleration_demands(context, activation, T0=T0)
+    return CapacityAndDemands(cap, modes, activation, over_pga, per_pga)
 
 
 def _displacement_analysis(case: LimitStateCase, derived: CapacityAndDemands) -> kinematic.DisplacementAnalysis:

@@ -13,7 +13,7 @@ At ultimate limit states masonry buildings have 1.5 to 2.0 times their elastic p
 (C8.7.1.2.1.4). Displacements are checked under the largest demand over that range, at 10 %: it need not lie at one of
 the ends, as the floor spectrum is highest where the period of the mechanism is between 0.8 and 1.1 of the building's.
 A first mode that the engineer states for the limit state replaces the range. Accelerations are checked on the elastic
-building, whose floors shake harder.
+building; those at which a mechanism begins to move also on the building as it softens, and the larger counts.
 
 The friction of a toothed crack between a wall that overturns and the cross walls it is partly bonded to (C8.7.1.2) may
 enter the multiplier alpha0 of a simple overturning, where the height of the crack is the one of least alpha0. It is not
@@ -23,7 +23,7 @@ on top of the cross walls are not in it. No key of the project file asks for it 
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -180,7 +180,7 @@ def period_before_uplift(branch: Branch, context: Context) -> float:
     return 1.0 / frequency if frequency else 0.0
 
 
-def acceleration_demands(context: Context, modes: FirstModes | None, *, T0: float) -> Demands | None:
+def acceleration_demands(context: Context, modes: Sequence[FirstModes], *, T0: float) -> Demands | None:
     """Return the demands over PGA at 5 % damping: S_e(T0) of the ground, S_eZ(T0) of the floor; at T0 = 0 PGA and a_Z.
 
     Source: C8.7.1.8, C8.7.1.9 with C7.2.5 to C7.2.8.
@@ -188,7 +188,7 @@ def acceleration_demands(context: Context, modes: FirstModes | None, *, T0: floa
     Parameters
     ----------
     context : its spectrum
-    modes : first modes of the building, of which the most demanding counts; None at the ground
+    modes : first modes of the building, of which the most demanding counts; none at the ground
     T0 : period before uplift [s]
 
     Returns
@@ -197,11 +197,12 @@ def acceleration_demands(context: Context, modes: FirstModes | None, *, T0: floa
         Accelerations over PGA [-]; None where the spectrum ends too early.
     """
     spectrum = context.spectrum
-    if max(T0, 0.0 if modes is None else modes.longest) > spectrum.longest_period:
+    if max(T0, *(each.longest for each in modes), 0.0) > spectrum.longest_period:
         return None
     ground = float(spectrum.acceleration(T0, damping=ELASTIC_DAMPING)) / spectrum.pga
-    floor = 0.0 if modes is None else floor_acceleration(context, modes, T0)[1] / spectrum.pga
-    return Demands(ground, floor)
+    return Demands(
+        ground, max((floor_acceleration(context, each, T0)[1] / spectrum.pga for each in modes), default=0.0)
+    )
 
 
 def displacement_demands(
@@ -350,6 +351,30 @@ def ultimate_modes(context: Context, state: str, *, damping: float = SOFTENED_DA
     if stated is not None:
         return FirstModes(stated.period, stated.period, stated.damping, floor, stated.reason)
     return FirstModes(SOFTENING[0] * floor.T1, SOFTENING[1] * floor.T1, damping, floor)
+
+
+def activation_modes(context: Context, state: str) -> tuple[FirstModes, ...]:
+    """Return the first modes under which a mechanism may begin to move before it reaches an ultimate limit state.
+
+    The building is elastic in the first shakes and softens in the later ones: T_1 with its elastic damping, and what
+    lies between T_1 and the longest period at the limit state with the damping there. Judged on the softened building
+    alone, low floors show 0.19 to 0.62 of the ground's acceleration, and a stiff body seems never to move.
+    Source: C8.7.1.8 and C8.7.1.9 with C8.7.1.2.1.4; the range is on the safe side.
+
+    Parameters
+    ----------
+    context : building and height of the mechanism
+    state : "SLV" or "SLC"
+
+    Returns
+    -------
+    tuple of FirstModes
+        None at the ground or without a building.
+    """
+    elastic, ultimate = elastic_modes(context), ultimate_modes(context, state)
+    if elastic is None or ultimate is None:
+        return ()
+    return elastic, FirstModes(elastic.longest, ultimate.longest, ultimate.damping, ultimate.floor)
 
 
 def peak_acceleration(context: Context, modes: FirstModes, first: float) -> float:

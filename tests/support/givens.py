@@ -51,22 +51,24 @@ def linearised(sheet: Sheet, symbol: str) -> float:
 
 
 def softened(sheet: Sheet) -> float:
-    """T1' over T1 from 1.5 to 2.0: of the largest acceleration, the first of equals, or of the largest displacement."""
+    """T1' over T1: from 1 up of the largest acceleration, the first of equals; else of the largest displacement."""
     T1, T0 = sheet.house.period, sheet.known.get("T0")
-    ratios = np.linspace(1.5, 2.0, 51)
     if sheet.step.symbol != "T1'_a":
         return max(floor_demands(sheet, 0.10), key=lambda each: each[0])[1] / T1
+    stated = sheet.house.limit_states.get(sheet.subject.check.limit_state)
+    ratios = np.linspace(1.0, 2.0 if stated is None else stated.period / T1, 401)
     if T0 is None:
-        return float(ratios[np.argmax([sheet.ordinate(each * T1, 0.10) for each in ratios])])
+        return float(ratios[np.argmax([sheet.ordinate(each * T1, sheet.mode_damping("T1'")) for each in ratios])])
     own = next(each.value for each in sheet.step.inputs if each.symbol == "k")
     found = [at_the_floor(sheet, each * T1, T0) for each in (*ratios, own)]
     return own if np.isclose(own, ratios, rtol=1e-9).any() and found[-1] >= max(found) * (1 - 1e-9) else inf
 
 
 def at_the_floor(sheet: Sheet, first: float, period: float) -> float:
-    """S_eZ at 5 % under a first mode of 10 % (C7.2.5 to C7.2.8)."""
-    peak = sheet.ordinate(first, 0.10) * sheet.known["γψ"] * sqrt(1 + 0.2**2)
-    A = 1.1 / sqrt(0.10)
+    """S_eZ at 5 % under a softened first mode (C7.2.5 to C7.2.8)."""
+    xi = sheet.mode_damping("T1'")
+    peak = sheet.ordinate(first, xi) * sheet.known["γψ"] * sqrt(1 + (2 * xi) ** 2)
+    A = 1.1 / sqrt(xi)
     low, high = 1 - period / (0.8 * first), period / (1.1 * first) - 1
     fall = 1 + (A - 1) * (max(low, 0.0) ** 1.6 + max(high, 0.0) ** 1.2)
     return max(A * peak / fall, sheet.ordinate(period) if first < period else 0.0)
@@ -121,6 +123,12 @@ def resonance_damping(sheet: Sheet) -> float:
     """eta at 5 % for the accelerations, and for the displacements, which come after, at that of the limit state."""
     displaced = any(key.startswith("d_SL") for key in sheet.known)
     return sqrt(10.0 / (5.0 + 100.0 * (sheet.subject.check.damping if displaced else 0.05)))
+
+
+def on_elastic(sheet: Sheet) -> bool:
+    """Whether a line is of the elastic building: it names T1, or is A and the latest a_Z before it is of T1."""
+    peaks = [name for name in sheet.known if name.startswith("a_Z(")]
+    return "(T1)" in sheet.step.symbol or (sheet.step.symbol == "A" and peaks[-1:] == ["a_Z(T1)"])
 
 
 def largest_acceleration(sheet: Sheet) -> float:
@@ -238,9 +246,7 @@ COMMON: Mapping[tuple[str, str], Reading] = {
     ("Z", "length"): lambda s: min(s.subject.context.support_height, s.house.height),
     ("z", "length"): lambda s: s.subject.context.support_height,
     ("H", "length"): lambda s: s.house.height,
-    ("ξ1", "ratio"): lambda s: (
-        0.2 if s.step.symbol == "d(20 %)" else s.mode_damping("T1" if "(T1)" in s.step.symbol else "T1'")
-    ),
+    ("ξ1", "ratio"): lambda s: 0.2 if s.step.symbol == "d(20 %)" else s.mode_damping("T1" if on_elastic(s) else "T1'"),
     ("η", "ratio"): resonance_damping,
     ("b", "ratio"): lambda s: 1.1,
     ("a", "ratio"): lambda s: 0.8,

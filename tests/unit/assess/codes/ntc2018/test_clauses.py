@@ -72,15 +72,15 @@ def test_period_of(branch, given: FreePeriod | None, T0: float) -> None:
 @pytest.mark.parametrize(
     ("modes", "T0", "ground", "floor"),
     [
-        (None, 0.0, 1.0, 0.0),
-        (None, 0.2, 2.5, 0.0),  # 0.5 g / 0.2 g
-        (None, 1.0, 1.0, 0.0),
-        (ONE, 0.0, 1.0, 0.861418),  # a_Z
-        (ONE, 1.0, 1.0, 4.237616),  # A a_Z on the plateau
-        (ONE, 0.4, 2.5, 1.848144),  # A a_Z / (1 + (A - 1) 0.5^1.6), 0.5 = 1 - 0.4 / 0.8
+        ((), 0.0, 1.0, 0.0),
+        ((), 0.2, 2.5, 0.0),  # 0.5 g / 0.2 g
+        ((), 1.0, 1.0, 0.0),
+        ((ONE,), 0.0, 1.0, 0.861418),  # a_Z
+        ((ONE,), 1.0, 1.0, 4.237616),  # A a_Z on the plateau
+        ((ONE,), 0.4, 2.5, 1.848144),  # A a_Z / (1 + (A - 1) 0.5^1.6), 0.5 = 1 - 0.4 / 0.8
     ],
 )
-def test_acceleration_demands(modes: FirstModes | None, T0: float, ground: float, floor: float) -> None:
+def test_acceleration_demands(modes: tuple[FirstModes, ...], T0: float, ground: float, floor: float) -> None:
     found = ntc2018_clauses.acceleration_demands(RAISED, modes, T0=T0)
     assert found is not None
     assert (found.ground, found.floor) == pytest.approx((ground, floor), rel=HAND)
@@ -103,8 +103,32 @@ def test_displacement_demands(modes: FirstModes | None, T: float, ground: float,
 
 @pytest.mark.parametrize("demands", [ntc2018_clauses.acceleration_demands, ntc2018_clauses.displacement_demands])
 def test_a_spectrum_that_ends_before_the_building_gives_no_demand(demands) -> None:
-    more = {} if demands is ntc2018_clauses.acceleration_demands else {"T": 0.2, "damping": 0.05}
-    assert demands(SHORT, ONE, T0=0.1, **more) is None
+    given, more = ONE, {"T": 0.2, "damping": 0.05}
+    if demands is ntc2018_clauses.acceleration_demands:
+        given, more = (ONE,), {}
+    assert demands(SHORT, given, T0=0.1, **more) is None
+
+
+@pytest.mark.parametrize(
+    ("stated", "T0", "floor"),
+    [
+        # Rigid: a_Z falls as 1 / T_1', and 10 % of damping lowers it, so that the elastic building decides
+        ({}, 0.0, 1.722836),  # 0.861418 / 0.5
+        # T0 = 1.0 s: the elastic building gives A a_Z / (1 + (A - 1) (1 / 0.55 - 1)^1.2) = 4.91935 x 1.722836 / 4.0805
+        # = 2.077, the softened one of 1 / 1.1 s its plateau: 1.1 / sqrt(0.1) x 1.1 x 0.857143 sqrt(1.04) / 1.2
+        ({}, 1.0, 2.787270),
+        # A period stated for the limit state, 0.6 s at 12 %, ends the range: A a_Z / (1 + (A - 1) (1 / 0.66 - 1)^1.2)
+        # = 3.175426 x 1.185 / 1.983 there, below the elastic building's
+        ({"SLV": StatedFirstMode(0.6, 0.12, "pushover")}, 1.0, 2.076993),
+    ],
+)
+def test_activation_modes(stated, T0: float, floor: float) -> None:
+    context = replace(RAISED, building=replace(HOUSE, limit_states=stated))
+    modes = ntc2018_clauses.activation_modes(context, "SLV")
+    assert max(ntc2018_clauses.floor_acceleration(context, each, T0)[1] for each in modes) / (0.2 * g) == (
+        pytest.approx(floor, rel=2e-3)  # the plateau's corner lies beside the scan
+    )
+    assert ntc2018_clauses.activation_modes(GROUND, "SLV") == ()
 
 
 @pytest.mark.parametrize(

@@ -31,12 +31,13 @@ from assess.codes.check import (
 from assess.codes.context import Context
 from assess.codes.histories import (
     Capacities,
+    RuleShares,
     SuiteResponse,
     capacities_by_share,
-    draw_values,
     fails_below,
     numerical_spread,
     pga_curve,
+    rule_shares,
     scan_conditions,
     spread_steps,
     uplift_multiplier,
@@ -47,7 +48,7 @@ from assess.oscillator import (
     Branch,
     Oscillator,
 )
-from spectra.arrays import BoolArray, FloatArray
+from spectra.arrays import FloatArray
 
 CLAUSE = "ASCE 43-05, response-history method"
 CAVEAT = "the method was read in the thesis, not in the printed standard"
@@ -61,9 +62,9 @@ def assess_history(oscillator: Oscillator, context: Context, *, options: Asce430
         share = mean_share(suite, oscillator)
         return share is not None and share <= HALF
 
-    def measure(suite: SuiteResponse) -> tuple[FloatArray, BoolArray]:
-        ratio = draw_values(_run_shares(suite, oscillator)).mean(axis=1) / HALF
-        return ratio, ratio <= 1.0
+    def measure(suite: SuiteResponse) -> RuleShares:
+        ratios = _run_shares(suite, oscillator) / HALF
+        return rule_shares(ratios, np.isfinite(ratios))
 
     lifts = uplift_multiplier(oscillator, linearised=context.linearised)
     scanned = ScanResult(

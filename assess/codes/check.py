@@ -237,10 +237,12 @@ class NumericalSpread(ShortRepr):
     """The spread of an answer by histories that comes from their own sensitivity, by seeded draws among runs.
 
     runs : of each record, itself and its twins; draws, seed : how many draws, of which random numbers
-    holds : p, the share of the draws in which the rule of the code holds [-]
+    holds : p, how often the rule of the code holds, standing times within [-]
     ratio_low, ratio_high : demand over capacity not exceeded in 16 % and in 84 % of the draws; None where that draw
         overturned
     capacity_half_pga_g, capacity_low_pga_g : PGA up to which p is at least 0.5, and 0.16, at every level below
+    standing : share of the choices of runs in which every record stands, exact [-]
+    within : share of the draws, among the runs that stand, in which their mean is within its limit [-]
     """
 
     runs: int
@@ -251,6 +253,8 @@ class NumericalSpread(ShortRepr):
     ratio_high: float | None = None
     capacity_half_pga_g: float | None = None
     capacity_low_pga_g: float | None = None
+    standing: float = 1.0
+    within: float = 1.0
 
 
 @dataclass(frozen=True, kw_only=True, repr=False)

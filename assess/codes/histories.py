@@ -151,9 +151,51 @@ DRAWS, SEED = 500, 1
 HALF_OF_DRAWS, LOW_SHARE = 0.5, 0.16
 SPREAD_CLAUSE, SCAN_FORMULA = "numerical spread", "last PGA of the scan before the first that fails"
 
-DisplacementMeasure = Callable[[SuiteResponse], tuple[FloatArray, BoolArray]]
-"""Of a suite, in every draw: the ratio that is compared with 1, inf where a record overturned, and whether the rule
-holds [draws], [draws]."""
+
+@dataclass(frozen=True)
+class RuleShares:
+    """A suite under a rule, against the choices of one run for each record.
+
+    ratio : what the rule compares with 1 in every draw, inf where a record overturned [draws]
+    standing : p_0, that each record stands, exact: the product of the shares of their runs that do [-]
+    within : p_m, the share of draws among the runs that stand in which their mean is within its limit [-]
+    """
+
+    ratio: FloatArray
+    standing: float
+    within: float
+
+    @property
+    def holds(self) -> float:
+        """p, that the rule holds [-]."""
+        return self.standing * self.within
+
+
+def rule_shares(ratios: FloatArray, stands: BoolArray, *, largest: bool = False) -> RuleShares:
+    """Return how often a rule holds: every record stands, and the mean of the ratios, or each, is at most 1.
+
+    The records' runs are chosen independently, so that what must hold for each record has the product of their shares
+    as its probability. Only the mean over them is drawn, among the runs that stand.
+
+    Parameters
+    ----------
+    ratios : of every run of each record, what is compared with 1, inf where it overturned [runs, records] [-]
+    stands : whether it stands [runs, records]
+    largest : whether each ratio is compared, and not their mean
+
+    Returns
+    -------
+    RuleShares
+    """
+    drawn = draw_values(ratios)
+    if largest:
+        return RuleShares(drawn.max(axis=1), _product_of_shares(stands & (ratios <= 1.0)), 1.0)
+    among = _draw_standing(ratios, stands)
+    within = 0.0 if among is None else float((among.mean(axis=1) <= 1.0).mean())
+    return RuleShares(drawn.mean(axis=1), _product_of_shares(stands), within)
+
+
+DisplacementMeasure = Callable[[SuiteResponse], RuleShares]
 
 
 @dataclass(frozen=True)
@@ -190,8 +232,8 @@ def draw_values(values: FloatArray) -> FloatArray:
 
 
 def share_upright(suite: SuiteResponse) -> float:
-    """Return the share of the draws in which no record overturns the mechanism: p of any rule is at most this [-]."""
-    return float(np.isfinite(draw_values(suite.runs.ratio)).all(axis=1).mean())
+    """Return the probability that no record overturns the mechanism: p of any rule is at most this [-]."""
+    return _product_of_shares(np.isfinite(suite.runs.ratio))
 
 
 def capacities_by_share(
@@ -206,7 +248,7 @@ def capacities_by_share(
     Parameters
     ----------
     incremental : suites at rising PGA
-    measure : the rule in every draw
+    measure : how often the rule holds
     passes : whether the records as they are pass
     least_records : that a suite must have
 
@@ -214,7 +256,7 @@ def capacities_by_share(
     -------
     Capacities
     """
-    shares = {suite.pga: float(measure(suite)[1].mean()) for suite in incremental if len(suite.ratio) >= least_records}
+    shares = {suite.pga: measure(suite).holds for suite in incremental if len(suite.ratio) >= least_records}
 
     def at_least(share: float) -> float | None:
         def holds(suite: SuiteResponse) -> bool:
@@ -233,16 +275,27 @@ def numerical_spread(
     Parameters
     ----------
     suite : of the answer
-    measure : its rule in every draw
+    measure : how often its rule holds
     found : the PGA up to which the rule holds in so many draws
     FC : confidence factor, by which the motion of the records is multiplied [-]
     """
     if suite.twins is None or not suite.ratio:
         return None
-    ratio, holds = measure(suite)
-    low, high = (_finite_or_none(np.quantile(ratio, q, method="inverted_cdf")) for q in (LOW_SHARE, NEEDED))
+    found_here = measure(suite)
+    low, high = (_finite_or_none(np.quantile(found_here.ratio, q, method="inverted_cdf")) for q in (LOW_SHARE, NEEDED))
     half, least = (None if pga is None else pga / FC for pga in (found.half, found.low))
-    return NumericalSpread(suite.twins.ratio.shape[0], DRAWS, SEED, float(holds.mean()), low, high, half, least)
+    return NumericalSpread(
+        suite.twins.ratio.shape[0],
+        DRAWS,
+        SEED,
+        found_here.holds,
+        low,
+        high,
+        half,
+        least,
+        standing=found_here.standing,
+        within=found_here.within,
+    )
 
 
 def with_spread(
@@ -275,16 +328,18 @@ def is_between(check: Check) -> bool:
 
 
 def spread_steps(spread: NumericalSpread | None, capacity_pga_g: float | None) -> tuple[Step, ...]:
-    """Write the draws, p, and the PGA up to which p is at least 0.84, 0.5 and 0.16."""
+    """Write p by its two shares, and the PGA up to which p is at least 0.84, 0.5 and 0.16."""
     if spread is None:
         return ()
-    number, holding = float(spread.draws), float(round(spread.holds * spread.draws))
+    number = float(spread.draws)
     words = "draws of one of nine runs for each record: as it is, or PGA times 1 ± 10^-u, u from 3 to 6"
+    standing, within = "share of the choices of runs in which every record stands", "share of N in which the mean holds"
     return (
         step("N", words, SPREAD_CLAUSE, "number of draws", number),
-        step("N_p", "draws in which the rule holds", SPREAD_CLAUSE, "count of draws", holding),
-        step("p", "share of the draws in which the rule holds; a pass needs 0.84", SPREAD_CLAUSE, "N_p / N",
-             spread.holds, given={"N_p": holding, "N": number}),
+        step("p_0", standing, SPREAD_CLAUSE, "product of the records' shares of runs that stand", spread.standing),
+        step("p_m", within, SPREAD_CLAUSE, "share of draws among the runs that stand", spread.within),
+        step("p", "how often the rule holds; a pass needs 0.84", SPREAD_CLAUSE, "p_0 · p_m",
+             spread.holds, given={"p_0": spread.standing, "p_m": spread.within}),
         step("PGA_84", "PGA up to which p is at least 0.84 and the records as they are pass", SPREAD_CLAUSE,
              SCAN_FORMULA, capacity_pga_g, "g"),
         step("PGA_50", "PGA up to which p is at least 0.5", SPREAD_CLAUSE, SCAN_FORMULA,
@@ -412,6 +467,26 @@ def _pga_before_failure(
             return last
         last = suite.pga / g
     return None
+
+
+def _product_of_shares(stands: BoolArray) -> float:
+    """Return the probability that every record stands, of runs [runs, records] chosen independently [-]."""
+    return float(stands.mean(axis=0).prod())
+
+
+def _draw_standing(values: FloatArray, stands: BoolArray) -> FloatArray | None:
+    """Return values of the runs that stand, drawn for each record [draws, records]; None where one has none.
+
+    More records do not change the draws of the others.
+    """
+    number, records = stands.sum(axis=0), stands.shape[1]
+    if not number.all():
+        return None
+    standing_first = np.argsort(~stands, axis=0, kind="stable")
+    place = (np.random.default_rng(SEED).random((records, DRAWS)).T * number).astype(int)
+    columns = np.arange(records)
+    drawn: FloatArray = values[standing_first[place, columns], columns]
+    return drawn
 
 
 def _finite_or_none(value: float) -> float | None:

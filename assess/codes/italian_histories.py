@@ -23,12 +23,13 @@ from assess.codes.context import Context, SiteHazard
 from assess.codes.histories import (
     Capacities,
     DisplacementMeasure,
+    RuleShares,
     SuiteResponse,
     capacities_by_share,
-    draw_values,
     fails_below,
     numerical_spread,
     pga_curve,
+    rule_shares,
     scan_conditions,
     spread_steps,
     uplift_multiplier,
@@ -58,7 +59,7 @@ from assess.codes.italian_limit_states import (
 )
 from assess.messages.message import Message, whole_number
 from assess.oscillator import BRANCH_NAMES, BranchName, Oscillator, displacement, participation_ratio
-from spectra.arrays import BoolArray, FloatArray
+from spectra.arrays import FloatArray
 from spectra.spectrum import Spectrum
 
 LEAST_RECORDS = 3  # NTC 7.3.5
@@ -183,13 +184,11 @@ class SuiteDisplacements:
 
 
 def measure_of(oscillator: Oscillator, context: Context, limit: DisplacementLimit) -> DisplacementMeasure:
-    """Return the governing ratio and the rule in every draw, as functions of a suite."""
+    """Return how often the rule holds, as a function of a suite."""
 
-    def measure(suite: SuiteResponse) -> tuple[FloatArray, BoolArray]:
-        collapse, near = (draw_values(each) for each in _run_ratios(oscillator, context, suite, limit))
-        few = near.shape[1] < RECORDS_FOR_MEAN
-        ratio = near.max(axis=1) if few else near.mean(axis=1)
-        return ratio, (ratio <= 1.0) & (collapse <= 1.0).all(axis=1)
+    def measure(suite: SuiteResponse) -> RuleShares:
+        of_collapse, of_limit = _run_ratios(oscillator, context, suite, limit)
+        return rule_shares(of_limit, of_collapse <= 1.0, largest=of_limit.shape[1] < RECORDS_FOR_MEAN)
 
     return measure
 

@@ -160,14 +160,13 @@ def _floor_motion(check: Check | None) -> Iterator[Text]:
 
 
 def _numerical_spread(check: Check | None) -> Iterator[Text]:
-    """Yield in how many draws among the runs of histories the rule holds; that is no scatter of earthquakes."""
+    """Yield for how many choices among the runs of histories the rule holds; that is no scatter of earthquakes."""
     if check is None or check.numerical is None or check.verdict not in (Outcome.PASS, Outcome.FAIL):
         return
     yield say(
-        "Numerical spread: the rule holds in {share} of {draws} draws among the {runs} runs of each record; a pass "
+        "Numerical spread: the rule holds for {share} of the choices among the {runs} runs of each record; a pass "
         "needs {least}. The scatter from record to record is something else, and belongs to the suite.",
         share=quantity(100.0 * check.numerical.holds, "percent", cells.FIGURES),
-        draws=count(check.numerical.draws),
         runs=count(check.numerical.runs),
         least=quantity(100.0 * NEEDED, "percent", 2),
     )

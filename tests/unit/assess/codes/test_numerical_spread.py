@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from functools import partial
 from itertools import product
-from math import inf, sqrt
+from math import inf, isfinite, sqrt
 
 import numpy as np
 import pytest
@@ -64,7 +64,9 @@ def test_the_share_is_that_of_all_combinations_of_runs(value, overturned):
     runs = spread(value, 5, 5, overturned)
     exact = np.mean([sum(each) / 5 <= 0.5 for each in product(*runs.T)])
     assert 0.05 < exact < 0.95
-    assert check(ASCE, *runs).numerical.holds == pytest.approx(exact, abs=4 * sqrt(exact * (1 - exact) / DRAWS))
+    found = check(ASCE, *runs).numerical
+    assert found.holds == pytest.approx(exact, abs=4 * sqrt(exact * (1 - exact) / DRAWS))
+    assert found.standing == pytest.approx(np.mean([isfinite(sum(each)) for each in product(*runs.T)]), rel=1e-12)
 
 
 def test_the_share_of_the_largest_is_a_product():
@@ -73,8 +75,18 @@ def test_the_share_of_the_largest_is_a_product():
     runs[:2, 0], runs[4, 1], runs[5, 2] = 0.7, inf, 0.9
     exact = (7 / 9) * (8 / 9) * (8 / 9)
     found = check(NTC, *runs).numerical
-    assert found.holds == pytest.approx(exact, abs=4 * sqrt(exact * (1 - exact) / DRAWS))
+    assert found.holds == pytest.approx(exact, rel=1e-12)
     assert (found.runs, found.draws) == (9, 500)
+
+
+@pytest.mark.parametrize("assess", [ASCE, NTC])
+def test_none_overturns_is_counted_and_not_drawn(assess):
+    """Of twenty records two have one run of nine that overturns: (8/9)^2 of the choices stand, to rounding."""
+    runs = np.full((9, 20), 0.05)
+    runs[3, 4], runs[7, 11] = inf, inf
+    found = check(assess, *runs).numerical
+    assert (found.standing, found.within) == (pytest.approx(64 / 81, rel=1e-12), 1.0)
+    assert found.holds == pytest.approx(64 / 81, rel=1e-12)
 
 
 @given(

@@ -240,6 +240,11 @@ class Context:
         return max(self.elevation, 0.0) + self.rise / 2.0
 
     @property
+    def top_support(self) -> float:
+        """Height of the highest support above the ground [m]: of the far one where there is one, else of the base."""
+        return max(self.elevation, 0.0) + max(self.rise, 0.0)
+
+    @property
     def above_ground(self) -> bool:
         """Whether the supports are above the ground; a plinth counts as ground."""
         return is_above_ground(self.support_height, 0.0 if self.building is None else self.building.height)

@@ -359,6 +359,8 @@ def _histories_objection(application: Application) -> Applicability | None:
 def _height_objection(application: Application) -> Applicability | None:
     """Return the objection to the motion of the ground at height: it may fail a check and cannot pass it."""
     procedure, family, context = application.procedure, application.procedure.family, application.context
+    if family == Family.TABLE:
+        return _table_objection(context)
     if not context.above_ground or (family not in FLOOR_CLAUSES and family != Family.PART):
         return None
     height = Quantity(context.support_height, "length")
@@ -373,6 +375,14 @@ def _height_objection(application: Application) -> Applicability | None:
         Reason.SCALAR_MOTION if family == Family.HISTORY and context.transfer == "by a factor" else Reason.GROUND_MOTION
     )
     return Applicability(Allowed.ONLY_FAIL, reason_message(why, height=height, remedy=FLOOR_CLAUSES[family]))
+
+
+def _table_objection(context: Context) -> Applicability | None:
+    """Return the objection to a table of slenderness where nothing of the building is there to hold the wall."""
+    if context.building is None or context.top_support <= context.building.height * (1.0 + 1e-9):
+        return None
+    height = Quantity(context.top_support, "length")
+    return Applicability(Allowed.NOT_ANSWER, reason_message(Reason.ABOVE_BUILDING, height=height))
 
 
 def _has_floor_input(family: Family, context: Context) -> bool:

@@ -151,6 +151,24 @@ def test_what_stands_free_elsewhere_is_no_parapet() -> None:
         assert (check.verdict, check.reason.key) == ("not-applicable", Reason.NOT_SPANNING)
 
 
+@pytest.mark.parametrize(
+    ("elevation", "rise", "verdict"),
+    [(4.2, 4.2, "fail"), (4.2, 4.3, "not-answered"), (9.0, 4.2, "not-answered"), (0.0, 4.2, "pass")],
+)
+def test_supports_above_the_building_are_refused(elevation, rise, verdict) -> None:
+    """Between floors of a building of 8.4 m: a wall whose upper support would be at 8.5 m hangs on nothing."""
+    walled = dataclasses.replace(AT, building=Building(8.4, 2, 0.24, 0.05), elevation=elevation, rise=rise)
+    (check,) = checks_of(ASCE41_13_SLENDERNESS.name, BLOCK, walled)
+    assert check.verdict == verdict
+    assert (check.reason.key == Reason.ABOVE_BUILDING) == (verdict == "not-answered")
+
+
+@pytest.mark.parametrize(("base", "verdict"), [(8.4, "pass"), (9.0, "not-answered")])
+def test_a_parapet_above_its_building_is_refused(base, verdict) -> None:
+    (check,) = checks_of(ASCE41_13_SLENDERNESS.name, BLOCK, parapet(0.49, base=base))
+    assert (check.verdict, check.may_pass) == (verdict, verdict == "pass")
+
+
 def test_rubble_is_not_judged_and_unknown_masonry_is_a_condition() -> None:
     (rubble,) = assess_slenderness(BLOCK, AT, options=Asce41Options(masonry="rubble"))
     assert (rubble.verdict, rubble.reason.key) == ("not-applicable", Reason.RUBBLE)

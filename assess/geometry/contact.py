@@ -15,6 +15,7 @@ from assess.geometry.surface import area_vectors, areas_and_normals
 from spectra.arrays import FloatArray, IntArray
 
 CONTACT_TOLERANCE = 0.01  # m: faces this near each other touch; joints are as thick, and drawings no better
+JOINT = CONTACT_TOLERANCE  # m: a body that is let down onto a block bears where less than this is left between them
 PARALLEL = 0.98  # minus the cosine between the normals of two faces: they face each other within 11 degrees
 OBLIQUE = 0.5  # the same of faces that meet along an edge: within 60 degrees
 STEEP = 0.26  # vertical part of a unit normal: a face within 15 degrees of upright, like a battered wall, bears nothing
@@ -40,44 +41,52 @@ class ContactArea:
 
 @dataclass(frozen=True)
 class FacePatches:
-    """Pieces of faces: area [k] [m2], centroid [k, 3] [m], unit normal [k, 3]."""
+    """Pieces of faces: area [k] [m2], centroid [k, 3] [m], unit normal [k, 3], least distance of what they face [k]."""
 
     area: FloatArray
     centroid: FloatArray
     normal: FloatArray
+    distance: FloatArray
 
 
-def find_contact(block: Solid, body: Solid, *, tolerance: float = CONTACT_TOLERANCE) -> ContactArea | None:
+def find_contact(
+    block: Solid, body: Solid, *, tolerance: float = CONTACT_TOLERANCE, joint: float = JOINT
+) -> ContactArea | None:
     """Find where a body meets a block; None where it does not, or where it lies under the block and carries it.
 
-    Faces are in contact where they face each other at a distance within the tolerance, whether they are separated by a
-    gap or penetrate each other. A body that penetrates the block by more is built in, and bears on its underside. A
-    rafter on the edge of a wall meets the wall's top in the strip along that edge where the distance is within the
-    tolerance. Where the body bears, only that region counts, since its weight goes there; otherwise the faces it pushes
-    against count.
+    The tolerance says only whether they touch: where a gap of at most that is left between faces that face each other,
+    it is closed, and they are in contact where what is then left between them fits into a joint, or where they
+    penetrate each other by no more than `JOINT`. So the contact is the same at any tolerance that finds it, and a
+    rafter over the edge of a wall meets the wall's top in the strip along that edge as wide as its slope has it. A body
+    that penetrates the block by more is built in, and bears on its underside. Where the body bears, only that region
+    counts, since its weight goes there; otherwise the faces it pushes against count.
 
     Parameters
     ----------
     block : the body that may carry
     body : the body that may be carried
     tolerance : on the distance of faces [m]
+    joint : what may be left between faces once the gap is closed [m]
 
     Raises
     ------
     GeometryError : the bodies overlap and the surface of one is not that of a solid
     """
-    smallest = tolerance**2
-    faces = _facing_parts(block, body, tolerance=tolerance, cosine=PARALLEL)
-    bears = [_bearing_contact(faces, smallest=smallest), _embedded_contact(block, body, tolerance=tolerance)]
+
+    def contact(cosine: float, *, bearing: bool) -> ContactArea | None:
+        faces = _chosen(_facing_parts(block, body, reach=tolerance, cosine=cosine), bearing=bearing)
+        gap = _gap(faces)
+        if gap is None:
+            return None
+        if (reach := gap + joint) != tolerance:
+            faces = _chosen(_facing_parts(block, body, reach=reach, cosine=cosine), bearing=bearing)
+        return _join_patches(faces, bearing=bearing)
+
+    bears = [contact(PARALLEL, bearing=True), _embedded_contact(block, body)]
     found = [each for each in bears if each is not None]
     if found:
         return max(found, key=lambda each: each.area)
-    edges = _facing_parts(block, body, tolerance=tolerance, cosine=OBLIQUE)
-    return (
-        _bearing_contact(edges, smallest=smallest)
-        or _upright_contact(faces, smallest=smallest)
-        or _upright_contact(edges, smallest=smallest)
-    )
+    return contact(OBLIQUE, bearing=True) or contact(PARALLEL, bearing=False) or contact(OBLIQUE, bearing=False)
 
 
 def facing_patches(block: Solid, body: Solid, *, tolerance: float = CONTACT_TOLERANCE) -> FacePatches:
@@ -89,9 +98,7 @@ def facing_patches(block: Solid, body: Solid, *, tolerance: float = CONTACT_TOLE
     body : whose faces they may face
     tolerance : on the distance of faces [m]
     """
-    faces = _facing_parts(block, body, tolerance=tolerance, cosine=PARALLEL)
-    upright = np.abs(faces.normal[:, 2]) < STEEP
-    return FacePatches(faces.area[upright], faces.centroid[upright], faces.normal[upright])
+    return _chosen(_facing_parts(block, body, reach=tolerance, cosine=PARALLEL), bearing=False)
 
 
 def join_contacts(contacts: Sequence[ContactArea]) -> ContactArea | None:
@@ -100,48 +107,55 @@ def join_contacts(contacts: Sequence[ContactArea]) -> ContactArea | None:
     chosen = [each for each in contacts if each.bearing == bearing]
     if not chosen:
         return None
-    patches = FacePatches(
-        np.array([each.area for each in chosen]),
-        np.array([each.centroid for each in chosen]),
-        np.array([each.normal for each in chosen]),
+    area, centroid, normal = (
+        np.array([getattr(each, key) for each in chosen]) for key in ("area", "centroid", "normal")
     )
-    return _join_patches(patches, np.ones(len(chosen), dtype=np.bool_), bearing=bearing, smallest=0.0)
+    return _join_patches(FacePatches(area, centroid, normal, np.zeros(len(chosen))), bearing=bearing)
 
 
-def _bearing_contact(faces: FacePatches, *, smallest: float) -> ContactArea | None:
-    """Return the contact on the block's bearing faces, None if no larger than the smallest area [m2]."""
-    return _join_patches(faces, faces.normal[:, 2] >= STEEP, bearing=True, smallest=smallest)
+def _chosen(faces: FacePatches, *, bearing: bool) -> FacePatches:
+    """Return the patches of faces that bear, or the upright ones."""
+    which = faces.normal[:, 2] >= STEEP if bearing else np.abs(faces.normal[:, 2]) < STEEP
+    return FacePatches(faces.area[which], faces.centroid[which], faces.normal[which], faces.distance[which])
 
 
-def _upright_contact(faces: FacePatches, *, smallest: float) -> ContactArea | None:
-    """Return the contact on the block's upright faces, None if no larger than the smallest area [m2]."""
-    return _join_patches(faces, np.abs(faces.normal[:, 2]) < STEEP, bearing=False, smallest=smallest)
+def _gap(faces: FacePatches) -> float | None:
+    """Return the gap that parts the faces [m], 0 if they penetrate; None if no more than a splinter is near."""
+    order = np.argsort(faces.distance, kind="stable")
+    enough = np.flatnonzero(np.cumsum(faces.area[order]) > SPLINTER)
+    return max(0.0, round(float(faces.distance[order[enough[0]]]), DIGITS)) if enough.size else None
 
 
-def _join_patches(
-    patches: FacePatches, which: NDArray[np.bool_], *, bearing: bool, smallest: float
-) -> ContactArea | None:
-    """Combine the chosen patches into one contact, None if no larger than the smallest area [m2]."""
-    A = patches.area[which]
+def _join_patches(faces: FacePatches, *, bearing: bool) -> ContactArea | None:
+    """Combine patches into one contact, None if they are no larger than a splinter."""
+    A = faces.area
     area = float(A.sum())
-    if area <= smallest:
+    if area <= SPLINTER:
         return None
-    centroid, normal = (A @ each[which] / area for each in (patches.centroid, patches.normal))
+    centroid, normal = (A @ each / area for each in (faces.centroid, faces.normal))
     return ContactArea(area, centroid, normal / (float(np.linalg.norm(normal)) or 1.0), bearing)
 
 
-def _facing_parts(block: Solid, body: Solid, *, tolerance: float, cosine: float) -> FacePatches:
-    """Return the parts of the block's faces that a face of the body faces within tolerance [m] and cosine."""
+SPLINTER = JOINT**2  # m2: what meets in less does not touch
+DIGITS = 9  # of a gap in metres: beyond them it is rounding of coordinates
+
+
+def _facing_parts(block: Solid, body: Solid, *, reach: float, cosine: float) -> FacePatches:
+    """Return the parts of the block's faces that a face of the body faces within reach [m] and cosine.
+
+    The body's face is at most the reach away, and at most `JOINT` inside the block.
+    """
     origin = (body.vertices.min(axis=0) + body.vertices.max(axis=0)) / 2.0
-    one, other = _triangles_near(block, body, origin=origin, margin=tolerance)
+    margin = max(reach, JOINT)
+    one, other = _triangles_near(block, body, origin=origin, margin=margin)
     (one, n), (other, m) = _with_normals(one), _with_normals(other)
-    pairs = _pairs(one, n, other, m, margin=tolerance, cosine=cosine)
-    found = [_clip_facing(one[i], n[i], other[j], tolerance=tolerance) for i, j in pairs]
-    area, centroid, normal = (np.concatenate(each) for each in zip(_EMPTY, *found, strict=True))
-    return FacePatches(area, centroid + origin, normal)
+    pairs = _pairs(one, n, other, m, margin=margin, cosine=cosine)
+    found = [_clip_facing(one[i], n[i], other[j], reach=reach) for i, j in pairs]
+    area, centroid, normal, distance = (np.concatenate(each) for each in zip(_EMPTY, *found, strict=True))
+    return FacePatches(area, centroid + origin, normal, distance)
 
 
-_EMPTY = (np.empty(0), np.empty((0, 3)), np.empty((0, 3)))
+_EMPTY = (np.empty(0), np.empty((0, 3)), np.empty((0, 3)), np.empty(0))
 
 
 def _triangles_near(block: Solid, body: Solid, *, origin: FloatArray, margin: float) -> tuple[FloatArray, FloatArray]:
@@ -185,12 +199,12 @@ def _pairs(
 
 
 def _clip_facing(
-    one: FloatArray, n: FloatArray, other: FloatArray, *, tolerance: float
-) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """Clip triangles [s, 3, 3] with normals n [s, 3] to what the others face within the tolerance [m].
+    one: FloatArray, n: FloatArray, other: FloatArray, *, reach: float
+) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
+    """Clip triangles [s, 3, 3] with normals n [s, 3] to what the others face within the reach [m].
 
-    Area [k], centroid on the first triangles [k, 3], their normals [k, 3]. The distance of the other triangle is
-    linear over the plane of the first, so the tolerance leaves a strip of that plane.
+    Area [k], centroid on the first triangles [k, 3], their normals [k, 3], least distance of the others [k]. The
+    distance of the other triangle is linear over the plane of the first, so the reach leaves a strip of that plane.
     """
     origin = one[:, 0]
     u = one[:, 1] - origin
@@ -198,34 +212,50 @@ def _clip_facing(
     frame = np.stack([u, np.cross(n, u), n], axis=1)
     own, facing = (np.einsum("sij,skj->ski", frame, each - origin[:, None]) for each in (one, other))
     distance = facing[:, :, 2]
-    within = (distance.min(axis=1) <= tolerance) & (distance.max(axis=1) >= -tolerance)
+    within = (distance.min(axis=1) <= reach) & (distance.max(axis=1) >= -JOINT)
     own, facing, origin, frame, n = own[within], facing[within], origin[within], frame[within], n[within]
     shared = shapely.intersection(shapely.polygons(own[:, :, :2]), shapely.polygons(facing[:, :, :2]))
-    leaning = np.flatnonzero(np.abs(facing[:, :, 2]).max(axis=1, initial=0.0) > tolerance)
-    shared[leaning] = shapely.intersection(shared[leaning], _strips(facing[leaning], tolerance=tolerance))
+    slope = _slopes(facing)
+    leaning = np.flatnonzero((facing[:, :, 2].max(axis=1) > reach) | (facing[:, :, 2].min(axis=1) < -JOINT))
+    leaning = leaning[np.any(slope[leaning] != 0.0, axis=1)]
+    strips = _strips(facing[leaning], slope[leaning], reach=reach)
+    shared[leaning] = shapely.intersection(shared[leaning], strips)
     area = shapely.area(shared)
     real = area > 0.0
     at = shapely.get_coordinates(shapely.centroid(shared[real]))
-    return area[real], origin[real] + np.einsum("si,sij->sj", at, frame[real, :2]), n[real]
+    least = _least_distance(shared[real], facing[real, 0], slope[real])
+    return area[real], origin[real] + np.einsum("si,sij->sj", at, frame[real, :2]), n[real], least
 
 
-def _strips(corners: FloatArray, *, tolerance: float) -> NDArray[np.object_]:
-    """Return the strips of z = 0 within the tolerance of the planes through corners [s, 3, 3]."""
-    first, second = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
-    normal = np.cross(first, second)
-    slope = -normal[:, :2] / normal[:, 2:]  # of the plane
+def _slopes(corners: FloatArray) -> FloatArray:
+    """Return the gradient of the planes through corners [s, 3, 3] over x and y [s, 2]."""
+    normal = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    return np.asarray(-normal[:, :2] / normal[:, 2:], dtype=np.float64)
+
+
+def _least_distance(regions: NDArray[np.object_], corner: FloatArray, slope: FloatArray) -> FloatArray:
+    """Return the least z over regions [k] of planes through a corner [k, 3] with a slope [k, 2]."""
+    points, place = shapely.get_coordinates(regions, return_index=True)
+    z = corner[place, 2] + np.einsum("pi,pi->p", points - corner[place, :2], slope[place])
+    least = np.full(len(regions), np.inf)
+    np.minimum.at(least, place, z)
+    return least
+
+
+def _strips(corners: FloatArray, slope: FloatArray, *, reach: float) -> NDArray[np.object_]:
+    """Return the strips of z = 0 where the planes through corners [s, 3, 3] are from a joint below it to the reach."""
     steepness = np.linalg.norm(slope, axis=1, keepdims=True)
-    down = slope / steepness
-    level = corners[:, 0, :2] - down * (corners[:, 0, 2:] / steepness)  # where the plane meets z = 0, below a corner
-    across = tolerance / steepness * down
-    reach = np.abs(corners).max(axis=(1, 2))[:, None] + np.abs(level - corners[:, 0, :2]).max(axis=1, keepdims=True)
-    along = 4.0 * reach * down[:, ::-1] * [-1.0, 1.0]
-    ring = np.stack([level - across - along, level + across - along, level + across + along, level - across + along], 1)
+    up = slope / steepness
+    level = corners[:, 0, :2] - up * (corners[:, 0, 2:] / steepness)  # where the plane meets z = 0, below a corner
+    inside, apart = JOINT / steepness * up, reach / steepness * up
+    far = np.abs(corners).max(axis=(1, 2))[:, None] + np.abs(level - corners[:, 0, :2]).max(axis=1, keepdims=True)
+    along = 4.0 * far * up[:, ::-1] * [-1.0, 1.0]
+    ring = np.stack([level - inside - along, level + apart - along, level + apart + along, level - inside + along], 1)
     return np.asarray(shapely.polygons(ring), dtype=np.object_)
 
 
-def _embedded_contact(block: Solid, body: Solid, *, tolerance: float) -> ContactArea | None:
-    """Find where the underside of a body lies inside the block by more than the tolerance [m] in plan."""
+def _embedded_contact(block: Solid, body: Solid) -> ContactArea | None:
+    """Find where the underside of a body lies inside the block, in plan by more than a joint is thick."""
     shared = intersect(block, body)
     if shared is None:
         return None
@@ -236,9 +266,9 @@ def _embedded_contact(block: Solid, body: Solid, *, tolerance: float) -> Contact
         return None
     origin = underside.mean(axis=(0, 1))
     plan = shapely.union_all(shapely.polygons(underside[:, :, :2] - origin[:2]))
-    region = _open_region(plan, width=tolerance)
+    region = _open_region(plan, width=JOINT)
     area = float(shapely.area(region))
-    if area <= tolerance**2:
+    if area <= SPLINTER:
         return None
     weight = -normals[faces_down, 2] * areas_and_normals(underside)[0]
     z = float(weight @ underside[:, :, 2].mean(axis=1) / weight.sum())

@@ -6,21 +6,23 @@ An overburden is a dead vertical load at the top of a wall of two blocks, withou
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 from scipy.constants import g
 
 from assess.errors import GeometryError
 from assess.geometry.boolean import SAME_PLACE, shared_volume, shortest_distance
-from assess.geometry.contact import CONTACT_TOLERANCE, ContactArea, find_contact, join_contacts
+from assess.geometry.contact import CONTACT_TOLERANCE, JOINT, ContactArea, find_contact, join_contacts
 from assess.geometry.cut import Piece
 from assess.geometry.planar import top_edge
 from assess.geometry.solid import Solid
 from assess.loads.load import Force, OverburdenLoad, point_in_plane
-from assess.messages.message import Quantity, message
+from assess.messages.message import Message, Quantity, message, warning
 from spectra.arrays import FloatArray
 
+DRAWN_APART = 0.05  # m: bodies that touch may be drawn this far apart, and a bed or a wall plate be this thick
+UNSURE = 0.1  # of a share: readings of a drawing that differ by more do not tell it
 ACROSS = 0.7  # cosine: an upright face within 45 degrees of square to the axis of a vault is one it springs from
 
 
@@ -38,27 +40,61 @@ class Support:
 
 @dataclass(frozen=True)
 class Overburden:
-    """The weight on a block of the bodies that it carries: its size [N], and where it acts [3] [m]."""
+    """The weight on a block of the bodies that it carries: its size [N], and where it acts [3] [m].
+
+    unsure : of each body whose share hangs on how the drawing is read, by name: the share, and the least and largest
+    """
 
     force: float
     at: FloatArray
+    unsure: Mapping[str, tuple[float, tuple[float, float]]] = field(default_factory=dict)
 
 
 def support(
-    body: Solid, *, block: Sequence[Solid], others: Iterable[Solid], tolerance: float = CONTACT_TOLERANCE
+    body: Solid,
+    *,
+    block: Sequence[Solid],
+    others: Iterable[Solid],
+    tolerance: float = CONTACT_TOLERANCE,
+    joint: float = JOINT,
 ) -> Support | None:
     """Find how a body meets the solids of a block and the other solids; None if it does not touch the block."""
-    met = (find_contact(solid, body, tolerance=tolerance) for solid in block)
+    met = (find_contact(solid, body, tolerance=tolerance, joint=joint) for solid in block)
     contact = join_contacts([each for each in met if each is not None])
     if contact is None:
         return None
     found: dict[str, list[ContactArea]] = {}
     for other in others:
-        each = find_contact(other, body, tolerance=tolerance)
+        each = find_contact(other, body, tolerance=tolerance, joint=joint)
         if each is not None:
             found.setdefault(other.name, []).append(each)
     joined = {name: join_contacts(each) for name, each in found.items()}
     return Support(contact, {name: each for name, each in joined.items() if each is not None})
+
+
+def readings(tolerance: float) -> tuple[tuple[float, float], ...]:
+    """Return the tolerances and joints [m] by which a drawing can be read as well as by this tolerance and `JOINT`.
+
+    A contact does not depend on them, but they tell which bodies touch, and how wide a slope bears on an edge.
+    """
+    near = tuple(each for each in (min(tolerance, CONTACT_TOLERANCE), max(tolerance, DRAWN_APART)) if each != tolerance)
+    return (*((each, JOINT) for each in near), (tolerance, DRAWN_APART))
+
+
+def unsure_shares(share: float, others: Iterable[float]) -> tuple[float, float] | None:
+    """Return the least and the largest share of a body by all readings of its contacts, None if they agree."""
+    every = (share, *others)
+    least, most = min(every), max(every)
+    return (least, most) if most - least > UNSURE * max(share, least) else None
+
+
+def unsure_share_warning(body: str, share: float, ends: tuple[float, float]) -> Message:
+    """Warn that the share of a body, and its least and largest by other readings of the drawing, differ."""
+    values = {"share": share, "least": ends[0], "most": ends[1]}
+    apart = Quantity(DRAWN_APART, "length", 3)
+    return warning(
+        "load-share-unsure", load=body, apart=apart, **{k: Quantity(v, "ratio", 3) for k, v in values.items()}
+    )
 
 
 def shares(contacts: Sequence[ContactArea], *, centroid: FloatArray) -> FloatArray:
@@ -109,7 +145,7 @@ def overburden(
     ------
     GeometryError : a body does not bear on the block or would lift off it, or there is none
     """
-    weights, places = [], []
+    weights, places, unsure = [], [], {}
     for body in bodies:
         found = support(body, block=block, others=others, tolerance=tolerance)
         if found is None or not found.contact.bearing:
@@ -119,12 +155,19 @@ def overburden(
         share = share_of(bearing_contacts(found), centroid=body.centroid)
         if share == 0.0:
             raise GeometryError(f'body "{body.name}": by statics it lifts off the block; give its load as a force')
+        other = (
+            support(body, block=block, others=others, tolerance=near, joint=joint)
+            for near, joint in readings(tolerance)
+        )
+        read = [share_of(bearing_contacts(each), centroid=body.centroid) for each in other if each is not None]
+        if (ends := unsure_shares(share, read)) is not None:
+            unsure[body.name] = (share, ends)
         weights.append(g * body.mass * share)
         places.append(found.contact.centroid)
     if not weights:
         raise GeometryError("overburden: it has no bodies; name at least one")
     force = float(sum(weights))
-    return Overburden(force, np.asarray(np.array(weights) @ np.array(places) / force, dtype=np.float64))
+    return Overburden(force, np.asarray(np.array(weights) @ np.array(places) / force, dtype=np.float64), unsure)
 
 
 def no_contact_text(body: Solid, *, block: Sequence[Solid]) -> str:
@@ -152,8 +195,8 @@ def overburden_force(
     moving: Sequence[str],
     direction: Sequence[float],
     where: str,
-) -> Force:
-    """Return an overburden as a force on the top of a wall.
+) -> tuple[Force, tuple[Message, ...]]:
+    """Return an overburden as a force on the top of a wall, and warnings.
 
     Parameters
     ----------
@@ -177,7 +220,7 @@ def overburden_force(
     _require_on_top(load, thickness=head[1][0] - head[0][0], where=f"{where}: {name}")
     if load.force is not None:
         at = (middle + (load.eccentricity or 0.0), elevation)
-        return Force(name, (0.0, -load.force), at, UPPER, until="collapse", evidence=WEIGHT)
+        return Force(name, (0.0, -load.force), at, UPPER, until="collapse", evidence=WEIGHT), ()
     found, states = _weight_on_wall(load, piece, solids, moving, where=f"{where}: {name}")
     x = point_in_plane(found.at.tolist(), direction)[0]
     if load.eccentricity is not None or load.through == "joint":
@@ -185,7 +228,8 @@ def overburden_force(
     aside = Quantity(x - middle, "length", 3)
     source = [message("load-overburden", {"bodies": ", ".join(load.bodies), "aside": aside})]
     source += [message("load-not-shared", {"bodies": ", ".join(states)})] if states else []
-    return Force(name, (0.0, -found.force), (x, elevation), UPPER, tuple(source), until="collapse", evidence=WEIGHT)
+    force = Force(name, (0.0, -found.force), (x, elevation), UPPER, tuple(source), until="collapse", evidence=WEIGHT)
+    return force, tuple(unsure_share_warning(body, *shares_of) for body, shares_of in found.unsure.items())
 
 
 def overburden_name(number: int) -> str:

@@ -5,8 +5,8 @@ The block that it loads is the one whose masonry, as cut, it stands on or pushes
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
 from math import inf
 
 import numpy as np
@@ -14,11 +14,21 @@ from scipy.constants import g
 
 from assess.errors import GeometryError
 from assess.geometry.boolean import OVERLAP_WARNED, SAME_PLACE, shared_volume, shortest_distance
-from assess.geometry.contact import ContactArea, find_contact, join_contacts
+from assess.geometry.contact import CONTACT_TOLERANCE, ContactArea, find_contact, join_contacts
 from assess.geometry.cut import Piece
 from assess.geometry.planar import distance_to_outline
 from assess.geometry.solid import Solid
-from assess.loads.bearing import Support, bearing_contacts, carries_weight, no_contact_text, share_of, support
+from assess.loads.bearing import (
+    Support,
+    bearing_contacts,
+    carries_weight,
+    no_contact_text,
+    readings,
+    share_of,
+    support,
+    unsure_share_warning,
+    unsure_shares,
+)
 from assess.loads.load import BodyLoad, Force, Load, Point, PointMass, point_in_plane
 from assess.loads.roofs_and_vaults import Arch, Thrust, arch_of, body_mass, extent_along, thrust_of
 from assess.messages.message import Message, Quantity, Term, Value, message, warning, whole_number
@@ -45,7 +55,10 @@ def find_block_contact(load: BodyLoad, body: Solid | None, around: Surroundings)
     given = load.at is not None and load.bearing is not None
     found = _find_support(load, body, given=given, around=around)
     if found is not None:
-        return _without_overlapping_bodies(load, found, around=around)
+        met = _without_overlapping_bodies(load, found, around=around)
+        if load.share is not None or body is None:
+            return met
+        return replace(met, others=tuple(_other_readings(load, body, met, around=around)))
     if body is None or given:
         return BlockContact(None)
     below = any(find_contact(solid, body, tolerance=load.tolerance) for solid in around.fixed)
@@ -83,7 +96,7 @@ def body_loads(
     arch = None if roof is None else arch_of(load, roof, along=around.along)
     at = _load_place(load, found, along=around.along)
     side = 0.0 if roof is None else _side_of_span(roof, found, arch, at, along=around.along)
-    placed = BodyOnBlock(load, body, found, arch, side, where=f'{around.where}: load "{load.body}"')
+    placed = BodyOnBlock(load, body, found, arch, side, meeting.others, where=f'{around.where}: load "{load.body}"')
     whole, of = body_mass(load, body, mass=mass)
     bearing, how = _bears_on_block(placed)
     part = _carried_share(placed, bearing=bearing)
@@ -174,6 +187,7 @@ class BodyOnBlock:
 
     side : how far from the middle of its span a roof or vault meets the block, over the span, positive with the
         motion [-]
+    others : its contacts by other readings of the drawing
     """
 
     load: BodyLoad
@@ -181,6 +195,7 @@ class BodyOnBlock:
     support: Support | None
     arch: Arch | None
     side: float
+    others: tuple[Support, ...]
     where: str
 
     @property
@@ -202,10 +217,14 @@ SOLE_SUPPORT = Term("share 1 (nothing else in the project carries it)")
 
 @dataclass(frozen=True)
 class BlockContact:
-    """Where a body meets the block and others, None if the user states all of it; and warnings."""
+    """Where a body meets the block and others, None if the user states all of it; and warnings.
+
+    others : where it does by other readings of the drawing, as `readings` lists them
+    """
 
     support: Support | None
     warnings: tuple[Message, ...] = ()
+    others: tuple[Support, ...] = ()
 
 
 FindContact = Callable[[BodyLoad, Solid | None, Surroundings], BlockContact]
@@ -260,10 +279,20 @@ def _find_support(load: BodyLoad, body: Solid | None, *, given: bool, around: Su
             raise GeometryError(f"{where}: {whose} has no geometry, so it is not known where they touch; {place}")
         return None
     found = support(body, block=around.block, others=(*around.others, *around.fixed), tolerance=load.tolerance)
-    return None if found is None else _without_shared_space(found, around.block, tolerance=load.tolerance)
+    return None if found is None else _without_shared_space(found, around.block)
 
 
-def _without_shared_space(found: Support, block: tuple[Solid, ...], *, tolerance: float) -> Support:
+def _other_readings(load: BodyLoad, body: Solid, met: BlockContact, *, around: Surroundings) -> Iterator[Support]:
+    """Yield the contacts of a body by other readings of the drawing, without bodies that stand where the block does."""
+    others = (*around.others, *around.fixed)
+    for tolerance, joint in readings(load.tolerance):
+        found = support(body, block=around.block, others=others, tolerance=tolerance, joint=joint)
+        if found is not None:
+            read = _without_overlapping_bodies(load, _without_shared_space(found, around.block), around=around)
+            yield from (() if read.support is None else (read.support,))
+
+
+def _without_shared_space(found: Support, block: tuple[Solid, ...]) -> Support:
     """Leave out contacts with what a cut separated from the block, where both lie at one elevation.
 
     There the face that the cut made is as near to the body as the face on which it stands.
@@ -272,7 +301,7 @@ def _without_shared_space(found: Support, block: tuple[Solid, ...], *, tolerance
     kept = {
         name: each
         for name, each in found.others.items()
-        if name not in own or abs(float(each.centroid[2]) - height) > tolerance
+        if name not in own or abs(float(each.centroid[2]) - height) > CONTACT_TOLERANCE
     }
     return Support(found.contact, kept)
 
@@ -319,14 +348,32 @@ def _carried_share(placed: BodyOnBlock, *, bearing: bool) -> CarriedShare:
         return CarriedShare(placed.load.share, message("load-share-beside", {**share, "statics": beside}))
     if not bearing:
         warnings = (warning("load-weight-not-carried", load=placed.load.body),) if statics is None else ()
-        return CarriedShare(1.0, PUSHES_WHOLE, warnings)
+        doubts = () if placed.load.bearing is False else _reading_warnings(placed, 0.0)
+        return CarriedShare(1.0, PUSHES_WHOLE, (*warnings, *doubts))
     if statics is None or carried is None:
-        return _share_of_sole_support(placed)
+        found = _share_of_sole_support(placed)
+        return replace(found, warnings=(*found.warnings, *_reading_warnings(placed, found.share)))
     if statics == 0.0:
         raise GeometryError(f"{placed.where}: by statics it lifts off the block; give share, or bearing = false")
     names = ", ".join(f'"{name}"' for name in carried.others)
     values: dict[str, Value] = {"share": Quantity(statics, "ratio", 3), "bodies": names}
-    return CarriedShare(statics, message("load-share-statics", values))
+    return CarriedShare(statics, message("load-share-statics", values), _reading_warnings(placed, statics))
+
+
+def _reading_warnings(placed: BodyOnBlock, share: float) -> tuple[Message, ...]:
+    """Warn where the share of a body on the block hangs on how the drawing is read."""
+    if placed.body is None:
+        return ()
+    ends = unsure_shares(share, [_share_by_reading(each, placed, placed.body) for each in placed.others])
+    return () if ends is None else (unsure_share_warning(placed.load.body, share, ends),)
+
+
+def _share_by_reading(found: Support, placed: BodyOnBlock, body: Solid) -> float:
+    """Return the share of a body on the block by one reading of its contacts, 0 if it only pushes against the block."""
+    if not (placed.load.bearing or carries_weight(found.contact, axis=placed.springs)):
+        return 0.0
+    carried = bearing_contacts(found, axis=placed.springs)
+    return share_of(carried, centroid=body.centroid) if carried.others else _share_of_sole_support(placed).share
 
 
 def _share_of_sole_support(placed: BodyOnBlock) -> CarriedShare:

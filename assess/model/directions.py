@@ -672,8 +672,8 @@ def _touched_faces(standing: Sequence[Solid], other: Solid, *, foot: float, head
     A body drawn in the same place, in another state or simply put at the origin too, is not beside it.
     """
     met = [facing_patches(solid, other) for solid in standing]
-    area, centroid, normal = (
-        np.concatenate([getattr(each, key) for each in met]) for key in ("area", "centroid", "normal")
+    area, centroid, normal, distance = (
+        np.concatenate([getattr(each, key) for each in met]) for key in ("area", "centroid", "normal", "distance")
     )
     kept = (centroid[:, 2] > foot) & (centroid[:, 2] < head)
-    return FacePatches(area[kept], centroid[kept], normal[kept])
+    return FacePatches(area[kept], centroid[kept], normal[kept], distance[kept])

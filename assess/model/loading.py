@@ -94,7 +94,7 @@ def _loads_of_entry(
 ) -> LoadSet:
     """Find the loads of one entry of `loads`, its number counted from 1."""
     if isinstance(load, OverburdenLoad):
-        force = overburden_force(
+        force, warnings = overburden_force(
             number,
             load,
             piece=blocks.pieces[-1],
@@ -103,7 +103,7 @@ def _loads_of_entry(
             direction=definition.towards,
             where=blocks.where,
         )
-        return LoadSet((force,), (), (False,))
+        return LoadSet((force,), warnings, (False,))
     if isinstance(load, BodyLoad):
         part = _loads_of_body(load, blocks, definition, bodies, find=find)
     else:

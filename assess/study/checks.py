@@ -183,8 +183,8 @@ def decide(study: Study, mechanisms: Sequence[WithChecks], tolerance: Mapping[st
     return add_falling_mechanisms(verdict(study.question, checked), study.falling)
 
 
-CONTRADICTIONS = ("load-in-the-air",)
-"""Warnings that a drawing contradicts itself: nothing can be said of it until it is mended."""
+CONTRADICTIONS = ("load-in-the-air", "load-share-unsure")
+"""Warnings that a drawing contradicts itself or can be read in two ways: nothing can be said until it is mended."""
 
 
 def _facts_of(study: Study, name: str) -> VerdictFacts:

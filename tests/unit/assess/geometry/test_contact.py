@@ -122,6 +122,22 @@ def test_a_rafter_on_the_edge_of_a_wall_bears_along_that_edge():
     assert contact.centroid[0] == pytest.approx(0.3 - 0.0125 / 2, rel=1e-9)
 
 
+@pytest.mark.parametrize("tolerance", [0.0095, 0.0105, 0.1, 0.3])
+@pytest.mark.parametrize("gap", [0.0, 0.0094])
+def test_a_contact_is_the_same_at_any_tolerance_that_finds_it(tolerance, gap):
+    """A rafter that slopes by 0.8, let down onto the edge: a joint of 0.01 m is left over 0.01 / 0.8 of the top.
+
+    The floor that is built in 0.3 m below the top of the wall bears there, and not on the top.
+    """
+    rafter = profile([[0.3, 4], [-3, 6.64], [-3, 6.9], [0.3, 4.26]], length=3.0, density=500.0, name="rafter")
+    contact = find_contact(WALL, moved_solid(rafter, Rotation.identity(), [0, 0, gap]), tolerance=tolerance)
+    assert contact.area == pytest.approx(3.0 * 0.01 / 0.8, rel=1e-6)
+    np.testing.assert_allclose(contact.centroid, (0.3 - 0.01 / 0.8 / 2, 0, 4), atol=1e-6)
+    floor = find_contact(WALL, cuboid((0.1, -1, 3.75), (5, 1, 3.9)), tolerance=tolerance)
+    assert floor.area == pytest.approx(0.2 * 2, rel=1e-9)
+    np.testing.assert_allclose(floor.centroid, (0.2, 0, 3.75), atol=1e-9)
+
+
 def test_any_two_footprints_meet_in_their_intersection():
     rng = np.random.default_rng(3)
     for _ in range(20):

@@ -287,6 +287,44 @@ def test_a_load_in_the_air_is_pointed_out(tmp_path):
     assert "in the air" not in texts(study_of(tmp_path, FLOOR, 'body = "floor"'))
 
 
+def sloping(gap: float) -> str:
+    """Return rafters that slope by 0.7 over flat wall tops, a gap above the outer edge of the front one."""
+    under, over = [-3.3, 6.0, 0.0, 8.31, 3.3, 6.0 + gap], [3.3, 6.2 + gap, 0.0, 8.51, -3.3, 6.2]
+    points = [list(each) for each in zip((*under, *over)[::2], (*under, *over)[1::2], strict=True)]
+    return f'[bodies.roof]\nmaterial = "timber"\nprofile = {points}\nlength = 5\n'
+
+
+@pytest.mark.parametrize("tolerance", ["1.05 cm", "10 cm", "30 cm"])
+def test_the_share_of_a_roof_does_not_hang_on_the_tolerance(tmp_path, tolerance):
+    """Both feet bear in strips of one width, 0.01 / 0.7, at the outer edges, so that each wall carries half.
+
+    Cross walls with flat tops that the rafters leave at once are there too: they get what their strips let them have.
+    """
+    cross = "".join(
+        f"[bodies.{name}]\nmaterial = 'stone'\n"
+        f"box = {{ thickness = 5.4, length = 0.4, height = 6, base = [0, {y}, 0] }}\n"
+        for name, y in (("left", -2.3), ("right", 2.3))
+    )
+    keys = f'body = "roof", role = "roof", tied = true, tolerance = "{tolerance}"'
+    (load,) = loads_of(tmp_path, sloping(0.0094), keys)
+    whole = 500 * 5 * 0.2 * 6.6
+    assert load.mass / whole == pytest.approx(0.5, rel=5e-3)
+    assert load.at == pytest.approx((3.3 - 0.01 / 0.7 / 2, 6.0), abs=1e-4)
+    (braced,) = loads_of(tmp_path, sloping(0.0094) + cross, keys)
+    assert braced.mass == pytest.approx(load.mass, rel=0.02)
+
+
+def test_a_share_that_hangs_on_how_wide_an_edge_bears_is_asked_for(tmp_path):
+    """Rafters bear on the walls along an edge and on a cross gable flat: how much on which hangs on the strip."""
+    profile = "profile = [[-2.7, 0], [2.7, 0], [2.7, 6.42], [0, 8.31], [-2.7, 6.42]]"
+    gables = f'[bodies.gable]\nmaterial = "stone"\n{profile}\nlength = 0.4\n'
+    keys = 'body = "roof", role = "roof", tied = true'
+    asked = "of its weight is on the block as drawn, yet"
+    assert asked in texts(study_of(tmp_path, sloping(0.0) + gables, keys))
+    assert asked not in texts(study_of(tmp_path, sloping(0.0) + gables, keys + ", share = 0.3"))
+    assert asked not in texts(study_of(tmp_path, sloping(0.0), keys))
+
+
 def test_overlaps_that_weigh_masonry_twice_are_pointed_out(tmp_path):
     second = FLOOR.replace("bodies.floor", "bodies.slab").replace("[0, 0, 3]", "[0, 0, 3.1]")
     study = study_of(tmp_path, FLOOR + second, 'body = "floor"', 'body = "slab"')

@@ -126,7 +126,8 @@ def test_a_floor_counts_in_every_direction_and_is_met_once(tmp_path: Path, monke
     )
     floor = "[bodies.floor]\nmaterial = 'm'\nbox = { thickness = 4, length = 3, height = 0.5, base = [3, 0, 10] }"
     found = sought(tmp_path, SQUARE, f"sides = 'one'\nloads = [{{ kind = 'body', body = 'floor' }}]\n{floor}")
-    assert met.count("floor") <= 2  # while seeking, and for the mechanism in the direction that was chosen
+    readings = 3  # of its contact: as drawn, with bodies farther apart, with a thicker joint
+    assert met.count("floor") <= 2 * readings  # while seeking, and for the mechanism in the direction that was chosen
     at = np.radians(found.angle_deg)
     tower, laid = 3 * 3 * 10, 4 * 3 * 0.5
     resisting = (tower + laid) * 1.5 * (np.abs(np.cos(at)) + np.abs(np.sin(at))) - laid * 1.25 * np.cos(at)

@@ -59,7 +59,7 @@ from assess.project.units import (
 )
 from assess.project.values import PATTERN_MARK
 from assess.results import ResolvedValue
-from assess.results.provenance import count_from_0
+from assess.results.provenance import count_from_0, count_from_1
 from records.reading import relative_path
 from spectra.arrays import is_number
 
@@ -270,7 +270,11 @@ def _check_sources(project: Project) -> None:
     for key in project.content.report.sources:
         if count_from_0(key) not in starts:
             near = get_close_matches(key, starts, n=1)
-            remedy = f"do you mean {value_text(near[0])}?" if near else 'write one like "materials.NAME.density"'
+            remedy = (
+                f"do you mean {value_text(count_from_1(near[0]))}?"
+                if near
+                else 'write one like "materials.NAME.density"'
+            )
             raise ProjectError(f"{project.path}: report.sources: {value_text(key)}: not a key of this file; {remedy}")
 
 

@@ -217,6 +217,11 @@ def count_from_0(key: str) -> str:
     return re.sub(r"\[([1-9][0-9]{0,3})\]", lambda found: f".{int(found[1]) - 1}", key)
 
 
+def count_from_1(key: str) -> str:
+    """Write a key with dots and items counted from 0 as errors print it: items in brackets, counted from 1."""
+    return re.sub(r"\.(\d+)(?=\.|$)", lambda found: f"[{int(found[1]) + 1}]", key)
+
+
 def source_line(key: str, sources: Mapping[str, str]) -> str:
     """Return the line of [report.sources] for a key, else that of the innermost table that holds it; empty without one.
 

@@ -30,6 +30,7 @@ from assess.study.checks import checks_without_scan, decide
 from assess.study.study import Replaceable, ScaledRecord, Study, needs_motions, require_spectrum
 from assess.study.suites import suite_faults
 from assess.study.variations import motions_of_case
+from records.errors import RecordError
 from spectra.errors import SpectrumError
 
 FALLING = 0.0  # margin of a mechanism that falls under its loads
@@ -175,7 +176,7 @@ def _outcome(
         study = build()
     except FallingError:
         return Decision.FAIL, FALLING
-    except (AssessError, SpectrumError):
+    except (AssessError, RecordError, SpectrumError):
         return None
     try:
         methods = methods_of(study.question)
@@ -189,7 +190,7 @@ def _outcome(
         checks = checks_without_scan(asked, require_spectrum(study), there, jobs=jobs)
     except FallingError:
         return Decision.FAIL, FALLING
-    except (AssessError, SpectrumError):
+    except (AssessError, RecordError, SpectrumError):
         return Decision.INCOMPLETE, None
     (found,) = decide(asked, [_CheckedMechanism(study.mechanisms[0].name, checks)]).mechanisms
     return found.outcome, found.margin

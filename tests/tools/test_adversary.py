@@ -3,15 +3,27 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import cache
 
 import pytest
 
 from assess.codes.verdict import Decision
 from tools.adversary.projects import PROJECTS
-from tools.adversary.trials import SILENT, TOLD, Trial, answer, is_told, outcome_of, sample, trials, with_trial
+from tools.adversary.trials import (
+    SILENT,
+    TOLD,
+    Trial,
+    answer,
+    is_told,
+    outcome_of,
+    pairs,
+    sample,
+    trials,
+    with_trial,
+)
 
-SHARE = 150
-"""Trials of the sample: ten to fifteen seconds."""
+SHARES = {"trials": 150, "pairs": 60}
+"""Trials of the sample: some twenty seconds."""
 
 
 def test_every_project_fails_as_it_is() -> None:
@@ -21,9 +33,26 @@ def test_every_project_fails_as_it_is() -> None:
     )
 
 
-def test_no_value_buys_an_outcome_in_silence() -> None:
-    found = {str(trial): outcome_of(trial) for trial in sample(list(trials()), SHARE, seed=1)}
+@pytest.mark.parametrize("kind", SHARES)
+def test_no_value_buys_an_outcome_in_silence(kind: str) -> None:
+    found = {str(trial): outcome_of(trial) for trial in _drawn()[kind]}
     assert [name for name, (word, _) in found.items() if word == SILENT] == []
+
+
+def test_pairs_are_at_two_keys_of_one_table() -> None:
+    for pair in _drawn()["pairs"]:
+        one, other = pair.paths
+        assert one != other
+        assert one[:-1] == other[:-1]
+
+
+@cache
+def _drawn() -> dict[str, list[Trial]]:
+    singles = list(trials())
+    return {
+        "trials": sample(singles, SHARES["trials"], seed=1),
+        "pairs": pairs(singles, SHARES["pairs"], seed=1),
+    }
 
 
 @pytest.mark.parametrize(

@@ -86,3 +86,58 @@ PROJECTS: dict[str, Tables] = {
     ),
 }
 """By their names."""
+
+SUITE: Tables = {"records": {"synthetic": {"count": 7, "duration": "25 s"}}}
+"""As many records as a mean needs."""
+HISTORIES: dict[str, Tables] = {
+    "own-histories": _project(
+        "own",
+        EUROPE,
+        {"wall": _block()},
+        verdict={"basis": "own", "procedures": ["ntc2018-history"], "rule": "all", "statement": "by the client"},
+        **SUITE,
+    ),
+    "own-histories-upstairs": _project(
+        "own",
+        EUROPE,
+        {"wall": _block(amplification={"method": "modal-filter", "natural_frequency": 4.2, "effective_height": 5.3})},
+        **UPSTAIRS,
+        verdict={"basis": "own", "procedures": ["ntc2018-history"], "rule": "all", "statement": "by the client"},
+        **SUITE,
+    ),
+}
+"""Projects on which histories decide: a few seconds each."""
+
+DRAWN: dict[str, tuple[Any, ...]] = {
+    "direction": ([-1, 0, 0], [0, 1, 0], [1, 1, 0], [1, 0.2, 0], "weakest"),
+    "cut": (0.5, 1.5, 3.0, 4.0, {"point": [0, 0, 1.0], "angle": "20 deg"}, {"point": [0, 0, 1.0], "angle": "-20 deg"}),
+    "crack": (0.1, 1.0, 2.25, 4.4, 6.0, "minimum"),
+    "base_elevation": (0.0, 1.0, -1.0),
+    "hinges": ({"A": [0.1, 0.0]}, {"A": [-0.3, 0.0]}, {"A": [0.5, 0.0]}, {"A": [0.2, 1.0]}),
+    "sides": ("one", "two"),
+}
+"""What is drawn at keys of a mechanism that are absent, or in place of what stands there."""
+ADDED_LOADS: tuple[Tables, ...] = (
+    {"kind": "mass", "mass": "5000 kg", "at": [-0.15, 4.5]},
+    {"kind": "mass", "mass": "5000 kg", "at": [-2.0, 4.5]},
+    {"kind": "mass", "mass": "80000 kg", "at": [-0.1, 0.0], "bearing": False},
+    {"kind": "force", "force": "20 kN", "at": [-0.2, 4.0], "direction": [-1, 0]},
+    {"kind": "force", "force": "20 kN", "at": [-0.2, 4.0], "direction": [0, -1], "until": "collapse"},
+    {"kind": "force", "force": "20 kN", "at": [-0.2, 2.0], "direction": [-1, -1]},
+    {"kind": "tie", "force": "20 kN", "at": [-0.2, 4.4], "anchor": [-5.0, 4.4]},
+    {"kind": "tie", "force": "20 kN", "at": [-0.2, 4.4], "anchor": [-5.0, 4.4], "until": "collapse"},
+    {"kind": "tie", "force": "20 kN", "at": [3.0, 4.4], "anchor": [-5.0, 4.4]},
+    {"kind": "overburden", "force": "30 kN"},
+    {"kind": "overburden", "force": "30 kN", "eccentricity": "-0.15 m"},
+)
+"""What is added to the loads of a mechanism."""
+ADDED_BOX: Tables = {"thickness": "1.0 m", "length": "3 m", "height": "1.0 m"}
+ADDED_BODIES = (
+    (-0.7, 0.0, 0.0),
+    (-5.0, 0.0, 0.0),
+    (-0.7, 0.0, 3.0),
+    (-0.2, 0.0, 0.0),
+    (0.0, 0.0, -1.0),
+    (0.0, 8.0, 0.0),
+)
+"""Where a further body of the block stands: a buttress, one apart, one in the air, within the wall, below, beside."""

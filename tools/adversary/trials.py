@@ -7,8 +7,8 @@ within them and what stands there less and more. A trial that the reader refuses
 from __future__ import annotations
 
 import copy
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
 from functools import cache
 from pathlib import Path
 from random import Random
@@ -22,8 +22,9 @@ from assess.project.evidence import Key, every_key
 from assess.project.project_file import load_tree
 from assess.project.section import KeyPath, key_text
 from assess.study.run import find_verdict
+from records.errors import RecordError
 from spectra.errors import SpectrumError
-from tools.adversary.projects import PROJECTS, Tables
+from tools.adversary.projects import ADDED_BODIES, ADDED_BOX, ADDED_LOADS, DRAWN, HISTORIES, PROJECTS, Tables
 
 RANKS = (Decision.FAIL, Decision.INCOMPLETE, Decision.PASS)
 BETTER = 1.01
@@ -36,6 +37,14 @@ STEPS = (-3.0, -0.3, 0.3, 3.0)
 """By which the numbers of a place or direction are moved, one at a time."""
 BESIDE = ("KEY", "format", "analysis.sweep", "analysis.uncertainty", "analysis.fragility", "analysis.risk")
 """Keys of what stands beside the verdict, or is tried at its own key."""
+OF_HISTORIES = (
+    "records.",
+    "analysis.equation",
+    "mechanisms.wall.restitution",
+    "mechanisms.wall.amplification",
+    "building.",
+)
+"""How the keys begin that bear on histories alone, or differently on them."""
 WORDS = {
     "site.limit_state": ("SLO", "SLD", "SLV", "SLC", "DBE", "ULS", "NCR", "BSE-1E", "BSE-2E", "LS", "CP"),
     "verdict.limit_state": ("SLD", "SLV", "SLC", "DBE", "ULS", "LS", "CP"),
@@ -45,15 +54,22 @@ WORDS = {
 
 @dataclass(frozen=True)
 class Trial:
-    """A value typed at a key of a project."""
+    """A value typed at a key of a project, or at two keys at once."""
 
     project: str
     path: KeyPath
     value: Any
     kind: str
+    other: Trial | None = None
 
     def __str__(self) -> str:
-        return f"{self.project}: {key_text(self.path)} = {self.value!r} ({self.kind})"
+        typed = f"{key_text(self.path)} = {self.value!r}"
+        return f"{self.project}: {typed} ({self.kind})" + (f" and {self.other}" if self.other else "")
+
+    @property
+    def paths(self) -> tuple[KeyPath, ...]:
+        """The keys at which it types."""
+        return (self.path,) if self.other is None else (self.path, *self.other.paths)
 
 
 @dataclass(frozen=True)
@@ -75,9 +91,9 @@ class Answer:
         return self.outcome == Decision.PASS and known and self.margin > BETTER * other.margin  # type: ignore[operator]
 
 
-def trials() -> Iterator[Trial]:
-    """Yield every trial, project by project."""
-    for name, tables in PROJECTS.items():
+def trials(projects: Mapping[str, Tables] = PROJECTS) -> Iterator[Trial]:
+    """Yield every trial of a single key, project by project."""
+    for name, tables in projects.items():
         for key in every_key():
             if (
                 key.evidence is None
@@ -90,18 +106,57 @@ def trials() -> Iterator[Trial]:
                     yield Trial(name, path, value, key.evidence.kind)
 
 
+def pairs(singles: Sequence[Trial], count: int, *, seed: int) -> list[Trial]:
+    """Return so many pairs of trials at two keys of one table of a project, drawn by a seed: what one check reads."""
+    tables: dict[tuple[str, KeyPath], list[Trial]] = {}
+    for trial in singles:
+        tables.setdefault((trial.project, trial.path[:-1]), []).append(trial)
+    of_two_keys = [each for each in tables.values() if len({trial.path for trial in each}) > 1]
+    draw, found = Random(seed), []
+    while len(found) < count:
+        one, other = draw.sample(draw.choice(of_two_keys), 2)
+        if one.path != other.path:
+            found.append(replace(one, other=other))
+    return found
+
+
+def geometry() -> Iterator[Trial]:
+    """Yield what is drawn in other places, or added, in each project with geometry."""
+    for name, tables in PROJECTS.items():
+        for mechanism, section in tables["mechanisms"].items():
+            if "blocks" not in section:
+                continue
+            for key, values in DRAWN.items():
+                yield from (Trial(name, ("mechanisms", mechanism, key), value, "drawn") for value in values)
+            loads = section.get("loads", [])
+            for load in ADDED_LOADS:
+                yield Trial(name, ("mechanisms", mechanism, "loads"), [*loads, load], "loads")
+            height = float(tables["bodies"]["wall"]["box"].get("base", [0.0])[-1])
+            for base in ADDED_BODIES:
+                box = {**ADDED_BOX, "base": [*base[:2], base[2] + height]}
+                body = Trial(name, ("bodies", "added"), {"material": "stone", "box": box}, "drawn")
+                blocks = Trial(name, ("mechanisms", mechanism, "blocks"), ["wall", "added"], "drawn")
+                yield replace(blocks, other=body)
+
+
 def sample(chosen: Sequence[Trial], count: int, *, seed: int) -> list[Trial]:
     """Return so many of the trials, drawn by a seed."""
     return Random(seed).sample(chosen, count)
 
 
+def histories() -> Iterator[Trial]:
+    """Yield the trials of keys that bear on histories alone."""
+    yield from (trial for trial in trials(HISTORIES) if key_text(trial.path).startswith(OF_HISTORIES))
+
+
+EVERY = {**PROJECTS, **HISTORIES}
 REFUSED, SAME, TOLD, SILENT = "refused", "same", "told", "SILENT"
 
 
 def outcome_of(trial: Trial) -> tuple[str, str]:
     """Return what becomes of a trial, and how the outcome changes where it improves."""
     before = _answer_as_it_is(trial.project)
-    after = answer(with_trial(PROJECTS[trial.project], trial))
+    after = answer(with_trial(EVERY[trial.project], trial))
     if after is None:
         return REFUSED, ""
     if not after.improves(before):
@@ -111,7 +166,7 @@ def outcome_of(trial: Trial) -> tuple[str, str]:
 
 @cache
 def _answer_as_it_is(name: str) -> Answer:
-    found = answer(PROJECTS[name])
+    found = answer(EVERY[name])
     assert found is not None
     return found
 
@@ -121,7 +176,7 @@ def answer(tables: Tables) -> Answer | None:
     try:
         study = build_to_decide(load_tree(copy.deepcopy(tables), Path("project.toml"), sha256=""))
         found = find_verdict(study, jobs=1)
-    except (AssessError, SpectrumError):
+    except (AssessError, RecordError, SpectrumError):
         return None
     margins = [each.margin for each in found.mechanisms]
     known = [margin for margin in margins if margin is not None]
@@ -130,19 +185,21 @@ def answer(tables: Tables) -> Answer | None:
 
 def with_trial(tables: Tables, trial: Trial) -> Tables:
     """Return a project with what a trial types."""
-    changed = copy.deepcopy(tables)
+    changed = copy.deepcopy(tables) if trial.other is None else with_trial(tables, trial.other)
     node: Any = changed
     for step in trial.path[:-1]:
         node = node.setdefault(step, {}) if isinstance(node, dict) else node[step]
-    node[trial.path[-1]] = trial.value
+    node[trial.path[-1]] = copy.deepcopy(trial.value)
     return changed
 
 
 def is_told(trial: Trial, before: Answer, after: Answer) -> bool:
     """Return whether an answer says that it hangs on what was typed: by its key, or by one more condition."""
-    key = key_text(trial.path)
+    typed = [key_text(path) for path in trial.paths]
     keys = [each for each in after.named if not each.startswith(("condition ", "reason "))]
-    return bool(after.named - before.named) or any(key.startswith(each) or each.startswith(key) for each in keys)
+    return bool(after.named - before.named) or any(
+        key.startswith(each) or each.startswith(key) for key in typed for each in keys
+    )
 
 
 def _named(found: Verdict) -> frozenset[str]:

@@ -59,6 +59,7 @@ class Question:
     works, use_class, school, upgrading, index_before : of the targets of NTC 8.4
     target_nbs : share of the new building standard to be reached [%], of NZSEE 2017
     missing : what the whole project lacks, without which its numbers stand for no action
+    provisional : what a provisional value stands for, with which its numbers are computed
     """
 
     basis: Basis | None
@@ -72,6 +73,7 @@ class Question:
     index_before: float | None = None
     target_nbs: float | None = None
     missing: tuple[Missing, ...] = ()
+    provisional: tuple[Missing, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -80,6 +82,7 @@ class MechanismChecks:
 
     missing : what a pass needs and is not given; conditions : what a pass depends on
     tolerance : the relative change of the index when the survey's tolerance goes the bad way [-]
+    provisional : what a provisional value stands for: with it neither a pass nor a failure is shown
     """
 
     name: str
@@ -87,6 +90,7 @@ class MechanismChecks:
     missing: tuple[Missing, ...] = ()
     conditions: tuple[Message, ...] = ()
     tolerance: float = 0.0
+    provisional: tuple[Missing, ...] = ()
 
 
 VerdictFacts = tuple[tuple[Missing, ...], tuple[Message, ...]]

@@ -522,7 +522,11 @@ def _decide_mechanism(mechanism: MechanismChecks, criteria: _Criteria) -> Mechan
         _find_answer(mechanism, state, criteria.question, criteria.basis, criteria.target) for state in criteria.states
     ]
     found = _by_class(answers, criteria)
-    missing = merge_missing((*(missing for each in found for missing in each.missing), *mechanism.missing))
+    provisional = (*criteria.question.provisional, *mechanism.provisional)
+    if provisional:
+        found = tuple(replace(each, answer=_not_shown(each.answer)) for each in found)
+    own = (missing for each in found for missing in each.missing)
+    missing = merge_missing((*own, *mechanism.missing, *provisional))
     outcome = worst_outcome(each.answer.outcome for each in found)
     if outcome == Decision.PASS and (missing or criteria.missing):
         outcome = Decision.INCOMPLETE
@@ -542,6 +546,14 @@ def _decide_mechanism(mechanism: MechanismChecks, criteria: _Criteria) -> Mechan
         missing=missing if incomplete else (),
         provisional=_provisional_of_mechanism(found, criteria) if incomplete else None,
     )
+
+
+def _not_shown(answer: Answer) -> Answer:
+    """Return an answer that rests on a provisional value: incomplete, whether it would pass or fail."""
+    would_be = answer.provisional or answer.outcome
+    if would_be == Decision.INCOMPLETE:
+        return answer
+    return replace(answer, outcome=Decision.INCOMPLETE, provisional=would_be)
 
 
 def _near_limit(outcome: Decision, those: Sequence[bool]) -> bool:

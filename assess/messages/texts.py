@@ -200,6 +200,10 @@ TEXTS: Mapping[str, str] = {
     "missing-works": "a local repair has no threshold (NTC 8.4.1): compare the index before and after; write "
     '"none" for a target',
     "missing-class-of-improvement": "the class of use, on which the target of an improvement depends (NTC 8.4.2)",
+    "missing-class-of-hazard": "the class of use, on which the return period of the action depends; provisional: the "
+    "action is that of class {taken}, the severest",
+    "missing-effective-height": "the height of the resultant of the building's first mode; provisional: {height}, of "
+    "the linear mode of Circolare 7/2019, C7.2.10",
     "missing-school": "whether the building is a school, for which class III asks 0.60 (NTC 8.4.2)",
     "missing-index-before": "the index before the works, which an improvement raises by at least 0.10 (NTC 8.4.2)",
     "missing-limit-state": "which limit state decides: {states}",

@@ -29,6 +29,7 @@ from records.reading import relative_path
 from spectra import ntc
 from spectra.spectrum import Spectrum
 
+PROVISIONAL_CLASS = "IV"  # where the class of use is not given: that of the longest return periods
 LIKE = 5e-3  # of a PGA: one given to three figures is the hazard's own
 
 
@@ -63,7 +64,15 @@ def question_of(content: sections.Content, *, site_pga: float, scale: float = 1.
         index_before=verdict.index_before,
         target_nbs=verdict.target_nbs,
         missing=tuple(_scaled_down_hazard(content, scale)),
+        provisional=tuple(_class_of_hazard(content)),
     )
+
+
+def _class_of_hazard(content: sections.Content) -> Iterator[Missing]:
+    """Report that the class of use, on which the return period of the site's action depends, is not given."""
+    if content.site is not None and content.site.hazard is not None and use_class_of(content) is None:
+        why = message("missing-class-of-hazard", {"taken": PROVISIONAL_CLASS})
+        yield missing_input("building.use_class", why, 'use_class = "II"')
 
 
 def _scaled_down_hazard(content: sections.Content, scale: float) -> Iterator[Missing]:
@@ -80,9 +89,7 @@ def action_of(content: sections.Content, basis: Basis | None, *, pga_g: float) -
         return Action(pga_g, None)
     own, hazard = content.site.own_limit_state, content.site.hazard
     if hazard is not None:
-        state, use_class = limit_state_of(content), use_class_of(content)
-        if use_class is None:
-            return Action(pga_g, state, over_periods=True)
+        state, use_class = limit_state_of(content), use_class_of(content) or PROVISIONAL_CLASS
         life = ntc.reference_life(hazard.nominal_life, use_class=use_class)
         return Action(pga_g, state, ntc.return_period(state, reference_life=life), over_periods=True)
     return Action(pga_g, own, getattr(content.site.spectrum, "return_period", None))

@@ -27,7 +27,7 @@ from assess.model.bodies import Bodies, Body, Material, PointValues
 from assess.project import sections
 from assess.project.keys import error_line
 from assess.project.project_file import bare_number_messages, load
-from assess.project.question import limit_state_of, use_class_of
+from assess.project.question import PROVISIONAL_CLASS, limit_state_of, use_class_of
 from assess.project.section import ProjectSection
 from assess.project.sections.ground_motion import SiteSection
 from assess.study.amplification import (
@@ -139,26 +139,27 @@ def structure_of(building: sections.BuildingSection | None) -> Structure:
 
 
 def site_of(path: Path) -> sections.SiteSection:
-    """Read the site of the project at `path`; raise ProjectError if it has none."""
+    """Read the site of the project at `path`; raise ProjectError if it has none, or lacks the class of use."""
     project = load(path)
     site = site_in(project.content)
     if site is None:
         raise ProjectError(f"{project.path}: site.spectrum: missing; add a table [site.spectrum]")
+    if site.hazard is not None and use_class_of(project.content) is None:
+        reason = 'missing; class of use "I" to "IV", here or in [building]'
+        raise ProjectError(f"{project.path}: site.spectrum.use_class: {reason}")
     return site
 
 
 def site_in(content: sections.Content) -> sections.SiteSection | None:
     """Return the site of a project; hazard over return periods gets its limit state and class of use.
 
-    Raises ProjectError if the class of use is missing, or given twice with different values.
+    Where the class is not given it is the severest, with which the verdict is provisional (`question_of`). Raises
+    ProjectError if it is given twice with different values.
     """
     site = content.site
     if site is None or site.hazard is None:
         return site
-    use_class = use_class_of(content)
-    if use_class is None:
-        raise ProjectError('site.spectrum.use_class: missing; class of use "I" to "IV", here or in [building]')
-    given = {"limit_state": limit_state_of(content), "use_class": use_class}
+    given = {"limit_state": limit_state_of(content), "use_class": use_class_of(content) or PROVISIONAL_CLASS}
     return site.model_copy(update={"spectrum": site.spectrum.model_copy(update=given)})
 
 

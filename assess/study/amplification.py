@@ -25,6 +25,7 @@ from assess.amplification import (
 )
 from assess.codes.check import Reason, reason_message
 from assess.codes.context import is_above_ground
+from assess.codes.question import Missing, missing_input
 from assess.errors import GeometryError, ProjectError
 from assess.geometry.solid import Solids
 from assess.loads.load import bodies_of
@@ -39,12 +40,15 @@ from spectra.floor import (
     ec8_resonant_part_factor,
     ec8_resonant_part_factor_with_soil,
     ec8_rigid_part_factor,
+    first_mode_factor,
     nzs1170_5_height_coefficient,
 )
 
 NEAR_GROUND = 0.05  # m: a body that stands no farther from the ground's elevation stands on it
 FIRST_MODE_DAMPING = 0.05  # of the first mode where there is no [building]
 RAYLEIGH = "Rayleigh's method"
+LINEAR_MODE = "provisional: linear mode of Circolare 7/2019, C7.2.10"
+MANY_STOREYS = 2.0 / 3.0  # 1 / gamma_1 of C7.2.10 without end: the least resultant, the most amplification
 EC8_AS_PRINTED = "ec8-printed"
 
 
@@ -56,6 +60,7 @@ class MechanismAmplification:
     description : what is done, with which numbers and their sources
     assumptions : on values that are not given
     by_stiffness : whether the amplification follows from the stiffness of the bodies
+    missing : what a provisional value stands for, so that nothing that follows the motion is shown
     """
 
     method: str
@@ -64,6 +69,7 @@ class MechanismAmplification:
     description: tuple[Message | str, ...]
     assumptions: tuple[Message, ...] = ()
     by_stiffness: bool = False
+    missing: tuple[Missing, ...] = ()
 
 
 NOT_AMPLIFIED = MechanismAmplification("none", None, Unamplified(), ())
@@ -111,10 +117,11 @@ class AmplificationChoice:
 class Structure:
     """The structure below a mechanism; values that are not given are None.
 
-    height [m]; natural_frequency [Hz], effective_height [m], damping [-] : of its first mode; period [s]
+    height [m]; storeys; natural_frequency [Hz], effective_height [m], damping [-] : of its first mode; period [s]
     """
 
     height: float | None = None
+    storeys: int | None = None
     natural_frequency: float | None = None
     effective_height: float | None = None
     period: float | None = None
@@ -202,6 +209,29 @@ def given_effective_height(choice: AmplificationChoice, structure: Structure) ->
     if structure.effective_height is not None:
         return structure.effective_height, "given for the building"
     return None
+
+
+def linear_mode_height(in_place: MechanismInPlace) -> float | None:
+    """Return the height of the resultant of a linear first mode, h_e = H / gamma_1 [m]; None where no height is known.
+
+    gamma_1 = 3 n / (2 n + 1) of n storeys is the participation factor of a mode that is 1 at the top, so that gamma_1
+    h / H is the h / h_e of `FirstMode.shape`. H is the building's, or that of the bodies as drawn. Where the storeys
+    are not given they are many, which puts the resultant lowest: 2/3 H.
+
+    Source: Circolare 7/2019, C7.2.10.
+    """
+    structure = in_place.structure
+    height = structure.height or _drawn_height(in_place)
+    if height is None:
+        return None
+    return height * (MANY_STOREYS if structure.storeys is None else 1.0 / first_mode_factor(structure.storeys))
+
+
+def _drawn_height(in_place: MechanismInPlace) -> float | None:
+    """Return the height of the highest body above the ground [m]; None where none is drawn above it."""
+    solids = (body.solid for body in in_place.bodies.values())
+    top = max((float(solid.vertices[:, 2].max()) for solid in solids if solid is not None), default=0.0)
+    return max(top - (in_place.ground.elevation or 0.0), 0.0) or None
 
 
 def young_modulus(name: str, in_place: MechanismInPlace) -> float:
@@ -352,6 +382,13 @@ def _amplify_by_first_mode(
     structure = in_place.structure
     frequency, effective = given_frequency(choice, structure), given_effective_height(choice, structure)
     assumed: tuple[Message, ...] = ()
+    missing: tuple[Missing, ...] = ()
+    if frequency is not None and effective is None and not _has_own_mode(in_place):
+        linear = linear_mode_height(in_place)
+        if linear is not None:
+            effective = linear, LINEAR_MODE
+            why = message("missing-effective-height", {"height": Quantity(linear, "length")})
+            missing = (missing_input("building.effective_height", why, f'effective_height = "{linear:.3g} m"'),)
     if frequency is None or effective is None:
         rayleigh = _rayleigh_mode_of(in_place)
         frequency = frequency or (rayleigh.frequency, RAYLEIGH)
@@ -373,8 +410,23 @@ def _amplify_by_first_mode(
     )
     make, how = FIRST_MODES[choice.method]
     return MechanismAmplification(
-        choice.method, height, make(mode, height), (how, description), assumed, by_stiffness=bool(assumed)
+        choice.method,
+        height,
+        make(mode, height),
+        (how, description),
+        assumed,
+        by_stiffness=bool(assumed),
+        missing=missing,
     )
+
+
+def _has_own_mode(in_place: MechanismInPlace) -> bool:
+    """Return whether Rayleigh's method gives the first mode of a mechanism."""
+    try:
+        _rayleigh_mode_of(in_place)
+    except ProjectError:
+        return False
+    return True
 
 
 def _rayleigh_mode_of(in_place: MechanismInPlace) -> RayleighMode:

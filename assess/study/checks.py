@@ -26,7 +26,7 @@ from assess.codes.asce43_05 import ASCE43_05_SPECTRUM
 from assess.codes.check import Check, Outcome, Reason, reason_message
 from assess.codes.context import Building, Context, Gravity, Transfer, Wall, WallSupport
 from assess.codes.procedures import apply_procedure, uses_histories, with_options
-from assess.codes.question import MechanismChecks, Question, VerdictFacts, missing_input
+from assess.codes.question import MechanismChecks, Missing, Question, VerdictFacts, missing_input
 from assess.codes.verdict import Verdict, add_falling_mechanisms, mark_deciding, verdict
 from assess.geometry.planar import Outline
 from assess.loads.load import Force, Load, Point, PointMass, upward
@@ -37,7 +37,7 @@ from assess.mechanisms.mechanism import Mechanism, height_of_support, limits, op
 from assess.messages.message import Message, Quantity
 from assess.oscillator import BranchName, Oscillator
 from assess.results import MechanismResult
-from assess.study.amplification import MechanismAmplification
+from assess.study.amplification import NOT_AMPLIFIED, MechanismAmplification
 from assess.study.histories import (
     RockingCase,
     RockingHistories,
@@ -49,7 +49,7 @@ from assess.study.histories import (
     with_governing_trace,
 )
 from assess.study.mechanism_results import amplification_result, mechanism_result, unsupported_messages
-from assess.study.study import Progress, ScaledRecord, Study
+from assess.study.study import Progress, ScaledRecord, Study, may_follow_motion
 from assess.workers import available_cores
 from records.record import Record, scale
 from records.response import response_spectrum
@@ -177,6 +177,7 @@ def decide(study: Study, mechanisms: Sequence[WithChecks], tolerance: Mapping[st
             mechanism.checks,
             *_facts_of(study, mechanism.name),
             losses.get(mechanism.name, 0.0),
+            _provisional_of(study, mechanism.name),
         )
         for mechanism in mechanisms
     ]
@@ -193,6 +194,12 @@ def _facts_of(study: Study, name: str) -> VerdictFacts:
     warnings = next((each.warnings for each in study.mechanisms if each.name == name), ())
     wrong = (missing_input(f"mechanisms.{name}.loads", each) for each in warnings if each.key in CONTRADICTIONS)
     return (*missing, *wrong), conditions
+
+
+def _provisional_of(study: Study, name: str) -> tuple[Missing, ...]:
+    """Return what a provisional value stands for at the base of a mechanism, where its motion may decide."""
+    found = study.amplified.get(name, NOT_AMPLIFIED)
+    return found.missing if found.height and may_follow_motion(study.question) else ()
 
 
 def mark_result(decided: Verdict, question: Question, result: MechanismResult) -> MechanismResult:

@@ -136,6 +136,8 @@ def _life(results: Results) -> Iterator[tuple[Text, Text | str]]:
     use_class, factor = use_class_of(results), _parameter(results, "use_coefficient")
     if use_class and factor is not None:
         yield say("Class of use"), say("{name}, C_U = {factor}", name=Verbatim(use_class), factor=quantity(factor))
+    elif factor is not None:
+        yield say("Class of use"), say("not given; provisional: C_U = {factor}", factor=quantity(factor))
     else:
         yield say("Class of use"), use_class
     for label, key in ((say("Nominal life V_N"), "nominal_life"), (say("Reference life V_R"), "reference_life")):

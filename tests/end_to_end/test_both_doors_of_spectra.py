@@ -101,9 +101,9 @@ def test_what_is_right_is_taken_by_both(sound, tmp_path):
     assert refusals(sound, tmp_path) == ("", "")
 
 
-def test_a_class_of_use_of_the_building_is_missing_from_python(tmp_path):
+def test_a_class_of_use_is_missing_from_python_and_provisional_in_a_project(tmp_path):
     by_file, by_python = refusals(HAZARD | {"use_class": None}, tmp_path)
-    assert by_file == '.use_class: missing; class of use "I" to "IV", here or in [building]'
+    assert by_file == ""
     assert by_python == ': use_class: missing; class of use "I" to "IV"'
 
 

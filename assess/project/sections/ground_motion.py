@@ -145,7 +145,8 @@ class BuildingSection(ProjectSection):
     ground_elevation: Annotated[Length | None, GROUND_ELEVATION] = None
     """elevation of the ground in the coordinates of the bodies; 0 if absent and the lowest body stands there"""
     use_class: Annotated[Literal["I", "II", "III", "IV"] | None, USE_CLASS] = None
-    """class of use "I" to "IV", of the Italian codes"""
+    """class of use "I" to "IV", of the Italian codes; if absent a hazard over return periods is read as for IV, with
+    which the verdict is provisional"""
     school: Annotated[StrictBool | None, SCHOOL] = None
     """whether the building is a school, for the targets of NTC 8.4.2"""
     period: Annotated[PositiveTime, UNCERTAIN, FIRST_PERIOD] | None = Field(
@@ -160,7 +161,8 @@ class BuildingSection(ProjectSection):
     """{ SLV = { period, damping, reason } }: the building at a limit state, for displacements by ntc2018; 1.5 to 2.0
     times its period if absent"""
     effective_height: Annotated[PositiveLength | None, EFFECTIVE_HEIGHT] = None
-    """height above the ground of the resultant of the first mode's inertia forces, for `amplification`"""
+    """height above the ground of the resultant of the first mode's inertia forces, for `amplification`; if absent
+    Rayleigh's, else that of the linear mode of Circolare 7/2019, C7.2.10, with which the verdict is provisional"""
 
     @model_validator(mode="after")
     def _can_be(self) -> BuildingSection:

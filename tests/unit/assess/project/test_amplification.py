@@ -85,6 +85,26 @@ def test_a_period_that_is_given_is_the_first_mode_s(tmp_path):
     assert frequency == pytest.approx(2.5, rel=1e-12)
 
 
+@pytest.mark.parametrize(
+    ("building", "effective"),
+    [
+        (HOUSE + "storeys = 3\n", 9.0 * 7.0 / 9.0),  # gamma_1 = 9/7: 9 m / (9/7) = 7 m
+        (HOUSE + "storeys = 1\n", 9.0),  # gamma_1 = 1: the mass of one storey is at the top
+        (HOUSE, 6.0),  # many storeys: gamma_1 = 3/2
+        ("", 8.0 * 2.0 / 3.0),  # the highest body ends at 8 m
+    ],
+)
+def test_without_an_effective_height_a_linear_mode_is_provisional(tmp_path, building, effective):
+    """C7.2.10, by hand: gamma_1 = 3 n / (2 n + 1), and gamma_1 h / H = h / h_e."""
+    study = study_of(tmp_path, BLOCK + amplification("modal-filter", natural_frequency="2 Hz"), building=building)
+    assert mode_of(study)[:2] == pytest.approx((2.0, effective), rel=1e-12)
+    (missing,) = study.amplified["m"].missing
+    assert missing.key == "building.effective_height"
+    assert missing.toml == f'effective_height = "{effective:.3g} m"'
+    given = BLOCK + amplification("modal-filter", natural_frequency="2 Hz", effective_height="6 m")
+    assert study_of(tmp_path, given, building=building).amplified["m"].missing == ()
+
+
 def test_rayleigh_bends_the_wall_in_its_direction(tmp_path):
     along, *_ = mode_of(study_of(tmp_path, CUT + "direction = [0, 1, 0]\n" + amplification("srss")))
     found = rayleigh_mode(slice_cantilever([WALL], [3e9], direction=[0, 1, 0]))
@@ -118,7 +138,7 @@ def test_the_printed_ec8_takes_its_soil(tmp_path):
     ("mechanism", "building", "words"),
     [
         (BLOCK + amplification("srss"), "", "effective_height: not both given, and only a single-block"),
-        (BLOCK + amplification("srss", natural_frequency="2 Hz"), HOUSE, "not both given"),
+        (BLOCK + amplification("srss", effective_height="6 m"), HOUSE, "not both given"),
         (BLOCK + amplification("ec8"), "", r'"ec8" needs the height of the building; add a table \[building\]'),
         (BLOCK + amplification("ec8", height="9.5 m"), HOUSE, r"height 9.5 m in a building of 9 m; EN 1998-1, 4.3.5.2"),
         (BLOCK + amplification("srss"), HOUSE + "ground_elevation = 6\n", "begins 1 m below the ground; give height"),

@@ -10,7 +10,7 @@ from assess.codes.context import StatedFirstMode
 from assess.errors import ProjectError
 from assess.project.build import build
 from assess.project.project_file import resolve
-from assess.project.site_and_structure import site_in, spectrum_of, vertical_of
+from assess.project.site_and_structure import site_in, site_of, spectrum_of, vertical_of
 from assess.study.ground_motion import spectrum_result
 from spectra.errors import SpectrumError
 from tests.support.projects import NTC, load_project, project_toml, published, replace_once, tables_toml
@@ -129,8 +129,15 @@ def test_class_of_use_of_the_site_or_of_the_building(tmp_path: Path) -> None:
     in_building = build(loaded(tmp_path, bare, rest='[building]\nuse_class = "III"'))
     assert in_building.spectrum is not None
     assert in_building.spectrum.parameters["return_period"] == pytest.approx(1.5 * 474.6, abs=0.1)
+    without = build(loaded(tmp_path, bare))
+    assert [(each.key, each.toml) for each in without.question.provisional] == [
+        ("building.use_class", 'use_class = "II"')
+    ]
+    assert without.spectrum is not None
+    assert without.spectrum.parameters["return_period"] == pytest.approx(2.0 * 474.6, abs=0.1)  # C_U of class IV
+    assert without.question.action.return_period_years == pytest.approx(2.0 * 474.6, abs=0.1)
     with pytest.raises(ProjectError, match=r"site\.spectrum\.use_class: missing"):
-        build(loaded(tmp_path, bare))
+        site_of(loaded(tmp_path, bare).path)  # a command that prints the spectrum alone has no verdict
     with pytest.raises(ProjectError, match=r'building\.use_class: "III" beside site\.spectrum\.use_class "II"'):
         build(loaded(tmp_path, CODES["hazard"], rest='[building]\nuse_class = "III"'))
 

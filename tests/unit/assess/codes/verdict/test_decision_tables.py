@@ -302,6 +302,18 @@ def test_a_premise_that_is_missing_makes_a_pass_incomplete_and_leaves_a_fail():
     assert decide(asked, [check(NONLINEAR, FAIL)], missing=premise).outcome == NO
 
 
+@pytest.mark.parametrize(("said", "would_be"), [(PASS, YES), (FAIL, NO), (SILENT, OPEN)])
+def test_what_rests_on_a_provisional_value_is_neither_a_pass_nor_a_failure(said, would_be):
+    stands_for = (Missing("building.use_class", "which class", 'use_class = "II"'),)
+    for found in (
+        decide(question("ntc2018", use_class="II"), [check(NONLINEAR, said)], provisional=stands_for),
+        decide(question("ntc2018", provisional=stands_for), [check(NONLINEAR, said)]),
+    ):
+        assert (found.outcome, found.mechanisms[0].outcome) == (OPEN, OPEN)
+        assert found.provisional == would_be
+        assert "building.use_class" in [each.key for each in found.missing]
+
+
 @pytest.mark.parametrize(
     ("index", "tolerance", "near"),
     [(1.049, 0.0, True), (1.051, 0.0, False), (0.951, 0.0, True), (1.1, 0.12, True), (1.1, 0.09, False)],

@@ -9,6 +9,10 @@ f1 = E/(M g h) = cos(theta) + a sin(theta) - 1.
 Not checked against the printed standard: the equations were seen in excerpts and re-derived from energy. The clause's
 limit of rotation (7.1) could not be read: one third of the rotation that overturns is allowed, and one half, the limit
 of the response-history method of the same standard, is shown beside it. One function for each formula.
+
+Vertical motion is S_aV/S_aH = 1 at the ground where nothing is stated; the thesis' reading has none. On a floor its
+ratio is that of the floor's spectra, and a pass needs it. A body that stands free rocks under both horizontal
+components: 100 % of one with 40 % of the other are 1.08 times the action, and a pass without that has a condition.
 """
 
 from __future__ import annotations
@@ -56,8 +60,8 @@ from assess.codes.pga_rotation import (
     to_equivalent_blocks,
     to_pga_curve,
 )
-from assess.declaration import Evidence, PositiveLength, Safe
-from assess.messages.message import Severity, Term, message
+from assess.declaration import Evidence, NotNegativeRatio, PositiveLength, Safe
+from assess.messages.message import Quantity, Severity, Term, message
 from assess.oscillator import (
     Branch,
     BranchName,
@@ -81,7 +85,13 @@ THIRD = 1.0 / 3.0  # of the same: allowed by A.2
 THESIS_DAMPING = 0.05
 
 
+VERTICAL_RATIO = 1.0  # S_aV / S_aH at the ground where the project states none
+OTHER_COMPONENT = 0.4  # of the horizontal component at right angles, beside the whole of the one in the plane
+COMBINATION = "ASCE 4, 100-40 rule"
+FLOOR_KEY = "procedures.asce43-05.floor_vertical_ratio"
+
 ALLOWABLE = Evidence("chosen", "up", "absent: sliding is for information", safe=Safe.ABSENT)
+FLOOR_RATIO = Evidence("code", "down", "absent: not answered on a floor", safe=Safe.ABSENT)
 
 
 @dataclass(frozen=True)
@@ -90,15 +100,23 @@ class Asce4305Options:
 
     allowable_sliding: Annotated[PositiveLength | None, ALLOWABLE] = None
     """how far a body may slide on its base (A.1), like "0.05 m"; if absent its sliding is shown for information"""
+    floor_vertical_ratio: Annotated[NotNegativeRatio | None, FLOOR_RATIO] = None
+    """vertical over horizontal spectral acceleration of the floor below a mechanism above the ground, by its vertical
+    floor spectrum; if absent a check above the ground may fail and cannot pass"""
 
 
 def assess_spectrum(oscillator: Oscillator, context: Context, *, options: Asce4305Options) -> tuple[Check, ...]:
     """Return the checks of A.2 with the demand at f_e and beta_e from uplift on, one for each level."""
 
-    def reading(branch: Branch, f_v: float) -> SpectrumReading:
-        return clause_reading(branch, context, f_v=f_v)
+    shaken = with_floor_ratio(context, options)
 
-    return _spectrum_checks(oscillator, context, reading, own=oscillator)
+    def reading(branch: Branch, f_v: float) -> SpectrumReading:
+        return clause_reading(branch, shaken, f_v=f_v)
+
+    return tuple(
+        _without_vertical_floor(_with_second_component(check, shaken), context, options)
+        for check in _spectrum_checks(oscillator, shaken, reading, own=oscillator)
+    )
 
 
 ASCE43_05_SPECTRUM = CodeProcedure(
@@ -116,13 +134,17 @@ ASCE43_05_SPECTRUM = CodeProcedure(
 
 
 def _assess_spectrum_thesis(oscillator: Oscillator, context: Context, *, options: Asce4305Options) -> tuple[Check, ...]:
-    """Return the checks of the thesis' reading (8.3.2): 5 % damping, limit k alpha / sin 2 alpha, no uplift."""
+    """Return the checks of the thesis' reading (8.3.2): 5 % damping, limit k alpha / sin 2 alpha, no uplift.
+
+    The thesis has no vertical motion.
+    """
+    shaken = replace(context, vertical_ratio=0.0)
 
     def reading(branch: Branch, f_v: float) -> SpectrumReading:
-        return thesis_reading(branch, context, f_v=f_v, mass=oscillator.mass)
+        return thesis_reading(branch, shaken, f_v=f_v, mass=oscillator.mass)
 
     like = to_equivalent_blocks(oscillator, lambda branch: thesis_limit(branch, mass=oscillator.mass))
-    return _spectrum_checks(like, context, reading, own=oscillator)
+    return _spectrum_checks(like, shaken, reading, own=oscillator)
 
 
 ASCE43_05_SPECTRUM_THESIS = CodeProcedure(
@@ -235,6 +257,46 @@ def thesis_reading(branch: Branch, context: Context, *, f_v: float, mass: float)
 def warn_at_height(checks: tuple[Check, ...], *, context: Context) -> tuple[Check, ...]:
     """Add a warning and a line of the sheet to checks by the ground's motion of a mechanism above the ground."""
     return tuple(_with_height(check, context.support_height) for check in checks) if context.above_ground else checks
+
+
+def with_floor_ratio(context: Context, options: Asce4305Options) -> Context:
+    """Return the context with the vertical ratio of the floor where the mechanism stands on one and it is given."""
+    given = options.floor_vertical_ratio
+    return context if given is None or not context.above_ground else replace(context, vertical_ratio=given)
+
+
+def lacks_vertical_floor(context: Context, options: Asce4305Options) -> bool:
+    """Return whether the mechanism is above the ground and nothing is known of the vertical motion there."""
+    return context.above_ground and options.floor_vertical_ratio is None
+
+
+def component_factor(context: Context) -> float:
+    """Return the action of both horizontal components over that of one: sqrt(1 + 0.4^2) for what stands free, else 1.
+
+    Parameters
+    ----------
+    context : how the body is held
+
+    Returns
+    -------
+    float [-]
+    """
+    return float(np.hypot(1.0, OTHER_COMPONENT)) if context.support == "free" else 1.0
+
+
+def component_step(context: Context) -> tuple[Step, ...]:
+    """Write the line of `component_factor`; none for what does not stand free."""
+    if context.support != "free":
+        return ()
+    words = "both horizontal components on a body that stands free, over one"
+    given = {"c": OTHER_COMPONENT}
+    return (step("k_h", words, COMBINATION, "√(1 + c²)", component_factor(context), given=given),)
+
+
+def falls_short(check: Check, factor: float) -> bool:
+    """Return whether a pass is not shown to hold at a factor on the action."""
+    bears = check.capacity_pga_g is not None and check.capacity_pga_g >= factor * check.level_pga_g
+    return check.verdict == Outcome.PASS and not bears
 
 
 def vertical_factor(a: float, ratio: float) -> float:
@@ -447,6 +509,26 @@ def _spectrum_checks(
         return _spectrum_check(oscillator, branch, name, context, reading_of(branch, f_v), level, f_v=f_v, lifts=lifts)
 
     return warn_at_height(check_worst_branch(oscillator, context.levels, one), context=context)
+
+
+def _with_second_component(check: Check, context: Context) -> Check:
+    """Add the line of both horizontal components, and the condition of a pass that does not hold with them."""
+    factor = component_factor(context)
+    check = replace(check, steps=(*check.steps, *component_step(context)))
+    if not falls_short(check, factor):
+        return check
+    condition = message("one-component", {"factor": Quantity(factor, "ratio", 2)}, severity=Severity.WARNING)
+    return replace(check, conditions=(*check.conditions, condition))
+
+
+def _without_vertical_floor(check: Check, context: Context, options: Asce4305Options) -> Check:
+    """Return the check of a floor; one that passes is not answered where nothing is known of its vertical motion."""
+    unknown = check.input_at == "mechanism base" and lacks_vertical_floor(context, options)
+    if check.verdict != Outcome.PASS or not unknown:
+        return check
+    values = {"key": FLOOR_KEY, "toml": "floor_vertical_ratio = 1.0"}
+    why = message(Reason.VERTICAL_UNKNOWN, values, severity=Severity.NOTE, where=FLOOR_KEY)
+    return replace(check, verdict=Outcome.NOT_ANSWERED, provisional=Outcome.PASS, may_pass=False, reason=why)
 
 
 def _spectrum_check(

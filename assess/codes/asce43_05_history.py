@@ -4,17 +4,34 @@ The best estimate of the demand is the mean of the maxima; a factor of 2 on inst
 overturns the allowable one (thesis 3.3.2 and 8.4.2, Table 8.10). Each maximum is divided by the rotation that really
 overturns the mechanism in the branch where it happened, joints included. A record that overturns the body fails the
 level. A pass needs the rule to hold in 84 % of the draws among the runs of each record, too.
+
+The histories have one horizontal component and no vertical motion. A pass has a condition where the scan does not reach
+F_V (Eq. A-5(b)) times the action, and 1.08 times that for a body that stands free, or where the motion of a floor has
+no vertical ratio.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from scipy.constants import g
 
-from assess.codes.asce43_05 import EDITION, HALF, Asce4305Options, warn_at_height
-from assess.codes.calculation_sheet import Step, instability_step, step
+from assess.codes.asce43_05 import (
+    A2,
+    EDITION,
+    FLOOR_KEY,
+    HALF,
+    Asce4305Options,
+    component_factor,
+    component_step,
+    falls_short,
+    lacks_vertical_floor,
+    vertical_factor,
+    warn_at_height,
+    with_floor_ratio,
+)
+from assess.codes.calculation_sheet import Step, instability_step, multiplier_step, step
 from assess.codes.check import (
     Check,
     CodeProcedure,
@@ -43,10 +60,11 @@ from assess.codes.histories import (
     uplift_multiplier,
     with_spread,
 )
-from assess.messages.message import Message, Term, whole_number
+from assess.messages.message import Message, Quantity, Severity, Term, message, whole_number
 from assess.oscillator import (
     Branch,
     Oscillator,
+    linear_multiplier,
 )
 from spectra.arrays import FloatArray
 
@@ -76,7 +94,8 @@ def assess_history(oscillator: Oscillator, context: Context, *, options: Asce430
         _check(oscillator, suite, context, scanned, numerical_spread(suite, measure, scanned.holds_to))
         for suite in context.suites
     )
-    return warn_at_height(tuple(checks), context=context)
+    complete = (_with_all_components(check, oscillator, context, options) for check in checks)
+    return warn_at_height(tuple(complete), context=context)
 
 
 ASCE43_05_HISTORY = CodeProcedure(
@@ -145,6 +164,29 @@ def _check(
         numerical=spread,
         **caveats_of(CAVEAT),
     )
+
+
+def _with_all_components(check: Check, oscillator: Oscillator, context: Context, options: Asce4305Options) -> Check:
+    """Add what the components that the histories do not have would ask, and the condition of a pass without them."""
+    shaken, branch = with_floor_ratio(context, options), branch_of(oscillator, check.branch)
+    a, ratio = linear_multiplier(branch), shaken.vertical_ratio
+    f_v = vertical_factor(a, ratio)
+    factor = f_v * component_factor(context)
+    vertical = {"a": a, "S_aV/S_aH": ratio}
+    lines = (
+        multiplier_step("a", "multiplier at rest", A2, branch),
+        step("F_V", "vertical ground motion, which the histories do not have", "Eq. A-5(b)", "√(1 + (a S_aV/S_aH)²)",
+             f_v, given=vertical),
+        *component_step(context),
+    )  # fmt: skip
+    check = replace(check, steps=(*check.steps, *lines))
+    if check.verdict == Outcome.PASS and lacks_vertical_floor(context, options):
+        condition = message("no-vertical-on-floor", {"key": FLOOR_KEY}, severity=Severity.WARNING)
+    elif falls_short(check, factor):
+        condition = message("one-component", {"factor": Quantity(factor, "ratio", 2)}, severity=Severity.WARNING)
+    else:
+        return check
+    return replace(check, conditions=(*check.conditions, condition))
 
 
 def _outcome(suite: SuiteResponse, share: float | None) -> tuple[Outcome, Message]:

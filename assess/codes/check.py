@@ -147,6 +147,7 @@ class Reason(StrEnum):
     ABOVE_BUILDING = "above-building"
     GROUND_MOTION = "ground-motion-at-height"
     SCALAR_MOTION = "scalar-motion-at-height"
+    VERTICAL_UNKNOWN = "vertical-motion-unknown"
     UNHELD = "unheld"
     GROUND_UNKNOWN = "ground-unknown"
     GROUND_CONTRADICTED = "ground-contradicted"

@@ -123,6 +123,8 @@ TEXTS: Mapping[str, str] = {
     "motion applied there a check may fail but cannot pass: {remedy}",
     "scalar-motion-at-height": "the mean height of the supports is {height} above the ground; histories scaled "
     "to that height by a single factor miss resonance, so a check may fail but cannot pass: {remedy}",
+    "vertical-motion-unknown": "the vertical motion of the floor is not known: give {key}, vertical over horizontal "
+    "spectral acceleration, by the vertical floor spectrum",
     "ground-unknown": "the lowest body is {height} from elevation 0 and the ground level is not given: give "
     "[building] ground_elevation, or the mechanism's base_elevation",
     "ground-contradicted": "base_elevation = {given}, but the base is modelled {drawn} above the ground; that key "
@@ -183,6 +185,10 @@ TEXTS: Mapping[str, str] = {
     "seat-travel": "{what}: {moved}",
     "not-scanned": "a pass by histories is valid only if no lower PGA is worse, which was not looked at: [analysis] "
     "scan = true runs the histories at rising PGA",
+    "one-component": "a pass is valid for one horizontal component alone; with the other components of the motion "
+    "it needs a capacity of {factor} times the action, which is not shown",
+    "no-vertical-on-floor": "a pass is valid without vertical motion: histories have none, and {key} does not give "
+    "that of the floor",
     # values that help
     "override-unsourced": "{key} = {value} has no source; without it: {outcome}, up to {margin} times the action",
     "override-unsourced-falls": "{key} = {value} has no source; without it what it holds falls under its own loads",

@@ -10,6 +10,7 @@ from pathlib import Path
 
 import numpy as np
 
+from assess.codes.asce43_05 import VERTICAL_RATIO
 from assess.codes.context import Building
 from assess.codes.verdict import falling_message
 from assess.dynamics.packing import Equation
@@ -289,7 +290,7 @@ def _study_of_mechanisms(
     question = question_of(content, site_pga=own.pga if own else 0.0, scale=own.factor if own else 1.0)
     return Study(
         spectrum=files.spectrum,
-        vertical_ratio=0.0 if site is None else site.vertical_ratio,
+        vertical_ratio=VERTICAL_RATIO if site is None else site.vertical_ratio,
         building=_structure_below(building),
         records=files.named.records,
         fitting=files.named.fitting,

@@ -13,6 +13,7 @@ from typing import Any, Literal
 
 from scipy.constants import g
 
+from assess.codes.asce43_05 import VERTICAL_RATIO
 from assess.codes.check import Check
 from assess.codes.context import Building
 from assess.codes.histories import SuiteResponse
@@ -390,7 +391,7 @@ def answers(
     height = _height_above_ground(mechanism, base_elevation, lowest, building)
     study = Study(
         spectrum=spectrum,
-        vertical_ratio=0.0,
+        vertical_ratio=VERTICAL_RATIO,
         building=building,
         records=suite,
         fitting=Fitting(ALL_PERIODS),

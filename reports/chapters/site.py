@@ -22,6 +22,7 @@ from reports.project_values import project_text
 
 SPECTRUM = "site.spectrum"
 CALCULATED = say("calculated")
+WITH_VERTICAL = ("asce43-05-spectrum", "asce43-05-sliding")
 PAIRS_IN_ROW = 3  # parameters in a row
 ON_PAGE_1 = (PARAMETER_NAMES["limit_state"][0], PARAMETER_NAMES["use_coefficient"][0])
 
@@ -241,7 +242,8 @@ def _directions(results: Results) -> Iterator[Text]:
     )
     given = results.project.get("site.vertical_ratio")
     ratio = 0.0 if given is None or given.value is None else float(given.value)
-    if ratio > 0.0:
+    shaken = any(check.procedure in WITH_VERTICAL for each in results.mechanisms for check in each.checks)
+    if ratio > 0.0 and shaken:
         yield say(
             "A vertical ground motion of {ratio} times the horizontal one enters the approximate method of ASCE 43-05 "
             "by its factor F_V; the other methods and the time histories have none.",

@@ -296,6 +296,9 @@ OWN: Mapping[str, Mapping[tuple[str, str], Reading]] = {
         }
         for code in ("dmi2008", "ntc2018")
     },
+    "asce43-05-spectrum": {("c", "ratio"): lambda s: 0.4},
+    "asce43-05-spectrum-thesis": {("S_aV/S_aH", "ratio"): lambda s: 0.0},
+    "asce43-05-history": {("c", "ratio"): lambda s: 0.4},
     "asce43-05-sliding": {
         ("μ", "ratio"): lambda s: FRICTION,
         ("N", "force"): normal,

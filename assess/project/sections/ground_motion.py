@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from pydantic import Field, StrictBool, StrictStr, model_validator
 
+from assess.codes.asce43_05 import VERTICAL_RATIO
 from assess.codes.context import StatedFirstMode, default_period
 from assess.declaration import (
     UNCERTAIN,
@@ -51,7 +52,7 @@ SITE_PGA = Evidence(
     judged="the hazard defines the case, but a PGA below that of the spectrum scales the hazard of the code down",
 )
 ACTION_OF = Evidence("defines", "either", "absent: incomplete where the basis fixes one")
-VERTICAL_RATIO = Evidence("code", "down", "1.0 at the ground; on a floor the vertical floor spectrum, or not answered")
+OF_VERTICAL = Evidence("code", "down", "1.0", safe=VERTICAL_RATIO)
 
 
 class SiteSection(ProjectSection):
@@ -63,8 +64,8 @@ class SiteSection(ProjectSection):
     """scales the spectrum's ordinates to this peak ground acceleration, corner periods fixed"""
     limit_state: Annotated[StrictStr | None, ACTION_OF] = None
     """what the site's own action stands for, like "SLV", "ULS" or "DBE", without a hazard over return periods"""
-    vertical_ratio: Annotated[NotNegativeRatio, VERTICAL_RATIO] = 0.0
-    """vertical over horizontal spectral acceleration, for F_V of ASCE 43-05"""
+    vertical_ratio: Annotated[NotNegativeRatio, OF_VERTICAL] = VERTICAL_RATIO
+    """vertical over horizontal spectral acceleration of the ground, for F_V and A_v of ASCE 43-05"""
 
     @model_validator(mode="after")
     def _one_limit_state(self) -> SiteSection:

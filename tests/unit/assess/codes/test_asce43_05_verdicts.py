@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from scipy.constants import g
 
+from assess.codes.asce43_05 import Asce4305Options
 from assess.codes.check import Reason
 from assess.codes.histories import SuiteResponse
 from assess.mechanisms.single_block import equivalent_block
@@ -61,8 +62,9 @@ def test_the_rule_of_histories(ratio, verdict, reason) -> None:
     assert (check.verdict, check.reason.key) == (verdict, reason)
 
 
-def spectrum_checks(rocker: Oscillator, *levels: float, **more):
-    return checks_of("asce43-05-spectrum", rocker, context_at(SPECTRUM, levels, **more))
+def spectrum_checks(rocker: Oscillator, *levels: float, floor_ratio: float | None = 0.0, **more):
+    options = Asce4305Options(floor_vertical_ratio=floor_ratio)
+    return checks_of("asce43-05-spectrum", rocker, context_at(SPECTRUM, levels, **more), options)
 
 
 def test_a_third_of_what_overturns_is_allowed_with_half_beside_it() -> None:
@@ -120,3 +122,62 @@ def test_a_floor_with_a_peak_of_its_own_never_demands_less() -> None:
             assert after.capacity_pga_g <= before.capacity_pga_g * (1 + 1e-9)
             assert np.inf if after.demand is None else after.demand >= (before.demand or 0.0) * (1 - 1e-9)
             assert (after.verdict == "pass") == (after.level_pga_g <= after.capacity_pga_g * (1 + 1e-9))
+
+
+def test_on_a_floor_a_pass_needs_the_vertical_spectrum_of_the_floor() -> None:
+    """F_V = sqrt(1 + (tan 0.18 / 2)^2) = 1.00413 divides the PGA at capacity; what fails does so without it."""
+    upstairs = {"elevation": 5.0, "floor_spectrum": SPECTRUM}
+    (unknown,), (still,), (shaken,) = (
+        spectrum_checks(WALL, 0.02 * g, floor_ratio=ratio, **upstairs) for ratio in (None, 0.0, 0.5)
+    )
+    assert (unknown.verdict, unknown.provisional, unknown.may_pass) == ("not-answered", "pass", False)
+    assert (unknown.reason.key, unknown.reason.where) == (
+        Reason.VERTICAL_UNKNOWN,
+        "procedures.asce43-05.floor_vertical_ratio",
+    )
+    assert (still.verdict, shaken.verdict) == ("pass", "pass")
+    assert still.capacity_pga_g / shaken.capacity_pga_g == pytest.approx(1.00413, rel=1e-5)
+    (beyond,) = spectrum_checks(WALL, 2.0 * g, floor_ratio=None, **upstairs)
+    assert beyond.verdict == "fail"
+
+
+@pytest.mark.parametrize(
+    ("share", "support", "conditions"),
+    [(0.999, "free", ["one-component"]), (0.929, "free", ["one-component"]), (0.928, "free", []),
+     (0.999, "spanning", [])],
+)  # fmt: skip
+def test_a_body_that_stands_free_takes_both_horizontal_components_or_says_so(share, support, conditions) -> None:
+    """100 % in the plane with 40 % across are sqrt(1.16) = 1.0770 times the action, 0.9285 of it the inverse."""
+    (found,) = spectrum_checks(WALL, 0.2 * g, support=support)
+    (check,) = spectrum_checks(WALL, share * found.capacity_pga_g * g, support=support)
+    assert (check.verdict, [each.key for each in check.conditions]) == ("pass", conditions)
+    lines = [step.value for step in check.steps if step.symbol == "k_h"]
+    assert lines == ([pytest.approx(1.0770330, rel=1e-7)] if support == "free" else [])
+
+
+UPSTAIRS = {"elevation": 5.0, "histories_at": "mechanism base", "transfer": "by a filter"}
+
+
+@pytest.mark.parametrize(
+    ("capacity", "ratio", "more", "keys"),
+    [
+        (0.217, 0.0, {}, []),  # 1.0770 times 0.2 g
+        (0.215, 0.0, {}, ["one-component"]),
+        (0.2195, 1.0, {}, []),  # tan 0.18 = 0.181970: F_V = 1.016422, 1.094720 in all, 0.218944 g
+        (0.2185, 1.0, {}, ["one-component"]),
+        (0.201, 0.0, {"support": "spanning"}, []),
+        (0.202, 1.0, {"support": "spanning"}, ["one-component"]),
+        (0.204, 1.0, {"support": "spanning"}, []),
+        (0.9, 1.0, UPSTAIRS, ["no-vertical-on-floor"]),
+    ],
+)
+def test_histories_of_one_component_say_so_where_the_scan_does_not_reach_all(capacity, ratio, more, keys) -> None:
+    suite, failing = (
+        SuiteResponse(0.2 * g, (0.3,) * 5, "positive"),
+        SuiteResponse(capacity * g, (None,) * 5, "positive"),
+    )
+    context = replace(context_at(SPECTRUM, (0.2 * g,), suites=(suite,), **more), vertical_ratio=ratio)
+    between = tuple(SuiteResponse(capacity * g * share, (0.3,) * 5, "positive") for share in (0.999, 0.9999))
+    scanned = replace(context, incremental=(suite, *between, failing))
+    (check,) = checks_of("asce43-05-history", WALL, scanned)
+    assert (check.verdict, [each.key for each in check.conditions]) == ("pass", keys)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from math import cos, exp, pi, sin
 
 import numpy as np
@@ -23,6 +24,12 @@ HAND = 2e-5  # hand values have six figures
 )
 def test_vertical_factor(a: float, ratio: float, factor: float) -> None:
     assert asce43_05.vertical_factor(a, ratio) == pytest.approx(factor, rel=HAND)
+
+
+@pytest.mark.parametrize(("support", "factor"), [("free", 1.077033), ("spanning", 1.0), ("hinged", 1.0)])
+def test_component_factor(support, factor: float) -> None:
+    """100-40: sqrt(1 + 0.16) where nothing holds the body across its plane."""
+    assert asce43_05.component_factor(replace(GROUND, support=support)) == pytest.approx(factor, rel=HAND)
 
 
 @pytest.mark.parametrize(("theta", "f1"), [(0.05, 0.00875), (0.1, 0.015), (0.2, 0.02)])  # 0.2 theta - theta^2 / 2

@@ -31,7 +31,7 @@ from assess.mechanisms.assembly import (
 )
 from assess.mechanisms.chain import Chain, RigidBlock, cross, mirror_chain, mirror_point, point_text
 from assess.mechanisms.mechanism import DRAWN_HINGES, BlockMechanism, Mechanism, Sides
-from assess.mechanisms.restitution import ImpactRules, RestitutionChoice, conserve_momentum, no_rebound
+from assess.mechanisms.restitution import ImpactRules, RestitutionChoice, chain_rebound, conserve_momentum
 from assess.messages.message import Message, Quantity, Value, lengths, message, note, warning, whole_number
 from spectra.arrays import ComplexArray, FloatArray, IntArray
 
@@ -244,7 +244,7 @@ FOUR_HINGE = MechanismKind(
     definition=FourHinge,
     build=_build_four_hinge,
     impacts=ImpactRules(
-        two_sided={"thesis": conserve_momentum, "momentum": conserve_momentum}, one_sided={"thesis": no_rebound}
+        two_sided={"thesis": conserve_momentum, "momentum": conserve_momentum}, one_sided={"thesis": chain_rebound}
     ),
     support="hinged",
 )

@@ -57,6 +57,19 @@ class Variants:
         """The oscillator of displacements and histories; the starting one if it falls at rest without its actions."""
         return self.starting if self.collapse is None else self.collapse
 
+    @property
+    def of_histories(self) -> tuple[Oscillator, ...]:
+        """The oscillators that histories follow, the deciding one first; the worst response counts.
+
+        What resists and is not shown to last is left out of the deciding one. That is not always worse: a vertical
+        force moves the frequency of rocking and the impacts' velocities, so histories run with it as well.
+        """
+        each: dict[int, Oscillator] = {}
+        for oscillator in (self.deciding, self.breaking, self.starting):
+            if oscillator is not None and (self.collapse is not None or not each):
+                each.setdefault(id(oscillator), oscillator)
+        return tuple(each.values())
+
 
 def find_variants(pair: ChainPair, starting: Oscillator, acting: Sequence[ChainActions]) -> Variants:
     """Return the oscillators of a mechanism as it starts, as its actions end, and as it collapses.

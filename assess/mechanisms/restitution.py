@@ -94,11 +94,14 @@ class ImpactRules:
 HOUSNER = (Term("Housner 1963, thesis eq. 3.44"),)
 MOMENTUM = (Term("momentum kept over the mechanism"),)
 ABOUT_BASE = (Term("angular momentum about the new base hinge, Sorrentino et al. 2008, thesis eq. 3.46"),)
-NO_REBOUND = (Term("no rebound"),)
+OF_SLENDER_BLOCK = Term("3.45 of a slender block, as none is published for a chain")
 GIVEN = (Term("given"),)
 WORST_OF_THREE = Term("histories take the worst of 0.5, 1 and 1.5 times it")
+WORST_OF_FOUR = Term("histories take the worst of no rebound and 0.5, 1 and 1.5 times it")
 NOTABLE = 0.03  # a difference between two coefficients that is explained in a warning
 REBOUNDS = (1.0, 0.5, 1.5)  # factors on the rebound of 3.45 in histories, 1 first
+REBOUNDS_OF_CHAIN = (1.0, 0.0, 0.5, 1.5)
+SLENDER_REBOUND = 0.5  # minus 3.45 where alpha goes to 0 with I_O = 4/3 M R^2: 1 - 2 * 3/4
 SAME = 5e-4  # coefficients this close are printed alike
 
 
@@ -191,9 +194,14 @@ def sorrentino_rebound(chain: Chain) -> RestitutionCoefficient:
     return RestitutionCoefficient(-signed, (source, WORST_OF_THREE), range=REBOUNDS)
 
 
-def no_rebound(chain: Chain) -> RestitutionCoefficient:
-    """Return no rebound for one-sided rocking of a chain: no formula is published, so a number must be given."""
-    return RestitutionCoefficient(0.0, NO_REBOUND, warning("restitution-chain"))
+def chain_rebound(chain: Chain) -> RestitutionCoefficient:
+    """Return the rebound of a slender block for one-sided rocking of a chain, with none in its range too.
+
+    No formula is published for chains. A body that bounces off what stands behind it can be worse placed for the next
+    pulse than one that stops there, so that without a rebound histories would flatter it.
+    """
+    sources = (OF_SLENDER_BLOCK, WORST_OF_FOUR)
+    return RestitutionCoefficient(SLENDER_REBOUND, sources, warning("restitution-chain"), range=REBOUNDS_OF_CHAIN)
 
 
 def housner(block: RockingBlock) -> float:

@@ -36,9 +36,9 @@ from assess.mechanisms.mechanism import DRAWN_HINGES, BlockMechanism, Mechanism,
 from assess.mechanisms.restitution import (
     ImpactRules,
     RestitutionChoice,
+    chain_rebound,
     conserve_about_base,
     conserve_momentum,
-    no_rebound,
 )
 from assess.messages.message import Message, Quantity, distinct, warning, whole_number
 
@@ -166,7 +166,7 @@ TWO_BLOCK = MechanismKind(
     build=_build_two_block,
     impacts=ImpactRules(
         two_sided={"thesis": conserve_about_base, "sorrentino": conserve_about_base, "momentum": conserve_momentum},
-        one_sided={"thesis": no_rebound},
+        one_sided={"thesis": chain_rebound},
     ),
     support="spanning",
     direction_sought=True,

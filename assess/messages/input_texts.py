@@ -117,8 +117,8 @@ GEOMETRY_TEXTS: Mapping[str, str] = {
     # restitution
     "restitution-no-rebound": "restitution 0 is used: Sorrentino et al. 2011, thesis eq. 3.45, gives {value}, which is "
     "not negative: there is no rebound",
-    "restitution-chain": "no rebound is taken for one-sided rocking of a chain, as no formula is published; give one "
-    "as a number",
+    "restitution-chain": "no formula is published for the rebound of a chain that rocks to one side: histories take "
+    "the worst of none and 0.5, 1 and 1.5 times that of a slender block, 0.5; give one as a number",
     "restitution-takes-more": "restitution {given} is given, where momentum kept over the mechanism is {momentum}: "
     "each impact takes more energy than by that rule, so histories and ASCE 43-05 A.2 rest on the source of that "
     "number",

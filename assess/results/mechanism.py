@@ -331,10 +331,12 @@ class HistoryResult(ShortRepr):
 
     max_rotation_rad: signed; it, its ratio and its time are None where the record overturned the mechanism.
     overturning_time_s: last passage of phi_ov. branch: of the largest rotation. rebound: factor on the restitution of
-    the mechanism with which this history was worst, 1 if no range was run [-]. twin_ratios, twin_times_s: largest
-    |rotation| / phi_ov and its time in each of the nine runs, the record as it is and its eight twins (see
-    docs/verdict.md), None where that run overturned; twin_impacts: their impacts. Empty where the record was run alone.
-    The number of impacts is a result only where all nine agree.
+    the mechanism with which this history was worst, 1 if no range was run [-]. variant: with which oscillator it was: 0
+    without the actions that are not shown to last, 1 and 2 with them, up to where they end or throughout.
+    max_rotation_ratio is over phi_ov without them. twin_ratios, twin_times_s: largest |rotation| / phi_ov and its time
+    in each of the nine runs, the record as it is and its eight twins (see docs/verdict.md), None where that run
+    overturned; twin_impacts: their impacts. Empty where the record was run alone. The number
+    of impacts is a result only where all nine agree.
     """
 
     record: str
@@ -351,6 +353,7 @@ class HistoryResult(ShortRepr):
     trace: HistoryTrace | None
     branch: BranchName
     rebound: float = 1.0
+    variant: int = 0
     twin_ratios: tuple[float | None, ...] = ()
     twin_times_s: tuple[float | None, ...] = ()
     twin_impacts: tuple[int, ...] = ()

@@ -129,7 +129,7 @@ def _rows_of_mechanisms(field: str, columns: Mapping[str, str]) -> Callable[[Res
 
 MECHANISM = {"mechanism": "str"}
 CHECKS = {**MECHANISM, **_columns(Check, without=("pga_curve", "steps", "score", "caveats", "numerical"))}
-HISTORIES = {**MECHANISM, **_columns(HistoryResult, without=("trace",))}
+HISTORIES = {**MECHANISM, **_columns(HistoryResult, without=("trace", "variant"))}
 SUITES = {**MECHANISM, **_columns(SuiteResult)}
 RECORDS = _columns(RecordResult, without=("spectrum", "primary_pulses"))
 COMPARISON = _columns(ComparisonRow)

@@ -177,8 +177,10 @@ def run_records(
     """
     amplification = study.amplified[mechanism.name].amplification
     base = tuple(base_motion(amplification, record) for record in records)
-    oscillator = mechanism.variants.deciding
-    case = RockingCase(mechanism.name, oscillator, study.equations[mechanism.name], base, mechanism.rebounds)
+    oscillator, *others = mechanism.variants.of_histories
+    case = RockingCase(
+        mechanism.name, oscillator, study.equations[mechanism.name], base, mechanism.rebounds, tuple(others)
+    )
     rocker = Rocker(oscillator.slenderness, oscillator.p)
     above = any(at_base.record is not record for at_base, record in zip(base, records, strict=True))
     places = [(each, tuple(records)) for each in question.measures]

@@ -17,7 +17,7 @@ from math import ceil, inf, log, tan
 import numpy as np
 from scipy.constants import g
 
-from assess.dynamics.history import Jobs, make_solver
+from assess.dynamics.history import Jobs
 from assess.oscillator import linear_multiplier
 from assess.results.fragility import (
     LARGE_SCALE,
@@ -25,7 +25,7 @@ from assess.results.fragility import (
     StateResult,
 )
 from assess.short_repr import ShortRepr
-from assess.study.histories import RockingCase, run_variants
+from assess.study.histories import RockingCase, run_variants, variant_solver
 from assess.study.study import AVERAGE_PERIODS, FragilityQuestion
 from records.record import Record
 from records.response import pgv, response_spectrum
@@ -334,8 +334,8 @@ def _severity_solver(case: RockingCase, *, threads: int) -> SeveritySolver:
     Ratios are over the rotation that overturns
     the body on the joints in use, which is less than that on rigid ones.
     """
-    oscillators, polarity, oscillator_number = run_variants(case)
-    run = make_solver(oscillators, [each.record for each in case.base], equation=case.equation, threads=threads)
+    polarity, oscillator_number = run_variants(case)
+    run = variant_solver(case, [each.record for each in case.base], threads=threads)
     branches = case.oscillator.branches
     first, last = (branch.overturning / branch.unstable for branch in (branches[0], branches[-1]))
 

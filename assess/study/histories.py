@@ -31,7 +31,7 @@ from assess.dynamics.history import Jobs, Peaks, make_solver, peaks, trace
 from assess.dynamics.packing import Equation
 from assess.dynamics.pulses import Envelope
 from assess.mechanisms.mechanism import Mechanism
-from assess.oscillator import BranchName, Oscillator, elastic_frequency, linear_multiplier
+from assess.oscillator import Branch, BranchName, Oscillator, elastic_frequency, linear_multiplier
 from assess.results import (
     HistoryResult,
     HistoryTrace,
@@ -70,7 +70,8 @@ def rocking_case(study: Study, mechanism: Mechanism, motions: tuple[ScaledRecord
     """Return what the histories of a mechanism are run for."""
     name, amplification = mechanism.name, study.amplified[mechanism.name].amplification
     base = tuple(base_motion(amplification, motion.record) for motion in motions)
-    return RockingCase(name, mechanism.variants.deciding, study.equations[name], base, mechanism.rebounds)
+    first, *others = mechanism.variants.of_histories
+    return RockingCase(name, first, study.equations[name], base, mechanism.rebounds, tuple(others))
 
 
 def further_levels(study: Study, spectrum: Spectrum, mechanism: Mechanism) -> tuple[float, ...]:
@@ -172,6 +173,8 @@ class RockingCase(ShortRepr):
     """One oscillator, the equation its histories solve, and every ground motion as it acts at its base.
 
     rebounds : factors on its restitution, its own value (1) first; the worst of them counts
+    others : the oscillator with actions that are not shown to last; the worst counts, as a share of the rotation that
+        overturns the first
     """
 
     name: str
@@ -179,6 +182,7 @@ class RockingCase(ShortRepr):
     equation: Equation
     base: tuple[BaseMotion, ...]
     rebounds: tuple[float, ...] = (1.0,)
+    others: tuple[Oscillator, ...] = ()
 
 
 @dataclass(frozen=True, repr=False)
@@ -216,6 +220,7 @@ class LevelPeaks(ShortRepr):
     levels : PGA of the target [levels] [m/s2]
     peaks : the largest response of every job
     scale, rebound : factors of each job on the motion and on the restitution [-]
+    variant : which of the oscillators each job rocks, from 0
     worse : the job that counts, of a record as it is and of its twins; of several that overturn or stay at rest, the
         first [levels, records, runs]
     """
@@ -224,6 +229,7 @@ class LevelPeaks(ShortRepr):
     peaks: Peaks
     scale: FloatArray
     rebound: FloatArray
+    variant: IntArray
     worse: IntArray
 
 
@@ -237,8 +243,8 @@ def level_solver(
     """
     factors = np.array([motion.scaling.factor for motion in motions])
     records = [at_base.record for at_base in case.base]
-    oscillators, polarity, oscillator_number = run_variants(case)
-    run = make_solver(oscillators, records, equation=case.equation, threads=threads)
+    polarity, oscillator_number = run_variants(case)
+    run = variant_solver(case, records, threads=threads)
 
     def jobs(levels: FloatArray, records: IntArray, variant: IntArray, runs: FloatArray) -> Jobs:
         """Return the jobs of records at levels in one variant each [n], in every run [n, runs]."""
@@ -271,25 +277,52 @@ def level_solver(
         each = np.moveaxis(job.reshape(*shape, -1), 2, 3)  # [levels, records, runs, variants]
         worst = _severity(peaks)[each].argmax(axis=3)
         worse = np.take_along_axis(each, worst[..., None], axis=3)[..., 0]
-        return LevelPeaks(tuple(levels), peaks, jobs_run.scale, np.array(case.rebounds)[jobs_run.oscillator], worse)
+        variant, rebound = np.divmod(jobs_run.oscillator, len(case.rebounds))
+        return LevelPeaks(tuple(levels), peaks, jobs_run.scale, np.array(case.rebounds)[rebound], variant, worse)
 
     return solve
 
 
-def run_variants(case: RockingCase) -> tuple[list[Oscillator], FloatArray, IntArray]:
-    """Return how one record is run at one level: in every polarity with every rebound.
+def run_variants(case: RockingCase) -> tuple[FloatArray, IntArray]:
+    """Return how one record is run at one level: in every polarity with every rebound and every oscillator.
 
     A symmetric body is run in one polarity only: the other one mirrors it.
 
     Returns
     -------
-    oscillators : one for each rebound
     polarity : sign of the motion [variants]
-    oscillator_number : place of the oscillator [variants]
+    oscillator_number : place of the oscillator among those of `variant_solver` [variants]
     """
-    oscillators = [with_restitution_factor(case.oscillator, rebound) for rebound in case.rebounds]
-    signs = np.array([1.0] if case.oscillator.symmetric else [1.0, -1.0])
-    return oscillators, np.tile(signs, len(oscillators)), np.repeat(np.arange(len(oscillators)), signs.size)
+    every = (case.oscillator, *case.others)
+    number = len(every) * len(case.rebounds)
+    signs = np.array([1.0] if all(each.symmetric for each in every) else [1.0, -1.0])
+    return np.tile(signs, number), np.repeat(np.arange(number), signs.size)
+
+
+def variant_solver(case: RockingCase, records: Sequence[Record], *, threads: int) -> Callable[[Jobs], Peaks]:
+    """Return a solver of each oscillator of a case with each rebound, whose ratios are those of the first oscillator.
+
+    So a body that a force holds beyond the rotation that overturns it without has a ratio above 1 there.
+    """
+    every = (case.oscillator, *case.others)
+    oscillators = [with_restitution_factor(each, rebound) for each in every for rebound in case.rebounds]
+    run = make_solver(oscillators, records, equation=case.equation, threads=threads)
+    if not case.others:
+        return run
+    ends = [[_overturning(branch, case.equation) for branch in (each.branches[0], each.branches[-1])] for each in every]
+    factor = np.repeat(np.array(ends) / np.array(ends[0]), len(case.rebounds), axis=0)
+
+    def solve(jobs: Jobs) -> Peaks:
+        found = run(jobs)
+        side = (found.max_rotation < 0.0).astype(np.int64)
+        return replace(found, max_ratio=found.max_ratio * factor[jobs.oscillator, side])
+
+    return solve
+
+
+def _overturning(branch: Branch, equation: Equation) -> float:
+    """Return the rotation to which an equation refers its ratios [rad]."""
+    return branch.linearised.overturning if equation == "linearised" else branch.overturning
 
 
 def with_restitution_factor(oscillator: Oscillator, factor: float) -> Oscillator:
@@ -562,6 +595,7 @@ def _history(level_peaks: LevelPeaks, runs: IntArray, at_base: BaseMotion, level
         trace=None,
         branch=branch_of(float(peaks.max_rotation[job])),
         rebound=float(level_peaks.rebound[job]),
+        variant=int(level_peaks.variant[job]),
         twin_ratios=_values_of_runs(peaks.max_ratio, peaks, runs),
         twin_times_s=_values_of_runs(peaks.time_of_max, peaks, runs),
         twin_impacts=tuple(peaks.impacts[runs].tolist()) if runs.size > 1 else (),
@@ -581,7 +615,8 @@ def _trace(case: RockingCase, history: HistoryResult, motions: Sequence[ScaledRe
     place = next(place for place, motion in enumerate(motions) if motion.record.id == history.record)
     ground, base = motions[place].record, case.base[place].record
     scale = history.polarity * history.scale_factor
-    path = trace(with_restitution_factor(case.oscillator, history.rebound), base, scale=scale, equation=case.equation)
+    oscillator = with_restitution_factor((case.oscillator, *case.others)[history.variant], history.rebound)
+    path = trace(oscillator, base, scale=scale, equation=case.equation)
     below = np.interp(path.time, ground.time, ground.acceleration, right=0.0)
     same, above = base is ground, base.acceleration[: path.time.size]
     return HistoryTrace(

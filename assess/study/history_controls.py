@@ -94,7 +94,7 @@ def governing_history(
         return None
     return GoverningHistory(
         worst,
-        with_restitution_factor(mechanism.variants.deciding, worst.rebound),
+        with_restitution_factor(mechanism.variants.of_histories[worst.variant], worst.rebound),
         base_motion(amplified.amplification, motions[worst.record].record).record,
         worst.polarity * worst.scale_factor,
         equation,
@@ -288,6 +288,10 @@ def convergence_control(mechanism: Mechanism, governing: GoverningHistory | None
     history = governing.history
     quantity, dimension = LARGEST_ROTATION, "ratio"
     value, reference = history.max_rotation_ratio, float(coarse.max_ratio[0])
+    if history.variant:  # its ratio is over the rotation that overturns the deciding oscillator
+        side = 0 if history.branch == "positive" else -1
+        own, deciding = (each.branches[side] for each in (governing.oscillator, mechanism.variants.deciding))
+        reference *= own.overturning / deciding.overturning
     if history.overturned and coarse.overturned[0]:
         quantity, dimension = OVERTURNING_TIME, "time"
         value, reference = history.overturning_time_s, float(coarse.overturning_time[0])

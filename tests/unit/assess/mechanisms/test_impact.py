@@ -144,9 +144,12 @@ def test_where_the_formula_gives_no_rebound_there_is_none():
     assert any("no rebound" in text for text in map(str, found.warnings))
 
 
-def test_a_chain_to_one_side_does_not_rebound():
+def test_a_chain_to_one_side_rebounds_as_a_slender_block_or_not_at_all():
+    """3.45 of a block whose slenderness goes to 0, with I_O = 4/3 M R^2: (1 - 0)^2 (1 - 2 * 3/4) = -0.5."""
     found = two_block("w", planar_box(T, 2.2, **LONG), planar_box(T, 1.8, base=2.2, **LONG), sides="one")
-    assert found.restitution == (0.0, 0.0)
+    thin = single_block("w", planar_box(1e-4, H, **LONG), sides="one")
+    assert found.restitution[0] == pytest.approx(thin.restitution[0], rel=1e-6) == 0.5
+    assert found.rebounds == (1.0, 0.0, 0.5, 1.5)
     assert found.stopped is None
     assert any("no formula is published" in text for text in map(str, found.warnings))
 

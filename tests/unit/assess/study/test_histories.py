@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from math import inf
+from math import inf, isinf
 
 import numpy as np
 import pytest
@@ -89,6 +89,25 @@ def test_of_the_range_of_a_rebound_the_worst_stands():
     for record in with_governing_trace(ranged, found.histories, MOTIONS)[-1]:
         if record.trace is not None and not record.overturned:
             assert max(record.trace.rotation_rad) == pytest.approx(record.max_rotation_rad, rel=1e-3)
+
+
+def test_with_and_without_an_action_that_is_not_shown_to_last_the_worse_stands():
+    """Both oscillators run by themselves; ratios are over the rotation that overturns the one without the action."""
+    levels = (2.5, 3.0, 3.5, 6.0)
+    both = replace(rocking_case(SYMMETRIC), others=(UNLIKE,))
+    found = run_levels(both, MOTIONS, levels=levels, further=(), site_pga=PGA, threads=1)
+    alone = [levels_of(each, levels).histories for each in (SYMMETRIC, UNLIKE)]
+    chosen = set()
+    for i, histories in enumerate(found.histories):
+        for j, one in enumerate(histories):
+            cases = [each[i][j] for each in alone]
+            worst = [inf if c.overturned else abs(c.max_rotation_rad) / ONE.overturning for c in cases]
+            assert one.variant == int(np.argmax(worst))
+            assert one.overturned == isinf(max(worst))
+            if not one.overturned:
+                assert one.max_rotation_ratio == pytest.approx(max(worst), rel=1e-12)
+            chosen.add(one.variant)
+    assert chosen == {0, 1}
 
 
 def test_a_rebound_is_never_above_one():

@@ -24,6 +24,7 @@ from assess.codes.check import (
     DefaultRun,
     Family,
     Outcome,
+    Premise,
     Reason,
     caveats_of,
     check_worst_branch,
@@ -197,6 +198,7 @@ ASCE41_13_SLENDERNESS = CodeProcedure(
     options="asce41_13",
     spectra=AMERICAN,
     default_run=DefaultRun(spectra=AMERICAN),
+    premises=(Premise.ANCHORAGE, Premise.COLLAR_JOINTS),
 )
 
 

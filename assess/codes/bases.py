@@ -1,6 +1,7 @@
-"""The bases of a verdict: which limit states of each code decide, by which methods, on which premises.
+"""The bases of a verdict: which limit states of each code decide, by which methods.
 
-They are data; the rules of a verdict are in `assess.codes.verdict`.
+They are data; the rules of a verdict are in `assess.codes.verdict`. What a pass depends on goes with the procedure that
+gives it (`assess.codes.check.Premise`), whatever the basis.
 """
 
 from __future__ import annotations
@@ -15,15 +16,6 @@ class LimitStateRole(StrEnum):
 
     CHOSEN = "chosen"
     BESIDES = "besides"
-
-
-class Premise(StrEnum):
-    """What a pass depends on besides its numbers."""
-
-    SOUND_MASONRY = "sound-masonry"
-    ANCHORAGE = "anchorage"
-    COLLAR_JOINTS = "collar-joints"
-    NO_FLOORS = "no-floors"
 
 
 class IndexKind(StrEnum):
@@ -81,7 +73,7 @@ class Basis:
 
     edition : how it is cited; index : the measure of the answer; states : its limit states, the default one first
     default : the limit state where none is chosen; empty where the site's own action decides it
-    premises : what a pass depends on; clauses : (rule, clause) pairs for the report
+    clauses : (rule, clause) pairs for the report
     uncompared : what could not be compared with any text of the standard
     suite_code : the code whose rules a suite of records is held to, as `records.compliance` calls it; empty for none
     circular : that goes with an Italian code, which gives its confidence factors; empty for other codes
@@ -92,7 +84,6 @@ class Basis:
     index: IndexKind
     states: tuple[LimitState, ...]
     default: str
-    premises: tuple[Premise, ...]
     clauses: tuple[tuple[str, str], ...]
     uncompared: tuple[str, ...] = ()
     suite_code: str = ""
@@ -125,7 +116,6 @@ NTC2018 = Basis(
         LimitState("SLD", "SLD", ("SLD",), ((Method("ntc2018-linear"),),), LimitStateRole.BESIDES, classes=("IV",)),
     ),
     default="SLV",
-    premises=(Premise.SOUND_MASONRY,),
     clauses=(
         ("SLV, or alternatively SLC, chosen once for the building", "NTC 8.3, C8.7.1.2.1.6"),
         ("for use class IV also SLD", "NTC 8.3, 7.3.6"),
@@ -151,7 +141,6 @@ DMI2008 = Basis(
         LimitState("SLD", "SLD", ("SLD",), ((Method("dmi2008-linear"),),), LimitStateRole.BESIDES, classes=("IV",)),
     ),
     default="SLV",
-    premises=(Premise.SOUND_MASONRY,),
     clauses=(
         ("linear with q = 2, or the capacity spectrum: the one named, both where none is", "C8A.4.2.3"),
         ("above the ground both the ground's and the floor's demand", "C8A.4.2.3"),
@@ -169,7 +158,6 @@ NZSEE2017 = Basis(
     index=IndexKind.NBS,
     states=(LimitState("ULS", "ULS", ("ULS",), ((Method("nzsee2017-face-loaded"),),)),),
     default="ULS",
-    premises=(Premise.ANCHORAGE,),
     clauses=(("usable rotation of a face-loaded wall against the demand on a part", "C8.8.5, NZS 1170.5 section 8"),),
     uncompared=("the chapter was not compared with its print; its formulas were derived anew",),
     suite_code="NZS 1170.5:2004",
@@ -186,7 +174,6 @@ ASCE41_13 = Basis(
         LimitState("CP", "life safety, collapse prevention", ("BSE-2E", "CP"), SLENDERNESS_TABLE),
     ),
     default="",
-    premises=(Premise.ANCHORAGE, Premise.COLLAR_JOINTS),
     clauses=(("permissible h/t at S_X1 of the declared hazard level", "Table 11-5"),),
     uncompared=("the table is from memory of the standard",),
     suite_code="ASCE 7-16",
@@ -206,7 +193,6 @@ ASCE43_05 = Basis(
         ),
     ),
     default="DBE",
-    premises=(),
     clauses=(
         (
             "mean of the maxima of at least five records within half of the rotation that overturns",
@@ -228,7 +214,6 @@ EC8 = Basis(
     index=IndexKind.DEMAND_CAPACITY,
     states=(LimitState("ULS", "element", ("ULS", "NCR"), ((Method("ec8-element"),),)),),
     default="ULS",
-    premises=(Premise.NO_FLOORS,),
     clauses=(("static force on a non-structural element", "4.3.5.2 (4.24), (4.25)"),),
     uncompared=("q_a and gamma_a of the element are from memory; national annexes may change them",),
     suite_code="EN 1998-1:2004",
@@ -261,7 +246,6 @@ def stated_basis(procedures: Sequence[str], *, rule: str, statement: str) -> Bas
         index=IndexKind.DEMAND_CAPACITY,
         states=(LimitState("own", "*", (), ranks),),
         default="own",
-        premises=(),
         clauses=((statement, ""),),
         uncompared=(),
     )

@@ -43,6 +43,15 @@ class Outcome(StrEnum):
     NOT_APPLICABLE = "not-applicable"
 
 
+class Premise(StrEnum):
+    """What a pass of a procedure depends on besides its numbers."""
+
+    SOUND_MASONRY = "sound-masonry"
+    ANCHORAGE = "anchorage"
+    COLLAR_JOINTS = "collar-joints"
+    NO_FLOORS = "no-floors"
+
+
 class Family(StrEnum):
     """The kind of comparison that a procedure makes."""
 
@@ -97,6 +106,7 @@ class CodeProcedure:
     floor_suite_rules : the code whose rules a suite must meet to give it a floor spectrum; empty where it takes none
     required_pga : gives the PGA [m/s2] of the suites it needs, from the levels, hazard and spectrum of the site, its
         options, crushing and the level of knowledge; None where suites at the levels are enough
+    premises : what a pass of it depends on, under any basis
     damped_by_impacts : whether its damping is that of impacts on both hinges, so that the body must rebound on both
     """
 
@@ -115,6 +125,7 @@ class CodeProcedure:
     floor_suite_rules: str = ""
     required_pga: Callable[..., tuple[float, ...]] | None = None
     damped_by_impacts: bool = False
+    premises: tuple[Premise, ...] = ()
 
     @property
     def knowledge_code(self) -> str:

@@ -22,7 +22,16 @@ from scipy.constants import g
 
 from assess.codes import italian_kinematic as kinematic
 from assess.codes.calculation_sheet import Given, Step, excitation_column, instability_step, integral_step, step
-from assess.codes.check import Check, CodeProcedure, DefaultRun, Family, branch_of, caveats_of, check_worst_branch
+from assess.codes.check import (
+    Check,
+    CodeProcedure,
+    DefaultRun,
+    Family,
+    Premise,
+    branch_of,
+    caveats_of,
+    check_worst_branch,
+)
 from assess.codes.context import Context
 from assess.codes.italian_histories import HistoryRule, assess_histories, required_pga
 from assess.codes.italian_limit_states import (
@@ -269,6 +278,7 @@ DMI2008_HISTORY = CodeProcedure(
     default_run=DefaultRun(spectra=("ntc2008",)),
     suite_rules="ntc2018",
     required_pga=partial(required_pga, rule=HISTORY_RULE),
+    premises=(Premise.SOUND_MASONRY,),
 )
 
 
@@ -322,6 +332,7 @@ DMI2008_NONLINEAR_THESIS = CodeProcedure(
     options="dmi2008",
     reading="thesis",
     default_run=DefaultRun(except_spectra=("ntc2018",)),
+    premises=(Premise.SOUND_MASONRY,),
 )
 
 
@@ -372,6 +383,7 @@ DMI2008_LINEAR = CodeProcedure(
     options="dmi2008",
     limit_states=("SLD", "SLV"),
     default_run=DefaultRun(except_spectra=("ntc2018",)),
+    premises=(Premise.SOUND_MASONRY,),
 )
 
 
@@ -421,6 +433,7 @@ DMI2008_NONLINEAR = CodeProcedure(
     options="dmi2008",
     limit_states=("SLV",),
     default_run=DefaultRun(except_spectra=("ntc2018",)),
+    premises=(Premise.SOUND_MASONRY,),
 )
 
 

@@ -24,6 +24,7 @@ from assess.codes.check import (
     CodeProcedure,
     Family,
     Outcome,
+    Premise,
     Reason,
     caveats_of,
     check_worst_branch,
@@ -91,6 +92,7 @@ EC8_ELEMENT = CodeProcedure(
     work="ec8",
     options="ec8",
     spectra=EUROPEAN,
+    premises=(Premise.NO_FLOORS,),
 )
 
 

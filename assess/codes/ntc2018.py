@@ -16,7 +16,7 @@ import numpy as np
 from assess.codes import italian_kinematic as kinematic
 from assess.codes import ntc2018_clauses as clauses
 from assess.codes.calculation_sheet import Given, Step, step
-from assess.codes.check import Check, CodeProcedure, DefaultRun, Family
+from assess.codes.check import Check, CodeProcedure, DefaultRun, Family, Premise
 from assess.codes.context import Context
 from assess.codes.italian_histories import HistoryRule, assess_histories, required_pga
 from assess.codes.italian_limit_states import (
@@ -119,6 +119,7 @@ NTC2018_NONLINEAR = CodeProcedure(
     options="ntc2018",
     limit_states=tuple(clauses.ULTIMATE),
     default_run=DefaultRun(spectra=("ntc2018",)),
+    premises=(Premise.SOUND_MASONRY,),
 )
 
 
@@ -174,6 +175,7 @@ NTC2018_LINEAR = CodeProcedure(
     options="ntc2018",
     limit_states=tuple(LINEAR_CLAUSES),
     default_run=DefaultRun(spectra=("ntc2018",)),
+    premises=(Premise.SOUND_MASONRY,),
 )
 
 
@@ -389,6 +391,7 @@ NTC2018_HISTORY = CodeProcedure(
     default_run=DefaultRun(spectra=("ntc2018",)),
     suite_rules="ntc2018",
     required_pga=partial(required_pga, rule=HISTORY_RULE),
+    premises=(Premise.SOUND_MASONRY,),
 )
 
 

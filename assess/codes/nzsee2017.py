@@ -44,6 +44,7 @@ from assess.codes.check import (
     Family,
     Outcome,
     PgaCurve,
+    Premise,
     Reason,
     caveats_of,
     check_worst_branch,
@@ -368,6 +369,7 @@ NZSEE2017_FACE_LOADED = CodeProcedure(
     options="nzsee2017",
     spectra=NEW_ZEALAND,
     default_run=DefaultRun(spectra=NEW_ZEALAND),
+    premises=(Premise.ANCHORAGE,),
 )
 
 

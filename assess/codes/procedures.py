@@ -19,7 +19,7 @@ from scipy.constants import g
 from assess.codes.asce41_13 import ASCE41_13_SLENDERNESS, Asce41Options
 from assess.codes.asce43_05 import ASCE43_05_SPECTRUM, ASCE43_05_SPECTRUM_THESIS, Asce4305Options
 from assess.codes.asce43_05_history import ASCE43_05_HISTORY
-from assess.codes.check import Check, CodeProcedure, Family, Outcome, Reason, reason_message
+from assess.codes.check import Check, CodeProcedure, Family, Outcome, Premise, Reason, reason_message
 from assess.codes.context import Context
 from assess.codes.dmi2008 import DMI2008_HISTORY, DMI2008_LINEAR, DMI2008_NONLINEAR, DMI2008_NONLINEAR_THESIS
 from assess.codes.en1998_1 import EC8_ELEMENT, Ec8Options
@@ -237,7 +237,41 @@ def apply_procedure(
         _restricted_check(check, _with_missing_inputs(given, missing_inputs(procedure, check.limit_state, context)))
         for check in assess(oscillator, context)
     )
-    return tuple(_condition_on_sliding(check, context) for check in found)
+    premises = premise_conditions(procedure, context)
+    return tuple(_condition_on_sliding(_with_conditions(check, premises), context) for check in found)
+
+
+def premise_conditions(procedure: str, context: Context) -> tuple[Message, ...]:
+    """Return the premises of a procedure that cannot be verified here, as conditions of a pass of such a wall.
+
+    What stands free has no floors that could hold its top: above the ground the building holds it at its foot, and on
+    the ground nothing need. Sound masonry is an input (`assess.project.question`).
+
+    Parameters
+    ----------
+    procedure : its name
+    context : what is known of the mechanism
+
+    Returns
+    -------
+    tuple of Message
+    """
+    keys = {
+        Premise.SOUND_MASONRY: "",
+        Premise.ANCHORAGE: "premise-anchorage",
+        Premise.COLLAR_JOINTS: "premise-collar-joints",
+        Premise.NO_FLOORS: "premise-no-floors",
+    }
+    if context.support == "free":
+        keys[Premise.ANCHORAGE] = "premise-anchorage-foot" if context.above_ground else ""
+    found = (keys[each] for each in PROCEDURES[procedure].premises)
+    return tuple(message(key, severity=Severity.WARNING) for key in found if key)
+
+
+def _with_conditions(check: Check, conditions: tuple[Message, ...]) -> Check:
+    if not conditions or check.verdict == Outcome.NOT_APPLICABLE:
+        return check
+    return replace(check, conditions=(*conditions, *check.conditions))
 
 
 def _condition_on_sliding(check: Check, context: Context) -> Check:

@@ -234,6 +234,8 @@ TEXTS: Mapping[str, str] = {
     "falls-at-rest-unknown": "it falls under its own loads: {reason}",
     "examined-above-cut": "a pass holds for what lies above the cut; no mechanism examines {bodies} from the base",
     "premise-anchorage": "a pass is valid only if the wall is anchored to floors and roof",
+    "premise-anchorage-foot": "a pass is valid only if the building holds the wall at its foot, by anchorage to the "
+    "roof or the floor there",
     "premise-collar-joints": "a pass is valid only if the collar joints between the leaves are sound",
     "premise-coursed": "a pass is valid for coursed masonry, not for rubble: state which it is in "
     "procedures.asce41-13.masonry",
@@ -257,9 +259,8 @@ TEXTS: Mapping[str, str] = {
     "unit": '{given} is {as_g}; write "{number} g" if that was meant',
     "equation": '"linearised": it assumes an uplift threshold, which the joints of {mechanisms} do not have: below '
     'it, histories of the linearised equation do not move at all; write "exact"',
-    "not-amplified": "above the ground, but histories and ASCE 43-05 use the ground motion unamplified: "
-    "{mechanisms}; the floor clauses of the other codes require the floor motion; set `amplification` to scale the "
-    "histories",
+    "not-amplified": "above the ground, but shaken by the ground motion unamplified in {procedures}, which may fail "
+    'and cannot pass: {mechanisms}; give amplification = {{ method = "modal-filter" }}',
     "two-first-modes": "histories use a first mode of {frequency}, the floor clauses of the codes a period of "
     "{period}; give period = {reciprocal} so that both refer to the same building",
     "confidence-factor": "crushing of the masonry is not modelled in {mechanisms}: under {circular}, the FC of LC1, "

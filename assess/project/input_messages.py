@@ -7,9 +7,10 @@ from collections.abc import Iterator, Mapping, Sequence
 from scipy.constants import g
 
 from assess.codes.bases import BASES
+from assess.codes.check import Family
 from assess.codes.italian_limit_states import LARGEST_FACTOR
 from assess.codes.procedures import KNOWLEDGE_CODES, PROCEDURES
-from assess.codes.question import Question
+from assess.codes.question import methods_of
 from assess.dynamics.packing import Equation
 from assess.geometry.formats.readers import WITHOUT_UNIT
 from assess.geometry.mesh import size_warning
@@ -25,11 +26,10 @@ from assess.project.site_and_structure import (
     bodies_of,
     definitions_of,
 )
-from assess.study.amplification import MechanismAmplification
 from assess.study.mechanism_results import load_messages
 from assess.study.study import (
     Study,
-    may_follow_motion,
+    follows_motion,
 )
 from spectra.spectrum import LARGEST_PLAUSIBLE
 
@@ -59,7 +59,7 @@ def project_messages(
         yield from mechanism.messages
     yield from _equation_messages(content.analysis.equation, mechanisms)
     raised = [mechanism.name for mechanism in mechanisms if study.heights[mechanism.name].above]
-    yield from _amplification_messages(raised, study.amplified, study.question)
+    yield from _amplification_messages(raised, study)
     yield from _first_mode_messages(content)
     with_options = {PROCEDURES[name].options for name in procedures_of(content)}
     for code in KNOWLEDGE_CODES:
@@ -89,15 +89,23 @@ def _equation_messages(equation: Equation | None, mechanisms: Sequence[Mechanism
         yield warning("equation", "analysis.equation", mechanisms=", ".join(soft))
 
 
-def _amplification_messages(
-    raised: Sequence[str], amplified: Mapping[str, MechanismAmplification], question: Question
-) -> Iterator[Message]:
-    """List mechanisms above the ground whose input is the ground's motion, and the assumptions for the others."""
-    without = [name for name in raised if amplified[name].height is None]
-    if without:
-        bears = warning if may_follow_motion(question) else note
-        yield bears("not-amplified", "mechanisms", mechanisms=", ".join(without))
-    for name, one in amplified.items():
+def _amplification_messages(raised: Sequence[str], study: Study) -> Iterator[Message]:
+    """List mechanisms above the ground where the ground's motion would decide, and the assumptions for the others.
+
+    Without a basis any procedure that runs may be taken for the answer. The spectrum of ASCE 43-05 has that of a floor
+    where the building's storeys are known.
+    """
+    without = [name for name in raised if study.amplified[name].height is None]
+    has_floor = study.building is not None and study.building.storeys is not None
+    deciding = [
+        each
+        for each in methods_of(study.question) or study.procedures
+        if follows_motion(each) and not (has_floor and PROCEDURES[each].family == Family.ENERGY)
+    ]
+    if without and deciding:
+        procedures = ", ".join(deciding)
+        yield warning("not-amplified", "mechanisms", mechanisms=", ".join(without), procedures=procedures)
+    for name, one in study.amplified.items():
         yield from locate(one.assumptions, f"mechanisms.{name}")
 
 

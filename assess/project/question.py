@@ -10,7 +10,8 @@ from pathlib import Path
 
 from scipy.constants import g
 
-from assess.codes.bases import BASES, BY_SITE, Basis, Premise, stated_basis
+from assess.codes.bases import BASES, BY_SITE, Basis, stated_basis
+from assess.codes.check import Premise
 from assess.codes.context import FreePeriod, SiteHazard
 from assess.codes.italian_limit_states import ItalianOptions
 from assess.codes.ntc2018_clauses import free_period
@@ -118,10 +119,13 @@ def facts_of(
     content: sections.Content, question: Question, names: Sequence[str], spectrum: Spectrum | None = None
 ) -> Mapping[str, VerdictFacts]:
     """Return by mechanism the inputs that a pass needs and that are missing, and the conditions of a pass."""
-    premises = () if question.basis is None else question.basis.premises
+    premises = {premise for method in methods_of(question) for premise in PROCEDURES[method].premises}
     holds = lowered_pga_conditions(content, spectrum)
     return {
-        name: (tuple(_missing_masonry(content, name, premises)), (*holds, *_conditions(content, name, premises)))
+        name: (
+            tuple(_missing_masonry(content, name)) if Premise.SOUND_MASONRY in premises else (),
+            (*holds, *_conditions(content, name)),
+        )
         for name in names
     }
 
@@ -138,10 +142,8 @@ def lowered_pga_conditions(content: sections.Content, spectrum: Spectrum | None)
     return (message("pga-lowered", values, severity=Severity.WARNING),)
 
 
-def _missing_masonry(content: sections.Content, name: str, premises: Sequence[Premise]) -> Iterator[Missing]:
+def _missing_masonry(content: sections.Content, name: str) -> Iterator[Missing]:
     """Yield the masonry of a mechanism whose disintegration is not excluded, with a source."""
-    if Premise.SOUND_MASONRY not in premises:
-        return
     for table, disintegration in _masonry(content, name).items():
         key = f"{table}.disintegration"
         if disintegration != "excluded":
@@ -166,15 +168,12 @@ def _masonry(content: sections.Content, name: str) -> Mapping[str, str | None]:
     return found
 
 
-def _conditions(content: sections.Content, name: str, premises: Sequence[Premise]) -> tuple[Message, ...]:
-    """Return the premises of the basis that cannot be verified here, and the thrusts that ties are stated to take."""
-    keys = (f"premise-{premise.value}" for premise in premises if premise != Premise.SOUND_MASONRY)
-    own = tuple(message(key, severity=Severity.WARNING) for key in keys)
+def _conditions(content: sections.Content, name: str) -> tuple[Message, ...]:
+    """Return what is not examined below a cut, and the thrusts that ties are stated to take."""
     section = content.mechanisms[name]
     loads = section.loads if isinstance(section, sections.ChainSection) else ()
     tied = (load.body for load in loads if load.kind == "body" and load.tied)
     return (
-        *own,
         *_unexamined_below_cut(content, name),
         *(message("thrust-is-tied", {"what": body}, severity=Severity.WARNING) for body in tied),
     )

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 
 from assess.codes.bases import BASES, IndexKind
-from assess.codes.check import Check, Reason
+from assess.codes.check import Check, Family, Reason
 from assess.codes.histories import interval_figures, margin_figures, ratio_figures, side_figures
-from assess.codes.procedures import PROCEDURES
+from assess.codes.procedures import PROCEDURES, family_of
 from assess.codes.question import Action, Missing, toml_lines
 from assess.codes.verdict import Answer, Decision, Index, MechanismVerdict, Verdict
 from assess.messages.message import DIMENSIONS, Quantity
@@ -216,7 +216,7 @@ def required_increase(mechanism_verdict: MechanismVerdict, verdict: Verdict) -> 
     """Return by how much the resistance of a failing mechanism must grow; None where the numbers do not tell.
 
     It is the target over the index of the basis, where it has one as a share of the action; else the inverse of the
-    margin; else the ratio of demand to capacity.
+    margin; else the ratio of demand to capacity, but not of a slenderness to the one of a table.
     """
     failing = [answer for answer in mechanism_verdict.answers if answer.outcome == Decision.FAIL]
     shares = [a.index.value for a in failing if a.index is not None and a.index.name != IndexKind.DEMAND_CAPACITY]
@@ -224,7 +224,8 @@ def required_increase(mechanism_verdict: MechanismVerdict, verdict: Verdict) -> 
         return verdict.target / min(shares)
     if mechanism_verdict.margin is not None and 0.0 < mechanism_verdict.margin < 1.0:
         return 1.0 / mechanism_verdict.margin
-    return max((answer.ratio for answer in failing if answer.ratio is not None), default=None)
+    by_resistance = [answer for answer in failing if family_of(answer.procedure) != Family.TABLE]
+    return max((answer.ratio for answer in by_resistance if answer.ratio is not None), default=None)
 
 
 def required_increase_figures(mechanism_verdict: MechanismVerdict, factor: float) -> int:

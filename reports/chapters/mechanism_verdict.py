@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from math import isclose
 
-from assess.codes.check import NEEDED, Check, Outcome
+from assess.codes.check import NEEDED, Check, Family, Outcome
 from assess.codes.histories import margin_figures, ratio_figures
+from assess.codes.procedures import family_of
 from assess.codes.verdict import Answer, Decision, MechanismVerdict, Verdict
 from assess.messages.message import DIMENSIONS
 from assess.results import MechanismResult, Results
@@ -54,7 +55,14 @@ def verdict_sentences(results: Results, mechanism: MechanismResult) -> Iterator[
         yield from _numerical_spread(check)
     yield from _failing_within_ratio(mechanism_verdict)
     yield from _passing_by_target(mechanism_verdict, verdict)
-    yield from _margin_or_lack(mechanism_verdict, verdict)
+    tabled = [
+        _governing_check(governing.checks_at_site(results, mechanism), each)
+        for each in _failing_by_table(mechanism_verdict)
+    ]
+    if tabled:
+        yield from _slender(tabled)
+    else:
+        yield from _margin_or_lack(mechanism_verdict, verdict)
     if mechanism_verdict.at_the_limit:
         yield say(
             "The answer is at the limit: within 5 % of it, or within what the tolerance of the survey or the numerical "
@@ -214,6 +222,23 @@ def _margin_or_lack(mechanism_verdict: MechanismVerdict, verdict: Verdict) -> It
             pga=pga,
             margin=quantity(margin, "ratio", margin_figures(margin, most)),
         )
+
+
+def _failing_by_table(mechanism_verdict: MechanismVerdict) -> list[Answer]:
+    """Return the answers that fail by a table of slenderness, which states no action that a wall bears."""
+    failing = (each for each in mechanism_verdict.answers if each.outcome == Decision.FAIL)
+    return [each for each in failing if family_of(each.procedure) == Family.TABLE]
+
+
+def _slender(checks: Iterable[Check | None]) -> Iterator[Text]:
+    """Yield to what slenderness a wall would have to come."""
+    for check in checks:
+        if check is not None and check.demand is not None and check.capacity is not None:
+            yield say(
+                "To pass, its slenderness h/t of {slenderness} must not exceed {permitted}.",
+                slenderness=quantity(check.demand, figures=cells.FIGURES),
+                permitted=quantity(check.capacity, figures=cells.FIGURES),
+            )
 
 
 def _lacking(mechanism_verdict: MechanismVerdict, verdict: Verdict, pga: Text | None) -> Iterator[Text]:

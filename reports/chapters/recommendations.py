@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
+from assess.codes.check import Family
+from assess.codes.procedures import family_of
 from assess.codes.verdict import Decision, MechanismVerdict, Verdict
 from assess.results import Results, SensitivityResult
 from reports.chapters import cells, key_plan
@@ -86,7 +88,18 @@ def _failing(results: Results, verdict: Verdict) -> list[Block]:
     )
     caption = say("What the failing mechanisms lack.")
     rows = tuple(_failing_row(results, one, verdict) for one in ordered)
+    if any(_is_too_slender(one) for one in failing):
+        slender = say(
+            "What fails by a table of slenderness needs more thickness or less height between what holds it; its page "
+            "says how slender it may be."
+        )
+        return [Prose((words, slender)), *nonempty(Table("lacking", caption, columns, rows, small=True))]
     return [Prose((words,)), *nonempty(Table("lacking", caption, columns, rows, small=True))]
+
+
+def _is_too_slender(mechanism_verdict: MechanismVerdict) -> bool:
+    failing = (each for each in mechanism_verdict.answers if each.outcome == Decision.FAIL)
+    return any(family_of(each.procedure) == Family.TABLE for each in failing)
 
 
 def _failing_row(results: Results, mechanism_verdict: MechanismVerdict, verdict: Verdict) -> tuple[Cell, ...]:

@@ -178,6 +178,19 @@ def test_rubble_is_not_judged_and_unknown_masonry_is_a_condition() -> None:
     assert coursed.conditions == ()
 
 
+def test_a_wall_between_floors_and_a_parapet_have_premises_of_their_own() -> None:
+    """Floors and roof hold a wall at both ends; a parapet has none above, and the roof holds the wall at its foot."""
+    walled = dataclasses.replace(AT, building=Building(8.4, 2, 0.24, 0.05))
+    (wall,) = checks_of(ASCE41_13_SLENDERNESS.name, BLOCK, walled)
+    (free,) = checks_of(ASCE41_13_SLENDERNESS.name, BLOCK, parapet(0.49, base=8.4))
+    assert [each.key for each in wall.conditions] == ["premise-anchorage", "premise-collar-joints", "premise-coursed"]
+    assert [each.key for each in free.conditions] == [
+        "premise-anchorage-foot",
+        "premise-collar-joints",
+        "premise-coursed",
+    ]
+
+
 def test_s_x1_given_by_name_answers_on_a_table() -> None:
     """S_X1 = 0.45 g at the table's PGA of 0.4 g, so half of it at 0.2 g: 0.225 g is the first column."""
     table = dataclasses.replace(AT, spectrum=SHORT, levels=(0.2 * g, 0.4 * g))

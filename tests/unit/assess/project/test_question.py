@@ -66,6 +66,20 @@ def test_an_italian_pass_needs_sound_masonry_shown(tmp_path, material, sources, 
     assert keys(facts(tmp_path, material=material, sources=sources)) == missing
 
 
+@pytest.mark.parametrize(
+    ("procedures", "missing"),
+    [
+        (["ntc2018-nonlinear"], ["materials.m.disintegration", "report.sources"]),
+        (["ec8-element", "dmi2008-linear"], ["materials.m.disintegration", "report.sources"]),
+        (["ec8-element", "asce43-05-history"], []),
+    ],
+)
+def test_premises_go_with_the_procedures_of_a_basis_of_the_engineer(tmp_path, procedures, missing):
+    top = f'[verdict]\nbasis = "own"\nprocedures = {procedures}\nrule = "any"\nstatement = "ours"\n'
+    of = content(tmp_path, top=top.replace("'", '"'))
+    assert keys(facts_of(of, question_of(of, site_pga=1.0), ("wall",))["wall"]) == missing
+
+
 def test_masonry_without_a_material_says_it_in_its_own_table(tmp_path):
     assert keys(facts(tmp_path, "tabled")) == ["mechanisms.tabled.disintegration", "report.sources"]
     assert keys(facts(tmp_path, of="roof")) == ["bodies.roof.disintegration", "report.sources"]

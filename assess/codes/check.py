@@ -145,6 +145,7 @@ class Reason(StrEnum):
     WITHIN = "within-capacity"
     BEYOND = "beyond-capacity"
     NO_ROCKING = "no-rocking"
+    SLIDES_INSTEAD = "slides-instead"
     NO_LASTING = "no-lasting-rotation"
     ON_JOINTS = "moves-on-joints"
     OVERTURNS = "overturns"

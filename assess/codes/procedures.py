@@ -275,7 +275,11 @@ def _with_conditions(check: Check, conditions: tuple[Message, ...]) -> Check:
 
 
 def _condition_on_sliding(check: Check, context: Context) -> Check:
-    """Return the check; a pass by rocking of what slides first depends on its being kept from sliding."""
+    """Return the check; a pass by rocking of what slides first depends on its being kept from sliding.
+
+    What slides at less than starts to rock does not rest: that its demand does not start the rocking is not why it
+    passes.
+    """
     if check.verdict != Outcome.PASS or PROCEDURES[check.procedure].family not in ROCKING:
         return check
     slides_at = sliding_pga(context)
@@ -283,7 +287,9 @@ def _condition_on_sliding(check: Check, context: Context) -> Check:
         return check
     pga = Quantity(slides_at / g, "ground acceleration", 3)
     held = message("held-from-sliding", {"pga": pga}, severity=Severity.WARNING)
-    return replace(check, conditions=(*check.conditions, held))
+    still = check.reason.key == Reason.NO_ROCKING
+    reason = reason_message(Reason.SLIDES_INSTEAD, pga=pga) if still else check.reason
+    return replace(check, conditions=(*check.conditions, held), reason=reason)
 
 
 def _with_missing_inputs(given: Applicability, missing: tuple[MissingInput, ...]) -> Applicability:

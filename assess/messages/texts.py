@@ -105,6 +105,7 @@ TEXTS: Mapping[str, str] = {
     "within-capacity": "the demand is within {capacity}",
     "beyond-capacity": "the demand exceeds {capacity}",
     "no-rocking": "no rocking: the demand does not start the motion",
+    "slides-instead": "it does not rock, as it slides first, from PGA {pga} upwards",
     "no-lasting-rotation": "the body lifts off, but the method finds no stable rotation at this demand",
     "moves-on-joints": "the body moves on its flexible joints, but the method finds no stable rotation at this demand",
     "overturns": "overturns: no rotation balances this demand",

@@ -37,7 +37,7 @@ VERTICAL, HORIZONTAL = "vertical reactions", "horizontal reactions"
 
 
 def equilibrium_controls(mechanism: Mechanism, oscillator: Oscillator) -> tuple[Control, ...]:
-    """Compare the reactions of each branch with weights, loads and inertia; keep the worse branch of each direction.
+    """Compare the reactions of each branch with weights, loads and inertia; keep those of the governing branch.
 
     Parameters
     ----------
@@ -49,7 +49,8 @@ def equilibrium_controls(mechanism: Mechanism, oscillator: Oscillator) -> tuple[
     Returns
     -------
     tuple of Control
-        Vertical and horizontal; differences are relative to the weight of all masses.
+        Vertical and horizontal, of the branch with the least multiplier, or of one where they differ by more than
+        their tolerance; differences are relative to the weight of all masses.
     """
     forces = hinge_forces(mechanism)
     if not forces:
@@ -67,7 +68,7 @@ def equilibrium_controls(mechanism: Mechanism, oscillator: Oscillator) -> tuple[
         )
         if chain is not None
     ]
-    return tuple(max(pair, key=lambda control: control.difference or 0.0) for pair in zip(*of_branches, strict=True))
+    return tuple(_governing(pair, oscillator) for pair in zip(*of_branches, strict=True))
 
 
 UPLIFT_MULTIPLIER = "uplift multiplier"
@@ -88,7 +89,7 @@ def moment_multiplier(chain: Chain) -> float:
 
 
 def multiplier_control(mechanism: Mechanism, oscillator: Oscillator) -> Control:
-    """Compare the oscillator's multiplier with that by moments, on the branch where they differ most.
+    """Compare the oscillator's multiplier with that by moments, on the branch where it is least.
 
     Parameters
     ----------
@@ -103,7 +104,8 @@ def multiplier_control(mechanism: Mechanism, oscillator: Oscillator) -> Control:
         Relative to the multiplier by moments; without tolerance where joints deform or crush.
     """
     if mechanism.flexible:
-        return _multiplier_on_joints(mechanism, mechanism.positive, oscillator.positive)
+        sides = list(zip(mechanism.chains, oscillator.branches, strict=False))
+        return _multiplier_on_joints(mechanism, *min(sides, key=lambda each: linear_multiplier(each[1])))
     of_branches = [
         make_control(
             "hand-multiplier",
@@ -118,7 +120,16 @@ def multiplier_control(mechanism: Mechanism, oscillator: Oscillator) -> Control:
         for chain, side, hinge in zip(mechanism.chains, oscillator.branches, ("A", "A'"), strict=False)
         if (by_hand := moment_multiplier(chain))
     ]
-    return max(of_branches, key=lambda control: control.difference or 0.0)
+    return _governing(of_branches, oscillator)
+
+
+def _governing(of_branches: Sequence[Control], oscillator: Oscillator) -> Control:
+    """Return the control of the branch with the least multiplier, or the worst of those that fail."""
+    failed = [each for each in of_branches if each.met is False]
+    if failed:
+        return max(failed, key=lambda control: control.difference or 0.0)
+    multipliers = [linear_multiplier(branch) for branch in oscillator.branches]
+    return min(zip(of_branches, multipliers, strict=False), key=lambda each: each[1])[0]
 
 
 @dataclass(frozen=True)

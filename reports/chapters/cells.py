@@ -20,6 +20,8 @@ from reports.project_values import project_text, split_key
 
 OVERTURNED, BEYOND = say("overturns"), say("beyond the spectrum")
 NO_ROCKING, NO_LASTING, NONE = say("does not rock"), say("no lasting rotation"), say("none")
+SLIDES = say("slides first")
+AT_REST = (NO_ROCKING, NO_LASTING, SLIDES)  # in place of a rotation
 
 OUTCOMES: Mapping[str, Phrase] = {
     "pass": say("pass"),
@@ -75,6 +77,8 @@ def rotation_cell(check: Check) -> Cell:
     """Return the rotation of a check; a body that lifts off without a lasting rotation is not at rest."""
     if check.unbounded:
         return unbounded_text(check)
+    if check.reason.key == Reason.SLIDES_INSTEAD:
+        return SLIDES
     return NO_LASTING if check.reason.key in _NO_LASTING_ROTATION else rocking_cell(check.rotation_ratio)
 
 

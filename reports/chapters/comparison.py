@@ -16,13 +16,14 @@ from assess.results import MechanismResult, Results, SuiteResult
 from reports import governing
 from reports.chapters import annex_envelopes
 from reports.chapters.cells import (
+    AT_REST,
     CAPACITY_PGA,
     FIGURES,
     MECHANISM,
     METHOD,
-    NO_LASTING,
     NO_ROCKING,
     OUTCOMES,
+    SLIDES,
     capacity_pga_cell,
     margin_cell,
     rotation_cell,
@@ -220,9 +221,11 @@ def _ratio_or_reason(check: Check | None) -> Phrase | Quantity | float | None:
     """Return demand over capacity, or why there is none."""
     if check is None:
         return None
-    at_rest = rotation_cell(check) in (NO_ROCKING, NO_LASTING)
+    words = rotation_cell(check)
+    at_rest = words in AT_REST
     if check.ratio is None or (at_rest and not check.ratio):
-        return unbounded_text(check) or (NO_ROCKING if at_rest else OUTCOMES[check.verdict.value])
+        still = SLIDES if words == SLIDES else NO_ROCKING
+        return unbounded_text(check) or (still if at_rest else OUTCOMES[check.verdict.value])
     figures = ratio_figures(check, most=FIGURES)
     return check.ratio if figures == FIGURES else quantity(check.ratio, "ratio", figures)
 

@@ -324,7 +324,7 @@ def _mass_share_or_period(results: Results, mechanism: MechanismResult) -> list[
 def _demand_cell(check: Check) -> doc.Cell:
     """Return the demand of a check with its unit, or words: it overturns, does not rock, or comes to rest again."""
     words = cells.rotation_cell(check)
-    if check.rotation_ratio is not None and words in (cells.NO_LASTING, cells.NO_ROCKING):
+    if check.rotation_ratio is not None and words in cells.AT_REST:
         return words
     return cells.unbounded_text(check) or cells.value_cell(check.demand, check.unit, figures=ratio_figures(check))
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
-from assess.codes.check import Check, Outcome
+from assess.codes.check import Check, Outcome, Reason
 from assess.codes.histories import ratio_figures
 from assess.codes.verdict import Decision, MechanismVerdict, State, Verdict, relevant_warnings
 from assess.messages.message import Message, Quantity
@@ -200,7 +200,7 @@ def ratio_text(check: Check) -> Text:
     if check.ratio is None:
         return say("fail") if check.verdict == Outcome.FAIL else say("pass")
     if check.ratio == 0.0:
-        return say("no rocking")
+        return cells.SLIDES if check.reason.key == Reason.SLIDES_INSTEAD else say("no rocking")
     if check.ratio < LEAST_RATIO:
         return say("below {least}", least=quantity(LEAST_RATIO))
     return quantity(check.ratio, figures=ratio_figures(check, most=3))

@@ -70,6 +70,13 @@ def test_a_pass_by_rocking_of_what_slides_first_holds_where_it_is_kept_from_slid
     assert [bool(check.conditions) for check in found] == held
 
 
+def test_what_slides_before_it_would_rock_is_not_said_not_to_rock() -> None:
+    """Its joint needs 0.5 at 0.4 g, 1.25 per g: with 0.1 it slides from 0.08 g on, before it rocks at 0.18 g."""
+    context = Context(SPECTRUM, (0.05 * g, 0.15 * g), 0.0, 0.0, None, hinges=(hinge(0.5, friction=0.1),))
+    found = checks_of("asce43-05-spectrum", ROCKER, context)
+    assert [check.reason.key for check in found if check.ratio == 0.0] == ["no-rocking", "slides-instead"]
+
+
 def test_where_it_rocks_first_it_passes_at_every_level() -> None:
     found = checks(hinge(0.29))
     assert {check.verdict for check in found} == {"pass"}

@@ -17,7 +17,7 @@ from assess.mechanisms.hinge_forces import hinge_forces
 from assess.mechanisms.mechanism import Face, Mechanism
 from assess.mechanisms.single_block import single_block
 from assess.mechanisms.two_block import two_block
-from assess.oscillator import Branch, Oscillator
+from assess.oscillator import Branch, Oscillator, linear_multiplier
 from assess.results import HistoryResult, Results
 from assess.results.json import dumps
 from assess.study.controls import (
@@ -118,7 +118,7 @@ def test_the_weight_on_the_hinge_of_a_block_is_that_of_its_bearing_masses_and_lo
     found = single(1000.0, LOADS[0])
     (vertical, horizontal) = equilibrium_controls(found, found.oscillator)
     assert vertical.reference == pytest.approx(1300.0 * g)
-    assert horizontal.reference == pytest.approx(-(1000 * 0.4 + 300 * 0.6) / (1000 * 2.0 + 300 * 3.0) * 1300.0 * g)
+    assert horizontal.reference == pytest.approx(-(1000 * 0.4 + 300 * 0.2) / (1000 * 2.0 + 300 * 3.0) * 1300.0 * g)
 
 
 @pytest.mark.parametrize("kind", HEAVIER)
@@ -147,6 +147,16 @@ def test_the_multiplier_by_moments_is_that_of_virtual_work(kind: str) -> None:
     found = multiplier_control(mechanism, mechanism.oscillator)
     assert found.met
     assert found.value == pytest.approx(found.reference, rel=1e-12)
+
+
+def test_controls_are_of_the_sense_in_which_the_body_begins_to_move_first() -> None:
+    """A weight of 10 kN at 0.1 m beyond mid-thickness: less is needed to turn a wall over the nearer hinge."""
+    outer = Force("f", (0.0, -1e4), (0.1, 2.0), 0, until="collapse", evidence="test")
+    for at in (0.1, -0.1):
+        mechanism = single(1000.0, replace(outer, at=(at, 2.0)))
+        least = min(linear_multiplier(branch) for branch in mechanism.oscillator.branches)
+        assert linear_multiplier(mechanism.oscillator.positive) != linear_multiplier(mechanism.oscillator.negative)
+        assert multiplier_control(mechanism, mechanism.oscillator).value == pytest.approx(least, rel=1e-12)
 
 
 def test_the_multiplier_of_a_wall_cracked_at_half_its_height_is_four_times_its_slenderness() -> None:

@@ -3,9 +3,11 @@
     F_a = S_a W_a gamma_a / q_a                                                              (4.24)
     S_a = alpha S [3 (1 + z/H) / (1 + (1 - T_a/T_1)^2) - 0.5], at least alpha S              (4.25)
 
-alpha S is the peak acceleration of the surface over g, the PGA of the level. Formulas and Table 4.4 are from memory,
-not checked against the printed standard. The force is compared with what the weight resists, at each level. One
-function for each formula.
+alpha S is the peak acceleration of the surface over g, the PGA of the level. T_a is known no better than as between 0
+and that of cracked masonry, bent as a beam of the element's height and thickness, on its joints: the largest S_a
+counts, at the T_a nearest to T_1; that of a rigid element stands beside it. Formulas and Table 4.4 are from memory, not
+checked against the printed standard. The force is compared with what the weight resists, at each level. One function
+for each formula.
 """
 
 from __future__ import annotations
@@ -13,9 +15,10 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import Annotated
 
+import numpy as np
 from scipy.constants import g
 
-from assess.codes.calculation_sheet import Step, multiplier_step, step
+from assess.codes.calculation_sheet import Given, Step, multiplier_step, step
 from assess.codes.check import (
     EUROPEAN,
     ORDINATE,
@@ -31,7 +34,7 @@ from assess.codes.check import (
     missing_ordinate,
     reason_message,
 )
-from assess.codes.context import Context, WallSupport
+from assess.codes.context import Context, Wall, WallSupport
 from assess.declaration import Evidence, Number, PositiveAcceleration, Safe
 from assess.messages.message import Term
 from assess.oscillator import Branch, BranchName, Oscillator, elastic_frequency, linear_multiplier, threshold
@@ -49,7 +52,10 @@ ELEMENTS: dict[WallSupport, str] = {
     "spanning": "held at base and top, as walls and facades",
     "hinged": "chain of hinges, not in Table 4.4: the smallest value",
 }
-RESONANCE = 1.0  # T_a / T_1 where the building is not known: the worst
+RESONANCE = 1.0  # T_a / T_1 where building or element are not known: the worst
+BENDING: dict[WallSupport, float] = {"free": 6.2, "spanning": 2.2}  # 2 pi sqrt(12) / 1.875^2, and over pi^2
+YOUNG_MODULUS, DENSITY = 0.15e9, 2200.0  # Pa, kg/m3: a quarter of the least modulus of masonry, and its heaviest kind
+BEAM = "first mode of a beam"
 
 
 BEHAVIOUR_FACTOR = Evidence(
@@ -136,18 +142,43 @@ def element_demand(branch: Branch, context: Context, options: Ec8Options, level:
     return ElementDemand(alpha_s, surface, ratio, amplified, q_a, gamma_a, force)
 
 
-def element_period(branch: Branch) -> float:
-    """Return T_a [s]: 0 for an element that does not move before uplift, else of small motions on its joints."""
+def joint_period(branch: Branch) -> float:
+    """Return the period of small motions on flexible joints [s]; 0 for an element that stands on rigid ones."""
     frequency = elastic_frequency(branch)
     return 1.0 / frequency if frequency else 0.0
 
 
+def bending_period(wall: Wall, support: WallSupport) -> float:
+    """Return kappa L^2 / t sqrt(rho / E), the longest period of masonry that bends: cracked, heavy and soft.
+
+    Parameters
+    ----------
+    wall : height L and thickness t
+    support : "free" (kappa = 6.2) or "spanning" (2.2)
+
+    Returns
+    -------
+    float [s]
+    """
+    return float(BENDING[support] * wall.height**2 / wall.thickness * np.sqrt(DENSITY / YOUNG_MODULUS))
+
+
+def longest_period(branch: Branch, context: Context) -> float | None:
+    """Return the longest T_a that the element can have, in bending and on its joints [s]; None without its size."""
+    if context.wall is None or context.support not in BENDING:
+        return None
+    return float(np.hypot(bending_period(context.wall, context.support), joint_period(branch)))
+
+
 def period_ratio(branch: Branch, context: Context) -> float:
-    """Return T_a / T_1 [-]; 1, the worst, for an element that vibrates where the building is not known."""
-    T_a = element_period(branch)
-    if T_a == 0.0 or context.building is None:
-        return RESONANCE if T_a > 0.0 else 0.0
-    return T_a / context.building.period
+    """Return T_a / T_1 at the T_a, from 0 to the longest, at which S_a is largest [-]: that nearest to T_1.
+
+    1, the worst, where the building or the size of the element is not known.
+    """
+    longest = longest_period(branch, context)
+    if longest is None or context.building is None:
+        return RESONANCE
+    return min(longest / context.building.period, RESONANCE)
 
 
 def height_ratio(context: Context) -> float:
@@ -238,13 +269,15 @@ def _check(branch: Branch, name: BranchName, context: Context, options: Ec8Optio
 
 def _steps(branch: Branch, context: Context, demand: ElementDemand) -> tuple[Step, ...]:
     resistance, raised = linear_multiplier(branch), height_ratio(context)
-    S_a = demand.alpha_s * demand.amplified
+    S_a, rigid = demand.alpha_s * demand.amplified, demand.alpha_s * amplification(0.0, context)
     given = {"α S": demand.alpha_s, "z/H": raised, "T_a/T_1": demand.ratio}
     forced = {"S_a": S_a, "γ_a": demand.gamma_a, "q_a": demand.q_a}
     held = {"F_a/W_a": demand.force, "λ": resistance}
     return (
-        _period_step(branch, context, demand.ratio),
+        *_period_steps(branch, context, demand.ratio),
         _height_step(context),
+        step("S_a(0)", "of a rigid element, for comparison", CLAUSE, "α S max(1, 3 (1 + z/H) / 2 − 0.5)", rigid,
+             given={"α S": demand.alpha_s, "z/H": raised}),
         step("S_a", "seismic coefficient", CLAUSE, "α S max(1, 3 (1 + z/H) / (1 + (1 − T_a/T_1)²) − 0.5)", S_a,
              given=given),
         step("q_a", "behaviour factor", TABLE, "given", demand.q_a, remark=ELEMENTS[context.support]),
@@ -255,17 +288,36 @@ def _steps(branch: Branch, context: Context, demand: ElementDemand) -> tuple[Ste
     )  # fmt: skip
 
 
-def _period_step(branch: Branch, context: Context, ratio: float) -> Step:
-    words, T_a = "period of the element over the building's", element_period(branch)
-    if context.building is None:
-        remark = (
-            "the worst case, as the building is not known"
-            if ratio
-            else "an element that does not move before uplift has no period"
-        )
-        return step("T_a/T_1", words, CLAUSE, "1 at worst, 0 for what is rigid", ratio, remark=remark)
-    given = {"T_a": (T_a, "s"), "T_1": (context.building.period, "s")}
-    return step("T_a/T_1", words, CLAUSE, "T_a / T_1", ratio, given=given)
+def _period_steps(branch: Branch, context: Context, ratio: float) -> tuple[Step, ...]:
+    """Write the longest period of the element, and T_a / T_1 at the period of the largest S_a."""
+    words, wall = "period of the element over the building's, the worst from 0 to the longest", context.wall
+    longest = longest_period(branch, context)
+    if wall is None or longest is None or context.building is None:
+        unknown = "building" if context.building is None else "element"
+        return (step("T_a/T_1", words, CLAUSE, "1 at worst", ratio, remark=UNKNOWN[unknown]),)
+    on_joints, bent = joint_period(branch), bending_period(wall, context.support)
+    beam: Given = {
+        "κ": BENDING[context.support],
+        "L": (wall.height, "m"),
+        "t": (wall.thickness, "m"),
+        "ρ": (DENSITY, "kg/m3"),
+        "E": (YOUNG_MODULUS, "Pa"),
+    }
+    joined: Given = {"T_b": (bent, "s"), "T_j": (on_joints, "s")}
+    given: Given = {"T_a": (longest, "s"), "T_1": (context.building.period, "s")}
+    own = "longest period in bending: ρ and E of heavy, soft, cracked masonry"
+    return (
+        step("T_b", own, BEAM, "κ L² / t √(ρ / E)", bent, "s", given=beam),
+        step("T_j", "period on flexible joints", BEAM, "small motions; 0 on rigid joints", on_joints, "s"),
+        step("T_a", "longest period of the element", BEAM, "√(T_b² + T_j²)", longest, "s", given=joined),
+        step("T_a/T_1", words, CLAUSE, "min(T_a / T_1, 1)", ratio, given=given),
+    )
+
+
+UNKNOWN: dict[str, str] = {
+    "building": "the worst case, as the building is not known",
+    "element": "the worst case, as the size of the element is not known",
+}
 
 
 def _height_step(context: Context) -> Step:

@@ -257,7 +257,6 @@ COMMON: Mapping[tuple[str, str], Reading] = {
     ("S_e(T_SLV)", "acceleration"): lambda s: s.ordinate(s.known["T_SLV"], s.subject.check.damping),
     ("S_eZ(T1')", "acceleration"): lambda s: s.known["A"] * s.known["a_Z(T1')"],
     ("T_1", "time"): lambda s: s.house.period,
-    ("T_a", "time"): lambda s: 1 / elastic(s) if s.subject.mechanism.flexible else 0.0,
     ("α S", "ratio"): lambda s: s.level / g,
     ("S_a(1 s)/PGA", "ratio"): lambda s: s.over_pga(1.0, 0.05) if S_X1 is None else S_X1 / (s.spectrum.pga / g),
     ("s", "ratio"): lambda s: 1.0 if s.step.symbol == "PGA_u" else (0.6 if spans(s) else 0.3),
@@ -299,6 +298,13 @@ OWN: Mapping[str, Mapping[tuple[str, str], Reading]] = {
     "asce43-05-spectrum": {("c", "ratio"): lambda s: 0.4},
     "asce43-05-spectrum-thesis": {("S_aV/S_aH", "ratio"): lambda s: 0.0},
     "asce43-05-history": {("c", "ratio"): lambda s: 0.4},
+    "ec8-element": {
+        ("κ", "ratio"): lambda s: 2.2 if spans(s) else 6.2,
+        ("L", "length"): lambda s: s.subject.context.wall.height,
+        ("t", "length"): lambda s: s.subject.context.wall.thickness,
+        ("ρ", "density"): lambda s: 2200.0,
+        ("E", "stress"): lambda s: 0.15e9,
+    },
     "asce43-05-sliding": {
         ("μ", "ratio"): lambda s: FRICTION,
         ("N", "force"): normal,

@@ -163,9 +163,9 @@ HONEST: dict[str, Tables] = {
     "DMI tied wall": honest("dmi2008", _scaled(ITALY, "0.21"), WHOLE, block(loads=[TIE]), **OF_TIE),
     "DMI upper storey": honest("dmi2008", _scaled(ITALY, "0.15"), UP, block()),
     "DMI two blocks": honest("dmi2008", _scaled(ITALY, "0.35"), THIN, _two_block(**PRESSED), **OF_LOAD),
-    "EC8 wall": honest("ec8", _scaled(EUROPE, "0.12"), WHOLE, block()),
-    "EC8 gable": honest("ec8", _scaled(EUROPE, "0.08"), UP, block()),
-    "EC8 tied wall": honest("ec8", _scaled(EUROPE, "0.12"), WHOLE, block(loads=[TIE]), **OF_TIE),
+    "EC8 wall": honest("ec8", _scaled(EUROPE, "0.045"), WHOLE, block()),
+    "EC8 gable": honest("ec8", _scaled(EUROPE, "0.04"), UP, block()),
+    "EC8 tied wall": honest("ec8", _scaled(EUROPE, "0.045"), WHOLE, block(loads=[TIE]), **OF_TIE),
     "NZ wall": honest("nzsee2017", _scaled(ZEALAND, "0.35"), WHOLE, block(), **NZ),
     "NZ wall under a floor": honest(
         "nzsee2017", _scaled(ZEALAND, "0.35"), WHOLE, block(loads=[FLOOR]), **(NZ | OF_LOAD)
@@ -180,7 +180,13 @@ HONEST: dict[str, Tables] = {
     "ASCE 43 wall": honest("asce43-05", _scaled(AMERICA, "0.5"), WHOLE, block(), **SPECTRUM),
     "ASCE 43 tied wall": honest("asce43-05", _scaled(AMERICA, "0.5"), WHOLE, block(loads=[TIE]), **(SPECTRUM | OF_TIE)),
     "ASCE 43 two blocks": honest(
-        "asce43-05", _scaled(AMERICA, "0.8"), THIN, _two_block(**PRESSED), **(SPECTRUM | OF_LOAD)
+        "asce43-05",
+        _scaled(AMERICA, "0.8"),
+        THIN,
+        _two_block(**PRESSED),
+        procedures={"asce43-05": {"floor_vertical_ratio": 1.0}},
+        report={"sources": {"mechanisms.wall.loads[1]": SURVEY, "procedures.asce43-05.floor_vertical_ratio": DESIGN}},
+        **SPECTRUM,
     ),
     "own, linear": honest(
         "own",

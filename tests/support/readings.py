@@ -201,8 +201,11 @@ def secant_rotation(sheet: Sheet) -> float:
     return sheet.rotation_of(sheet.known[sheet.step.at[0].symbol])
 
 
-def at_worst(sheet: Sheet) -> float:
-    return 1.0 if sheet.subject.mechanism.flexible else 0.0
+def on_joints(sheet: Sheet) -> float:
+    """Period of small motions on the joint [s]."""
+    if not sheet.subject.mechanism.flexible:
+        return 0.0
+    return float(2 * pi * sqrt(sheet.rest("inertia") / sheet.spline("restoring")(0.0, 1)))
 
 
 def beyond(sheet: Sheet) -> float:
@@ -301,7 +304,8 @@ LINES: Mapping[str, Callable[[Sheet], float | None]] = {
     "C_p(0) R_p = λ": lambda s: None if s.subject.mechanism.flexible else inf,
     # what few sheets have
     "1": lambda s: 1.0 if s.subject.branch.restitution == 0.0 else inf,
-    "1 at worst, 0 for what is rigid": at_worst,
+    "1 at worst": lambda s: 1.0,
+    "small motions; 0 on rigid joints": on_joints,
     "0: the building is not known": lambda s: 0.0,
     "first or last row of the hazard": years,
     "as stated": stated_mode,

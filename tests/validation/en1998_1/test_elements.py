@@ -11,12 +11,12 @@ from scipy.constants import g
 
 from assess.codes.check import Reason
 from assess.codes.context import Building, Wall
-from assess.codes.en1998_1 import EC8_ELEMENT, Ec8Options, amplification, assess_element, element_period
+from assess.codes.en1998_1 import EC8_ELEMENT, Ec8Options, amplification, assess_element, joint_period
 from assess.mechanisms.single_block import equivalent_block
 from spectra.asce7 import design_spectrum
 from spectra.ec8 import elastic_spectrum
 from spectra.table import table_spectrum
-from tests.support.answered import checks_of, context_at
+from tests.support.answered import checks_of, context_at, step_values
 
 SPECTRUM = elastic_spectrum(a_g=0.25 * g, ground_type="B")
 HOUSE = Building(height=10.0, storeys=3, period=0.4, damping=0.05)
@@ -34,22 +34,31 @@ def test_seismic_coefficient(height, ratio, coefficient) -> None:
 
 
 def test_a_parapet_on_the_roof() -> None:
-    """F_a / W_a = 0.75 x 1.5 / 1 = 1.125 beside lambda = 0.20271: D/C 5.5498; PGA at capacity 0.3 / 5.5498 g."""
-    (check,) = assess_element(PARAPET, at_height(10.0), options=Ec8Options(importance_factor=1.5))
-    assert (check.demand, check.capacity) == pytest.approx((1.125, 0.20271), rel=1e-4)
-    assert check.ratio == pytest.approx(5.5498, rel=1e-4)
-    assert check.capacity_pga_g == pytest.approx(0.3 / 5.5498, rel=1e-4)
-    assert check.uplift_pga_g == pytest.approx(0.20271 / 2.5, rel=1e-4)
+    """T_a up to 6.2 x 1 / 0.3 sqrt(2200 / 0.15e9) = 0.07915 s, T_a/T_1 = 0.19787.
+
+    S_a = 0.3 (6 / 1.64342 - 0.5) = 0.94528.
+    F_a / W_a = 0.94528 x 1.5 / 1 = 1.41793 beside lambda = 0.20271: D/C 6.9949; PGA at capacity 0.3 / 6.9949 g.
+    """
+    standing = at_height(10.0, wall=Wall(1.0, 0.3))
+    (check,) = assess_element(PARAPET, standing, options=Ec8Options(importance_factor=1.5))
+    assert (check.demand, check.capacity) == pytest.approx((1.41793, 0.20271), rel=1e-4)
+    assert check.ratio == pytest.approx(6.9949, rel=1e-4)
+    assert check.capacity_pga_g == pytest.approx(0.3 / 6.9949, rel=1e-4)
+    assert check.uplift_pga_g == pytest.approx(0.20271 / 3.15095, rel=1e-4)
+    assert step_values(check)["S_a(0)"] == pytest.approx(0.3 * 2.5, rel=1e-12)
     assert (check.verdict, check.reading, check.input_at) == ("fail", "letter", "mechanism base")
 
 
 def test_a_wall_between_floors_at_the_mean_of_its_supports() -> None:
-    """From 2 to 4 m of 10 m: z/H = 0.3, S_a = 0.3 (1.5 x 1.3 - 0.5) = 0.435; q_a = 2."""
+    """From 2 to 4 m of 10 m: z/H = 0.3; T_a up to 2.2 x 4 / 0.3 x 0.0038297 = 0.11234 s, T_a/T_1 = 0.28084; q_a = 2.
+
+    S_a = 0.3 (3.9 / 1.51719 - 0.5) = 0.62117.
+    """
     spanning = at_height(2.0, support="spanning", wall=Wall(2.0, 0.3), rise=2.0)
     (check,) = assess_element(PARAPET, spanning, options=Ec8Options())
-    assert check.demand == pytest.approx(0.2175, rel=1e-9)
+    assert check.demand == pytest.approx(0.310583, rel=1e-5)
     (own,) = assess_element(PARAPET, spanning, options=Ec8Options(behaviour_factor=1.0))
-    assert own.demand == pytest.approx(0.435, rel=1e-9)
+    assert own.demand == pytest.approx(0.621166, rel=1e-5)
 
 
 def soft():
@@ -61,24 +70,26 @@ def soft():
 
 
 def test_an_element_that_vibrates_has_its_own_period() -> None:
-    """T_a = T_1 / 4 on the roof: 3 x 2 / (1 + 0.75^2) - 0.5 = 3.34; unknown building: resonance, 2.5 at z = 0.
+    """T_a = T_1 / 4 on the roof: 3 x 2 / (1 + 0.75^2) - 0.5 = 3.34; unknown building or size: resonance, 2.5 at z = 0.
 
-    T_a = 2 pi sqrt(I / k), k = restoring(0) / 0.05 of the rigid one.
+    T_a = 2 pi sqrt(I / k), k = restoring(0) / 0.05 of the rigid one; a wall that is so low hardly bends.
     """
     branch = soft().positive
     stiffness = PARAPET.positive.restoring[0] / 0.05
     by_hand = 2 * np.pi * np.sqrt(branch.inertia[0] / stiffness)
-    assert element_period(branch) == pytest.approx(by_hand, rel=1e-4)
-    house = dataclasses.replace(HOUSE, period=4.0 * element_period(branch))
-    (check,) = assess_element(soft(), at_height(10.0, building=house), options=Ec8Options())
-    assert check.demand == pytest.approx(0.3 * 3.34, rel=1e-9)
+    assert joint_period(branch) == pytest.approx(by_hand, rel=1e-4)
+    house = dataclasses.replace(HOUSE, period=4.0 * joint_period(branch))
+    low = Wall(0.05, 1.0)
+    (check,) = assess_element(soft(), at_height(10.0, building=house, wall=low), options=Ec8Options())
+    assert check.demand == pytest.approx(0.3 * 3.34, rel=1e-6)
     assert check.uplift_pga_g is None
-    (unknown,) = assess_element(soft(), at_height(0.0, building=None), options=Ec8Options())
-    assert unknown.demand == pytest.approx(0.3 * 2.5, rel=1e-12)
+    for lacking in ({"building": None, "wall": low}, {"building": house}):
+        (unknown,) = assess_element(soft(), at_height(0.0, **lacking), options=Ec8Options())
+        assert unknown.demand == pytest.approx(0.3 * 2.5, rel=1e-12)
 
 
 def test_above_ground_without_a_building_it_can_fail_but_not_pass() -> None:
-    for level, verdict in ((0.1 * g, "not-answered"), (0.3 * g, "fail")):
+    for level, verdict in ((0.05 * g, "not-answered"), (0.3 * g, "fail")):
         (check,) = parapet_checks(dataclasses.replace(at_height(5.0, building=None), levels=(level,)))
         assert check.verdict == verdict
     (above,) = parapet_checks(dataclasses.replace(at_height(11.0), levels=(0.01 * g,)))

@@ -3,39 +3,82 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from math import pi, sqrt
 
+import numpy as np
 import pytest
 from scipy.constants import g
 
+from assess.codes.context import Wall
 from assess.codes.en1998_1 import (
     BEHAVIOUR,
     amplification,
-    element_period,
+    bending_period,
     force_over_weight,
     height_ratio,
+    joint_period,
+    longest_period,
     period_ratio,
     uplift_pga,
 )
 from tests.support.straight import GROUND, HOUSE, SOFT, STRAIGHT
 
+PARAPET, PANEL = Wall(1.0, 0.3), Wall(4.0, 0.4)
+PACE = 0.003829708  # s/m: sqrt(2200 / 0.15e9)
+
 
 @pytest.mark.parametrize(("branch", "period"), [(STRAIGHT, 0.0), (SOFT, 1.0)])  # by the stiffness of SOFT at rest
-def test_element_period(branch, period: float) -> None:
-    assert element_period(branch) == pytest.approx(period, rel=1e-9)
+def test_joint_period(branch, period: float) -> None:
+    assert joint_period(branch) == pytest.approx(period, rel=1e-9)
 
 
 @pytest.mark.parametrize(
-    ("branch", "building", "ratio"),
+    ("wall", "support", "period"),
     [
-        (STRAIGHT, HOUSE, 0.0),
-        (STRAIGHT, None, 0.0),
-        (SOFT, HOUSE, 2.0),  # 1.0 / 0.5
-        (SOFT, replace(HOUSE, period=4.0), 0.25),
-        (SOFT, None, 1.0),  # the worst
+        (PARAPET, "free", 0.0791473),  # 6.2 x 1 / 0.3 x PACE
+        (PANEL, "free", 0.949768),  # 6.2 x 16 / 0.4 x PACE
+        (PANEL, "spanning", 0.337014),  # 2.2 x 16 / 0.4 x PACE
     ],
 )
-def test_period_ratio(branch, building, ratio: float) -> None:
-    assert period_ratio(branch, replace(GROUND, building=building)) == pytest.approx(ratio, rel=1e-9)
+def test_bending_period(wall: Wall, support, period: float) -> None:
+    """The first mode of a beam: beta^2 / (2 pi) sqrt(E I / (rho A)) / L^2 with beta = 1.8751, or pi, in Hz."""
+    assert bending_period(wall, support) == pytest.approx(period, rel=1e-5)
+    beta = {"free": 1.8751041, "spanning": pi}[support]
+    beam = 2 * pi * sqrt(12) / beta**2 * wall.height**2 / wall.thickness * PACE
+    assert bending_period(wall, support) == pytest.approx(beam, rel=3e-3)  # 6.2 and 2.2 have two digits
+
+
+@pytest.mark.parametrize(
+    ("branch", "wall", "support", "period"),
+    [
+        (STRAIGHT, PARAPET, "free", 0.0791473),
+        (SOFT, PARAPET, "free", 1.003127),  # with 1 s on the joints: sqrt(1 + 0.0791473^2)
+        (STRAIGHT, None, "free", None),
+        (STRAIGHT, PARAPET, "hinged", None),
+    ],
+)
+def test_longest_period(branch, wall, support, period: float | None) -> None:
+    found = longest_period(branch, replace(GROUND, wall=wall, support=support))
+    assert found == (None if period is None else pytest.approx(period, rel=1e-5))
+
+
+@pytest.mark.parametrize(
+    ("branch", "wall", "building", "ratio"),
+    [
+        (STRAIGHT, PARAPET, HOUSE, 0.158295),  # 0.0791473 / 0.5
+        (STRAIGHT, PANEL, HOUSE, 1.0),  # longer than T_1, which lies within the range
+        (SOFT, PARAPET, replace(HOUSE, period=4.0), 0.250782),
+        (STRAIGHT, PARAPET, None, 1.0),  # the worst
+        (STRAIGHT, None, HOUSE, 1.0),
+    ],
+)
+def test_period_ratio(branch, wall, building, ratio: float) -> None:
+    at = replace(GROUND, building=building, wall=wall)
+    assert period_ratio(branch, at) == pytest.approx(ratio, rel=1e-5)
+    longest = longest_period(branch, at)
+    if building is not None and longest is not None:  # none of the range asks for more
+        demands = [amplification(T_a / building.period, at) for T_a in np.linspace(0.0, longest, 1001)]
+        assert amplification(ratio, at) == pytest.approx(max(demands), rel=1e-5)
 
 
 @pytest.mark.parametrize(

@@ -153,6 +153,7 @@ class Reason(StrEnum):
     SPECTRUM_TOO_SHORT = "spectrum-too-short"
     LIMIT_BEYOND_OVERTURNING = "limit-beyond-overturning"
     RECORDS_OVERTURN = "records-overturn"
+    RECORDS_OVERTURN_FACTORED = "records-overturn-factored"
     RECORDS_BEYOND_COLLAPSE = "records-beyond-collapse"
     NUMERICAL_SPREAD = "numerical-spread"
     TOO_FEW_RECORDS = "too-few-records"
@@ -251,9 +252,10 @@ class NumericalSpread(ShortRepr):
 
     runs : of each record, itself and its twins; draws, seed : how many draws, of which random numbers
     holds : p, how often the rule of the code holds, standing times within [-]
-    ratio_low, ratio_high : demand over capacity not exceeded in 16 % and in 84 % of the draws; None where that draw
-        overturned
-    capacity_half_pga_g, capacity_low_pga_g : PGA up to which p is at least 0.5, and 0.16, at every level below
+    ratio_16, ratio_84 : demand over capacity not exceeded in 16 % and in 84 % of the draws; None where that draw
+        overturned. The ratio of the check is that of the records as they are, one draw of all, and can lie outside
+    capacity_50_pga_g, capacity_16_pga_g : PGA up to which p is at least 0.5, and 0.16, at every level below: the larger
+        the lower p is, so at least the PGA at capacity of the check, up to which p is at least 0.84
     standing : share of the choices of runs in which every record stands, exact [-]
     within : share of the draws, among the runs that stand, in which their mean is within its limit [-]
     """
@@ -262,10 +264,10 @@ class NumericalSpread(ShortRepr):
     draws: int
     seed: int
     holds: float
-    ratio_low: float | None = None
-    ratio_high: float | None = None
-    capacity_half_pga_g: float | None = None
-    capacity_low_pga_g: float | None = None
+    ratio_16: float | None = None
+    ratio_84: float | None = None
+    capacity_50_pga_g: float | None = None
+    capacity_16_pga_g: float | None = None
     standing: float = 1.0
     within: float = 1.0
 

@@ -343,9 +343,9 @@ def spread_steps(spread: NumericalSpread | None, capacity_pga_g: float | None) -
         step("PGA_84", "PGA up to which p is at least 0.84 and the records as they are pass", SPREAD_CLAUSE,
              SCAN_FORMULA, capacity_pga_g, "g"),
         step("PGA_50", "PGA up to which p is at least 0.5", SPREAD_CLAUSE, SCAN_FORMULA,
-             spread.capacity_half_pga_g, "g"),
+             spread.capacity_50_pga_g, "g"),
         step("PGA_16", "PGA up to which p is at least 0.16", SPREAD_CLAUSE, SCAN_FORMULA,
-             spread.capacity_low_pga_g, "g"),
+             spread.capacity_16_pga_g, "g"),
     )  # fmt: skip
 
 
@@ -366,7 +366,7 @@ def ratio_figures(check: Check, *, most: int = FIGURES) -> int:
     if check.ratio is None:
         return most
     spread = check.numerical
-    ends = () if spread is None else (spread.ratio_low, spread.ratio_high)
+    ends = () if spread is None else (spread.ratio_16, spread.ratio_84)
     return side_figures(check.ratio, max(1, standing_figures(check.ratio, ends, most=most)))
 
 

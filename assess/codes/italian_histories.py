@@ -57,7 +57,7 @@ from assess.codes.italian_limit_states import (
     pga_ratio,
     pga_step,
 )
-from assess.messages.message import Message, whole_number
+from assess.messages.message import Message, Quantity, whole_number
 from assess.oscillator import BRANCH_NAMES, BranchName, Oscillator, displacement, participation_ratio
 from spectra.arrays import FloatArray
 from spectra.spectrum import Spectrum
@@ -293,7 +293,13 @@ def _history_outcome(found: SuiteDisplacements, *, state: str) -> tuple[Outcome,
         few = {"n": whole_number(n), "fallen": whole_number(fallen), "least": whole_number(LEAST_RECORDS)}
         return Outcome.NOT_ANSWERED, reason_message(Reason.TOO_FEW_RECORDS, clause=NUMBER_CLAUSE, **few)
     if fallen:
-        return Outcome.FAIL, reason_message(Reason.RECORDS_OVERTURN, fallen=whole_number(fallen), n=whole_number(n))
+        counted = {"fallen": whole_number(fallen), "n": whole_number(n)}
+        if isclose(found.suite.pga, found.pga, rel_tol=1e-9):
+            return Outcome.FAIL, reason_message(Reason.RECORDS_OVERTURN, **counted)
+        factor, pga = found.suite.pga / found.pga, Quantity(found.suite.pga / g, "ground acceleration", 3)
+        return Outcome.FAIL, reason_message(
+            Reason.RECORDS_OVERTURN_FACTORED, **counted, factor=Quantity(factor, "ratio", 3), pga=pga
+        )
     if passed:
         return Outcome.FAIL, reason_message(
             Reason.RECORDS_BEYOND_COLLAPSE, fallen=whole_number(passed), n=whole_number(n)

@@ -622,7 +622,7 @@ def _margin_most(checks: Sequence[Check]) -> float | None:
     check = next((check for check in checks if margin is not None and _margin_of(check) == margin), None)
     if check is None or check.numerical is None or not margin or not check.capacity_pga_g:
         return None
-    low = check.numerical.capacity_low_pga_g
+    low = check.numerical.capacity_16_pga_g
     return margin * low / check.capacity_pga_g if low is not None and low > check.capacity_pga_g else None
 
 
@@ -741,7 +741,7 @@ def _at_action(check: Check, action: Action) -> bool:
 
 def _index_figures(check: Check) -> int:
     """Return to how many figures, one at least, the PGA at capacity stands up to that of 16 % of the draws."""
-    low = None if check.numerical is None else check.numerical.capacity_low_pga_g
+    low = None if check.numerical is None else check.numerical.capacity_16_pga_g
     if low is None or check.capacity_pga_g is None:
         return INDEX_FIGURES
     return max(1, standing_figures(check.capacity_pga_g, (low,), most=INDEX_FIGURES))
@@ -779,7 +779,7 @@ def _within_spread(check: Check, index: Index, target: float) -> bool:
         return True
     if check.numerical is None or not check.capacity_pga_g or index.value >= target:
         return False
-    low = check.numerical.capacity_low_pga_g
+    low = check.numerical.capacity_16_pga_g
     return low is None or index.value * low / check.capacity_pga_g >= target
 
 

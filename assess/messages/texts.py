@@ -114,6 +114,8 @@ TEXTS: Mapping[str, str] = {
     "limit-beyond-overturning": "the empirical rotation limit is larger than the overturning rotation: outside its "
     "range of validity",
     "records-overturn": "{fallen} of {n} records overturn the body",
+    "records-overturn-factored": "{fallen} of {n} records overturn the body at FC = {factor} times the level, a PGA of "
+    "{pga}",
     "numerical-spread": "the records as they are pass, but with their numerical spread only a share {share} of the "
     "draws does; a pass needs 0.84",
     "records-beyond-collapse": "{fallen} of {n} records move the body beyond d0*, where it survives only by chance",

@@ -10,7 +10,16 @@ from assess.codes.histories import FIGURES, standing_figures
 from assess.messages.message import Message, Quantity
 from assess.results import HistoryResult, MechanismResult, Results, SuiteResult, SweepResult
 from reports import governing
-from reports.chapters.cells import LEVEL, OUTCOMES, OVERTURNED, rocking_cell, standing_cell, swept_value, uplift_cell
+from reports.chapters.cells import (
+    CONFIDENCE_FACTOR,
+    LEVEL,
+    OUTCOMES,
+    OVERTURNED,
+    rocking_cell,
+    standing_cell,
+    swept_value,
+    uplift_cell,
+)
 from reports.document import Block, Cell, Column, Field, Figure, OutcomeCell, Prose, Section, Table, nonempty, tabulate
 from reports.figures import rocking, sensitivity
 from reports.language.texts import Paragraph, Term, Text, Verbatim, count, quantity, say, say_count
@@ -54,6 +63,12 @@ def suites_table(mechanism: MechanismResult, *, name: str) -> Table:
         "The suite of records at each level. Half of the records do not exceed the median, and 84 % do not exceed the "
         "next column; a record that overturns counts as the largest."
     )
+    if any(step.symbol == CONFIDENCE_FACTOR and step.value != 1.0 for each in mechanism.checks for step in each.steps):
+        factored = say(
+            "Codes with a confidence factor FC run the records at FC times these levels, where more of them overturn: "
+            "their sheets count those."
+        )
+        return tabulate(name, Paragraph((caption, factored)), SUITE_FIELDS, mechanism.suites, small=True)
     return tabulate(name, caption, SUITE_FIELDS, mechanism.suites, small=True)
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 
 from assess.codes.bases import BASES, IndexKind
-from assess.codes.check import Check, Family, Reason
+from assess.codes.check import Check, Family, Outcome, Reason
 from assess.codes.histories import interval_figures, margin_figures, ratio_figures, side_figures
 from assess.codes.procedures import PROCEDURES, family_of
 from assess.codes.question import Action, Missing, toml_lines
@@ -63,7 +63,7 @@ def unbounded_text(check: Check) -> Phrase | None:
     return {"overturned": OVERTURNED, "beyond the spectrum": BEYOND}.get(check.unbounded)
 
 
-def value_cell(value: float | None, unit: str, *, figures: int = 4) -> Cell:
+def value_cell(value: float | None, unit: str, *, figures: int = 4) -> Quantity | None:
     """Return a number of the results with its unit; `unit` is a value of `assess.messages.message.UNITS`."""
     return None if value is None else Quantity(value, DIMENSIONS.get(unit, "ratio"), figures)
 
@@ -87,22 +87,37 @@ def uplift_cell(at: float | None) -> Cell:
     return NONE if at is None else at
 
 
-def ratio_cell(check: Check) -> Cell:
+def ratio_cell(check: Check) -> Text | float | None:
     """Return demand over capacity, to the figures that stand, or why there is no finite one."""
-    return unbounded_text(check) or standing_cell(check.ratio, ratio_figures(check, most=FIGURES), FIGURES)
+    ratio = standing_cell(check.ratio, ratio_figures(check, most=FIGURES), FIGURES)
+    return counted_cell(check, unbounded_text(check) or ratio, "ratio")
 
 
-def standing_cell(value: float | None, figures: int, most: int) -> Cell:
+def counted_cell(check: Check, cell: Text | float | None, dimension: str) -> Text | float | None:
+    """Return a number of a check that is answered; of one that is not, marked provisional, or none if not even that.
+
+    cell : a number of this dimension [SI], or words
+    """
+    if check.verdict != Outcome.NOT_ANSWERED or cell is None:
+        return cell
+    if check.provisional is None:
+        return None
+    if isinstance(cell, float):
+        cell = Quantity(cell, dimension, FIGURES)
+    return say("{number} (provisional)", number=cell) if isinstance(cell, Quantity) else cell
+
+
+def standing_cell(value: float | None, figures: int, most: int) -> Text | float | None:
     """Return a number of a column of `most` figures, written with fewer where fewer stand."""
     return value if value is None or figures == most else Quantity(value, "ratio", figures)
 
 
-def capacity_pga_cell(check: Check) -> Cell:
+def capacity_pga_cell(check: Check) -> Text | float | None:
     """Return the PGA at capacity [g]; where numerical spread leaves a range, from 84 to 16 % of the draws."""
-    low = None if check.numerical is None else check.numerical.capacity_low_pga_g
+    low = None if check.numerical is None else check.numerical.capacity_16_pga_g
     if check.capacity_pga_g is None or low is None or low <= check.capacity_pga_g:
-        return check.capacity_pga_g
-    return _pga_interval(check.capacity_pga_g, low, limit=check.level_pga_g)
+        return counted_cell(check, check.capacity_pga_g, "ground acceleration")
+    return counted_cell(check, _pga_interval(check.capacity_pga_g, low, limit=check.level_pga_g), "ground acceleration")
 
 
 def swept_value(value: float, unit: str) -> Text:

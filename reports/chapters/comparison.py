@@ -7,11 +7,10 @@ from functools import partial
 from math import ceil
 from statistics import median
 
-from assess.codes.check import Check, Family, Outcome
-from assess.codes.histories import ratio_figures
+from assess.codes.check import Check, Family, Outcome, Reason
 from assess.codes.procedures import family_of, uses_histories
 from assess.codes.verdict import Decision
-from assess.messages.message import Quantity
+from assess.messages.message import Message
 from assess.results import MechanismResult, Results, SuiteResult
 from reports import governing
 from reports.chapters import annex_envelopes
@@ -26,6 +25,7 @@ from reports.chapters.cells import (
     SLIDES,
     capacity_pga_cell,
     margin_cell,
+    ratio_cell,
     rotation_cell,
     unbounded_text,
 )
@@ -217,17 +217,18 @@ def _site_ratio_cell(check: Check | None, outcome: Decision) -> OutcomeCell:
     return OutcomeCell(outcome.value, OUTCOMES[outcome.value] if text is None else text)
 
 
-def _ratio_or_reason(check: Check | None) -> Phrase | Quantity | float | None:
+def _ratio_or_reason(check: Check | None) -> Text | float | None:
     """Return demand over capacity, or why there is none."""
     if check is None:
         return None
+    if check.verdict == Outcome.NOT_ANSWERED and check.provisional is None:
+        return OUTCOMES[check.verdict.value]
     words = rotation_cell(check)
     at_rest = words in AT_REST
     if check.ratio is None or (at_rest and not check.ratio):
         still = SLIDES if words == SLIDES else NO_ROCKING
         return unbounded_text(check) or (still if at_rest else OUTCOMES[check.verdict.value])
-    figures = ratio_figures(check, most=FIGURES)
-    return check.ratio if figures == FIGURES else quantity(check.ratio, "ratio", figures)
+    return ratio_cell(check)
 
 
 def _mechanism_numbers(results: Results, mechanisms: Iterable[str]) -> Listing:
@@ -355,6 +356,19 @@ def _overturning(results: Results) -> Iterator[Text]:
         yield say("Records overturn {cases}. No other history overturns a mechanism.", cases=listing(fallen))
     elif any(mechanism.suites for mechanism in results.mechanisms):
         yield _none_overturns(results)
+    factored = [
+        say("{mechanism}: {reason}", mechanism=numbered_title(results, mechanism.name), reason=reason)
+        for mechanism in results.mechanisms
+        for reason in _factored_reasons(mechanism)
+    ]
+    if factored:
+        yield say("These levels are without a confidence factor; with it {cases}.", cases=Listing(tuple(factored), ""))
+
+
+def _factored_reasons(mechanism: MechanismResult) -> list[Message]:
+    """Return how many records overturn a mechanism at levels times FC, each count once."""
+    found = (each.reason for each in mechanism.checks if each.reason.key == Reason.RECORDS_OVERTURN_FACTORED)
+    return list({reason.text: reason for reason in found}.values())
 
 
 def _overturned_at_level(suite: SuiteResult) -> Text:

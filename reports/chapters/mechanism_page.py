@@ -326,7 +326,8 @@ def _demand_cell(check: Check) -> doc.Cell:
     words = cells.rotation_cell(check)
     if check.rotation_ratio is not None and words in cells.AT_REST:
         return words
-    return cells.unbounded_text(check) or cells.value_cell(check.demand, check.unit, figures=ratio_figures(check))
+    value = cells.value_cell(check.demand, check.unit, figures=ratio_figures(check))
+    return cells.counted_cell(check, cells.unbounded_text(check) or value, "ratio")
 
 
 def _answers_caption(results: Results) -> Text:

@@ -9,7 +9,8 @@ from assess.codes.procedures import PROCEDURES
 from tests.support.subjects import subjects
 
 PASSES, FAILS = {Reason.WITHIN, Reason.NO_SLIDING, Reason.NO_ROCKING, Reason.SLIDES_LATER, Reason.ROCKS_FIRST}, {
-    Reason.BEYOND, Reason.OVERTURNS, Reason.SLIDES_FIRST, Reason.RECORDS_OVERTURN, Reason.SLIDING_BEYOND_BEFORE,
+    Reason.BEYOND, Reason.OVERTURNS, Reason.SLIDES_FIRST, Reason.RECORDS_OVERTURN,
+    Reason.RECORDS_OVERTURN_FACTORED, Reason.SLIDING_BEYOND_BEFORE,
 }  # fmt: skip
 
 

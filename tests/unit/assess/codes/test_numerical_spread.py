@@ -98,7 +98,7 @@ def test_nothing_passes_below_the_share_or_against_the_records_as_they_are(seed,
     assert (found.ratio, found.demand, found.capacity) == (alone.ratio, alone.demand, alone.capacity)
     assert alone.numerical.holds in (0.0, 1.0)
     assert (found.verdict == Outcome.PASS) == (found.numerical.holds >= 0.84 and alone.verdict == Outcome.PASS)
-    low, high = (inf if each is None else each for each in (found.numerical.ratio_low, found.numerical.ratio_high))
+    low, high = (inf if each is None else each for each in (found.numerical.ratio_16, found.numerical.ratio_84))
     assert low <= high
 
 
@@ -110,7 +110,7 @@ def test_a_pass_that_few_draws_confirm_is_a_fail_at_the_limit():
     assert found.ratio == pytest.approx(0.4)
     assert is_between(found)
     assert is_near(found, Index("D/C", found.ratio), 1.0, 0.0)
-    assert found.numerical.ratio_high is None
+    assert found.numerical.ratio_84 is None
 
 
 def test_the_records_as_they_are_fail_though_most_draws_hold():
@@ -149,8 +149,8 @@ SCAN = tuple(
 def test_capacities_are_the_last_levels_before_too_few_draws_hold():
     found = check(ASCE, *np.full((9, 7), 0.1), scan=SCAN)
     assert found.capacity_pga_g == pytest.approx(0.2)
-    assert found.numerical.capacity_half_pga_g == pytest.approx(0.4)
-    assert found.numerical.capacity_low_pga_g == pytest.approx(0.5)
+    assert found.numerical.capacity_50_pga_g == pytest.approx(0.4)
+    assert found.numerical.capacity_16_pga_g == pytest.approx(0.5)
     assert found.verdict == Outcome.PASS  # at 0.2 g
 
 
@@ -159,7 +159,7 @@ def test_a_level_that_the_records_as_they_are_fail_ends_the_capacity():
     runs[0, 0] = inf
     found = check(ASCE, *np.full((9, 7), 0.1), scan=(SCAN[0], suite_of_runs(0.15 * g, runs), *SCAN[1:]))
     assert found.capacity_pga_g == pytest.approx(0.1)
-    assert found.numerical.capacity_half_pga_g == pytest.approx(0.4)
+    assert found.numerical.capacity_50_pga_g == pytest.approx(0.4)
 
 
 def test_an_index_is_at_the_limit_where_more_draws_would_reach_the_target():

@@ -213,9 +213,16 @@ class Nzs1170Spectrum(DesignSpectrum):
         return nzs1170_5.vertical_spectrum(**self._parameters)
 
     @property
+    def return_factor(self) -> float:
+        """R, as given or of the return period [-]."""
+        if self.return_period is not None:
+            return nzs1170_5.return_period_factor(self.return_period)
+        assert self.r is not None
+        return self.r
+
+    @property
     def _parameters(self) -> dict[str, Any]:
-        years = self.return_period
-        r = self.r if years is None else nzs1170_5.return_period_factor(years)
+        r = self.return_factor
         return {"subsoil": self.subsoil, "z": self.z, "r": r, "near_fault_distance": self.near_fault_distance}
 
 

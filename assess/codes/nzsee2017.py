@@ -58,6 +58,7 @@ from assess.messages.message import Message, Quantity, Term, message
 from assess.oscillator import Branch, BranchName, Oscillator, energy, threshold
 from spectra.arrays import FloatArray
 from spectra.floor import NZS_LOW, NZS_SHARE, nzs1170_5_height_coefficient, part_shape
+from spectra.nzs1170_5 import return_period_factor
 
 EDITION = "NZSEE/MBIE Guidelines 2017, C8"
 CLAUSE, PARTS = "NZSEE 2017 C8.8.5", "NZS 1170.5, 8.2-8.4"
@@ -90,6 +91,15 @@ class Nzsee2017Options:
     """risk factor R_p of the part, NZS 1170.5 Table 8.1"""
     c_0: Annotated[PositiveAcceleration | None, ORDINATE] = None
     """C(0) at the site's own peak ground acceleration; needed where the spectrum is a table"""
+
+
+ULS_YEARS = {1: 100.0, 2: 500.0, 3: 1000.0, 4: 2500.0}
+"""Return period of ULS by importance level, of buildings meant for 50 years (NZS 1170.0, Table 3.3; from memory)."""
+
+
+def required_return_factor(importance_level: int) -> float:
+    """Return R of ULS [-] at an importance level from 1 to 4 (NZS 1170.0, Table 3.3; NZS 1170.5, Table 3.5)."""
+    return return_period_factor(ULS_YEARS[importance_level])
 
 
 def assess_face_loaded_wall(

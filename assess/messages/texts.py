@@ -213,6 +213,10 @@ TEXTS: Mapping[str, str] = {
     "action is that of class {taken}, the severest",
     "missing-effective-height": "the height of the resultant of the building's first mode; provisional: {height}, of "
     "the linear mode of Circolare 7/2019, C7.2.10",
+    "missing-importance-level": "the importance level, 1 to 4, on which the return period of ULS depends (NZS 1170.0, "
+    "Table 3.3)",
+    "missing-return-period-of-level": "importance level {level} asks for ULS at {years} years, R = {needed}; the "
+    "spectrum has R = {given}",
     "missing-school": "whether the building is a school, for which class III asks 0.60 (NTC 8.4.2)",
     "missing-index-before": "the index before the works, which an improvement raises by at least 0.10 (NTC 8.4.2)",
     "missing-limit-state": "which limit state decides: {states}",

@@ -15,10 +15,11 @@ from assess.codes.check import Premise
 from assess.codes.context import FreePeriod, SiteHazard
 from assess.codes.italian_limit_states import ItalianOptions
 from assess.codes.ntc2018_clauses import free_period
+from assess.codes.nzsee2017 import NZSEE2017_FACE_LOADED, ULS_YEARS, required_return_factor
 from assess.codes.procedures import KNOWLEDGE_CODES, PROCEDURES, CodeOptions, default_procedures
 from assess.codes.question import SOURCES, Action, Missing, Question, VerdictFacts, methods_of, missing_input
 from assess.errors import ProjectError, locate_errors
-from assess.messages.message import Message, Quantity, Severity, message
+from assess.messages.message import Message, Quantity, Severity, Value, message, whole_number
 from assess.project import sections
 from assess.project.section import plain_data, value_text
 from assess.results import ResolvedValue
@@ -28,6 +29,7 @@ from assess.study.fragility_runs import measure
 from assess.study.study import FragilityQuestion, deciding_limit_states
 from records.reading import relative_path
 from spectra import ntc
+from spectra.design_spectra import Nzs1170Spectrum
 from spectra.spectrum import Spectrum
 
 PROVISIONAL_CLASS = "IV"  # where the class of use is not given: that of the longest return periods
@@ -121,13 +123,33 @@ def facts_of(
     """Return by mechanism the inputs that a pass needs and that are missing, and the conditions of a pass."""
     premises = {premise for method in methods_of(question) for premise in PROCEDURES[method].premises}
     holds = lowered_pga_conditions(content, spectrum)
+    importance = _missing_importance(content) if NZSEE2017_FACE_LOADED.name in methods_of(question) else ()
+    lacking = tuple(importance)
     return {
         name: (
-            tuple(_missing_masonry(content, name)) if Premise.SOUND_MASONRY in premises else (),
+            (*lacking, *(_missing_masonry(content, name) if Premise.SOUND_MASONRY in premises else ())),
             (*holds, *_conditions(content, name)),
         )
         for name in names
     }
+
+
+def _missing_importance(content: sections.Content) -> Iterator[Missing]:
+    """Yield the importance level of the building, or the return period that its ULS asks for, where it is longer."""
+    level = None if content.building is None else content.building.importance_level
+    if level is None:
+        yield missing_input("building.importance_level", message("missing-importance-level"), "importance_level = 2")
+        return
+    needed, years = required_return_factor(level), ULS_YEARS[level]
+    way = None if content.site is None else content.site.spectrum.plain
+    asked: dict[str, Value] = {"level": whole_number(level), "years": whole_number(round(years))}
+    if not isinstance(way, Nzs1170Spectrum):
+        return
+    if way.return_factor < needed * (1.0 - LIKE):
+        given, least = Quantity(way.return_factor, "ratio", 3), Quantity(needed, "ratio", 3)
+        key, line = ("return_period", f"{years:.0f}") if way.r is None else ("r", f"{needed:.4g}")
+        why = message("missing-return-period-of-level", {**asked, "given": given, "needed": least})
+        yield missing_input(f"site.spectrum.{key}", why, f"{key} = {line}")
 
 
 def lowered_pga_conditions(content: sections.Content, spectrum: Spectrum | None) -> tuple[Message, ...]:

@@ -62,7 +62,7 @@ def _scaled(spectrum: Tables, pga: str) -> Tables:
     return spectrum | {"a_g": f"{pga} g"}
 
 
-NZ = {"verdict": {"target_nbs": 67}}
+NZ = {"verdict": {"target_nbs": 67}, "building": {"importance_level": 2}}
 SPECTRUM = {"verdict": {"procedures": ["asce43-05-spectrum"]}}
 OF_LOAD, OF_TIE = ({"report": {"sources": {"mechanisms.wall.loads[1]": source}}} for source in (SURVEY, DESIGN))
 PRESSED = {"loads": [{"kind": "overburden", "force": "20 kN"}]}

@@ -22,6 +22,7 @@ from assess.declaration import (
     IsRange,
     Length,
     NotNegativeRatio,
+    Number,
     PositiveAcceleration,
     PositiveFrequency,
     PositiveLength,
@@ -113,6 +114,12 @@ USE_CLASS = Evidence(
     "absent: a failing SLD makes ntc2018 incomplete",
     judged="a lower class has shorter return periods, and no SLD that decides",
 )
+IMPORTANCE_LEVEL = Evidence(
+    "defines",
+    "down",
+    "absent: nzsee2017 is incomplete",
+    judged="a higher level has a longer return period",
+)
 SCHOOL = Evidence(
     "defines",
     "either",
@@ -148,6 +155,8 @@ class BuildingSection(ProjectSection):
     use_class: Annotated[Literal["I", "II", "III", "IV"] | None, USE_CLASS] = None
     """class of use "I" to "IV", of the Italian codes; if absent a hazard over return periods is read as for IV, with
     which the verdict is provisional"""
+    importance_level: Annotated[int | None, Number(least=1, most=4), IMPORTANCE_LEVEL] = None
+    """importance level 1 to 4 of NZS 1170.0, for nzsee2017: ULS at 100, 500, 1000 or 2500 years"""
     school: Annotated[StrictBool | None, SCHOOL] = None
     """whether the building is a school, for the targets of NTC 8.4.2"""
     period: Annotated[PositiveTime, UNCERTAIN, FIRST_PERIOD] | None = Field(

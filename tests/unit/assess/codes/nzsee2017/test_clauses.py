@@ -16,6 +16,12 @@ from tests.support.straight import GROUND, HOUSE, SOFT, STRAIGHT
 HAND = 2e-5  # hand values have six figures
 
 
+@pytest.mark.parametrize(("level", "factor"), [(1, 0.5), (2, 1.0), (3, 1.3), (4, 1.8)])
+def test_required_return_factor(level: int, factor: float) -> None:
+    """R of 100, 500, 1000 and 2500 years."""
+    assert nzsee2017.required_return_factor(level) == factor
+
+
 @pytest.mark.parametrize(
     ("overburden", "k"), [(0.0, 0.975), (1.0, 0.95), (10.0, 0.725), (39.0, 0.0), (50.0, 0.0), (-1.0, 0.975)]
 )

@@ -19,6 +19,8 @@ with W what is the wall's own and P what presses on it; moments of ties and of h
 heights, stay. (The wall's share of J is W h^2 / 12 g but for terms of (t/h)^2, that of P an arm in t squared.) Of the
 uniform walls of C8B, case 0 has b_W = W t/2, b_P = P t, a_W = W h/2, a_P = P h: Delta_i = k t/2; T_p hardly moves.
 
+The slope psi of the storey tilts a wall that spans: it takes psi (W_b y_b + W_t y_t) = psi g B off b.
+
 The factor of T_p is 4 arcosh(1 / (1 - r)), r the rotation let go over phi_i: r = 0.6 x 0.6 gives 4.07. The period that
 the Guidelines print for walls that stand free, sqrt(0.65 h (1 + (t/h)^2)), is 3.10 sqrt(J / a), which is r = 0.8 x 0.3:
 so it belongs to a usable 0.3. Formulas are from memory and re-derived; numbers of clauses are unsure. One function for
@@ -33,7 +35,7 @@ from typing import Annotated
 import numpy as np
 from scipy.constants import g
 
-from assess.codes.calculation_sheet import Step, instability_step, integral_step, moment_column, step
+from assess.codes.calculation_sheet import Given, Step, instability_step, integral_step, moment_column, step
 from assess.codes.check import (
     NEW_ZEALAND,
     ORDINATE,
@@ -77,6 +79,10 @@ LARGEST_FLOOR_FACTOR = 3.0  # C_Hi, NZS 1170.5, 8.3
 USABLE_ROTATION = Evidence(
     "code", "up", "0.6 of walls that span, 0.3 of others; a larger one is for comparison", safe=Safe.ABSENT
 )
+STOREY_SLOPE = 0.005  # psi of buildings of masonry; 0.025 with frames
+STOREY_DRIFT = Evidence(
+    "code", "down", "0.005 of buildings of masonry, where less; 0.025 with frames", safe=STOREY_SLOPE
+)
 RISK_FACTOR = Evidence("code", "down", "1.0, where less", safe=1.0)
 
 
@@ -89,6 +95,9 @@ class Nzsee2017Options:
     larger one is shown for comparison"""
     risk_factor: Annotated[float, Number("ratio", least=0.9), RISK_FACTOR] = 1.0
     """risk factor R_p of the part, NZS 1170.5 Table 8.1"""
+    storey_slope: Annotated[float, Number("ratio", least=0, most=0.1), STOREY_DRIFT] = STOREY_SLOPE
+    """slope psi of the storey between the supports of a wall that spans: 0.005 in buildings of masonry, 0.025 with
+    frames"""
     c_0: Annotated[PositiveAcceleration | None, ORDINATE] = None
     """C(0) at the site's own peak ground acceleration; needed where the spectrum is a table"""
 
@@ -127,6 +136,7 @@ class WallResponse:
     """One branch by the clause.
 
     nominal, effective : with its own and with its effective thickness; gravity : None where they are the same
+    slope : psi [-], 0 of a wall that stands free; it is in neither of the two walls
     Tp : period [s]; usable : phi_m / phi_i [-]; floor : C_Hi [-]; risk_factor : R_p [-]
     surface : C(0) over the PGA of the spectrum [-]
     per_pga : phi_D over PGA [rad s2/m]; multiplier : at rest [-], uplift : PGA below which nothing rocks [m/s2]; both
@@ -136,6 +146,7 @@ class WallResponse:
     nominal: FaceLoadedWall
     effective: FaceLoadedWall
     gravity: Gravity | None
+    slope: float
     Tp: float
     usable: float
     floor: float
@@ -151,9 +162,14 @@ class WallResponse:
         return 1.0 if self.gravity is None else thickness_factor(self.gravity.overburden_ratio)
 
     @property
+    def tilted(self) -> MomentLine:
+        """The line of the wall that the storey tilts."""
+        return tilted_line(self.effective, self.slope)
+
+    @property
     def instability(self) -> float:
         """phi_i [rad]."""
-        return self.effective.line.instability
+        return self.tilted.instability
 
     @property
     def usable_rotation(self) -> float:
@@ -183,12 +199,15 @@ def wall_response(branch: Branch, name: BranchName, context: Context, options: N
     gravity = gravity_of(whole, name, context)
     wall = whole if gravity is None else with_effective_thickness(whole, gravity)
     Tp, R_p, at_rest = part_period(wall, support=context.support), options.risk_factor, threshold(branch)
-    multiplier = None if at_rest is None else at_rest * (wall.line.b / wall.B) / (whole.line.b / whole.B)
+    slope = options.storey_slope if context.support == "spanning" else 0.0
+    tilted = tilted_line(wall, slope)
+    multiplier = None if at_rest is None else at_rest * (tilted.b / wall.B) / (whole.line.b / whole.B)
     surface = 1.0 if options.c_0 is None else options.c_0 / context.spectrum.pga
     return WallResponse(
         nominal=whole,
         effective=wall,
         gravity=gravity,
+        slope=slope,
         Tp=Tp,
         usable=USABLE[context.support] if options.usable is None else options.usable,
         floor=floor,
@@ -261,6 +280,22 @@ def with_effective_thickness(wall: FaceLoadedWall, gravity: Gravity) -> FaceLoad
     a = wall.line.a - (1.0 - k) * gravity.own_slope
     J = wall.J - (1.0 - k) * gravity.own_inertia - (1.0 - k**2) * gravity.inertia
     return FaceLoadedWall(MomentLine(b, a), J, wall.B - (1.0 - k) * gravity.own_excitation)
+
+
+def tilted_line(wall: FaceLoadedWall, slope: float) -> MomentLine:
+    """Return the line of a wall between supports that the storey tilts: b less psi g B, of the same fall a.
+
+    Parameters
+    ----------
+    wall : upright
+    slope : psi of the storey [-]
+
+    Returns
+    -------
+    MomentLine
+        With b of 0 or less where the slope alone brings the wall down.
+    """
+    return MomentLine(wall.line.b - slope * g * wall.B, wall.line.a)
 
 
 def thickness_factor(overburden_ratio: float) -> float:
@@ -393,7 +428,11 @@ def _checks(oscillator: Oscillator, context: Context, options: Nzsee2017Options)
             return replace(empty, verdict=Outcome.NOT_ANSWERED, reason=why)
         if is_overloaded(name, context):
             return replace(empty, verdict=Outcome.NOT_ANSWERED, reason=reason_message(Reason.OVERLOADED, clause=CLAUSE))
-        return _answered(empty, branch, context, wall_response(branch, name, context, options), level)
+        response = wall_response(branch, name, context, options)
+        if response.tilted.b <= 0.0:
+            down = reason_message(Reason.OVERTURNS)
+            return replace(empty, verdict=Outcome.FAIL, reason=down, capacity_pga_g=0.0)
+        return _answered(empty, branch, context, response, level)
 
     return tuple(_scored(check) for check in check_worst_branch(oscillator, context.levels, one))
 
@@ -473,6 +512,7 @@ def _sheet_steps(branch: Branch, context: Context, response: WallResponse, *, le
     return (
         *_wall_steps(branch, response),
         *_thickness_steps(response),
+        *_slope_steps(response),
         *_capacity_steps(context, response),
         *_part_steps(context, response, level),
         *_displacement_steps(context, response, response.per_pga * level),
@@ -516,7 +556,6 @@ def _thickness_steps(response: WallResponse) -> tuple[Step, ...]:
     slopes = {"a0": (nominal.line.a, "N m/rad"), "a_W": (gravity.own_slope, "N m/rad")}
     turned = {"J0": (nominal.J, "kg m2"), "J_W": (gravity.own_inertia, "kg m2"), "J_P": (gravity.inertia, "kg m2")}
     driven = {"B0": (nominal.B, "kg m"), "B_W": (gravity.own_excitation, "kg m")}
-    unstable = {"b": (wall.line.b, "N m"), "a": (wall.line.a, "N m/rad")}
     words = "effective thickness over thickness; P presses on the wall, W is its own weight"
     return (
         step("k", words, CLAUSE, "0.975 − 0.025 P/W", k, given={"P/W": gravity.overburden_ratio}),
@@ -527,8 +566,21 @@ def _thickness_steps(response: WallResponse) -> tuple[Step, ...]:
         step("J", "inertia, the wall's by k, of P by k²", CLAUSE, "J0 − (1 − k) J_W − (1 − k²) J_P", wall.J, "kg m2",
              given={**turned, **taken}),
         step("B", "excitation, the wall's by k", CLAUSE, "B0 − (1 − k) B_W", wall.B, "kg m", given={**driven, **taken}),
-        step("φ_i", "rotation at instability", CLAUSE, "b / a", response.instability, "rad", given=unstable),
     )  # fmt: skip
+
+
+def _slope_steps(response: WallResponse) -> tuple[Step, ...]:
+    """Write what the slope of the storey takes of a wall that spans, and its instability."""
+    if response.gravity is None:
+        return ()
+    wall, tilted = response.effective, response.tilted
+    given: Given = {"b": (wall.line.b, "N m"), "ψ": (response.slope, "-"), "B": (wall.B, "kg m")}
+    unstable: Given = {"b_ψ": (tilted.b, "N m"), "a": (tilted.a, "N m/rad")}
+    words = "resisting moment of the wall that the slope ψ of the storey tilts"
+    return (
+        step("b_ψ", words, CLAUSE, "b − ψ g B", tilted.b, "N m", given=given),
+        step("φ_i", "rotation at instability", CLAUSE, "b_ψ / a", tilted.instability, "rad", given=unstable),
+    )
 
 
 def _capacity_steps(context: Context, response: WallResponse) -> tuple[Step, ...]:
@@ -630,5 +682,5 @@ def _uplift_step(response: WallResponse) -> Step:
         "R_p": response.risk_factor,
         "s": response.surface,
     }
-    words = "PGA at uplift, λ = b / (g B) the multiplier at rest, s = C(0)/PGA"
+    words = "PGA at uplift, λ = b / (g B) the multiplier at rest, of the tilted wall where it is, s = C(0)/PGA"
     return step("PGA_u", words, PARTS, "λ / (s C_Hi C_i(0) R_p)", response.uplift / g, "g", given=given)

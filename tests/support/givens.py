@@ -310,7 +310,8 @@ OWN: Mapping[str, Mapping[tuple[str, str], Reading]] = {
         ("N", "force"): normal,
     },
     "nzsee2017-face-loaded": {
-        ("λ", "ratio"): lambda s: s.known["b"] / (g * s.known["B"]),
+        ("λ", "ratio"): lambda s: s.known.get("b_ψ", s.known["b"]) / (g * s.known["B"]),
+        ("ψ", "ratio"): lambda s: 0.005,
     },
     "sliding": {
         **{

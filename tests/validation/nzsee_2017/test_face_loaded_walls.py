@@ -95,29 +95,47 @@ def test_boundary_cases(case: str, share: float) -> None:
     assert branch.restoring[0] / (g * branch.excitation[0]) == pytest.approx(lifts, rel=1e-9)
 
 
+@pytest.mark.parametrize("slope", [0.0, 0.005, 0.025])
 @pytest.mark.parametrize("share", [0.0, 2.0])
 @pytest.mark.parametrize("case", list(CASES))
-def test_boundary_cases_with_the_effective_thickness(case: str, share: float) -> None:
-    """The same table with t_eff = t (0.975 - 0.025 P/W) for t, and the weight that goes with it: by hand to %NBS."""
+def test_boundary_cases_with_the_effective_thickness(case: str, share: float, slope: float) -> None:
+    """The same table with t_eff = t (0.975 - 0.025 P/W) for t, and the weight that goes with it: by hand to %NBS.
+
+    The slope of the storey takes psi (W_b y_b + W_t y_t) = psi (W/2 h/4 + W/2 h/4) off b.
+    """
     e_p, e_b, b, weighted_inertia = CASES[case]
     k = 0.975 - 0.025 * share
     W, P, t = k * WEIGHT, share * WEIGHT, k * T
     a, gJ = (W / 2 + P) * H, weighted_inertia(W, P, t)
-    delta_i = b(W, P, t) * H / (2 * a)
+    tilted = b(W, P, t) - slope * W * H / 4
+    delta_i = tilted * H / (2 * a)
     T_p = 4.0 * np.arccosh(1.0 / (1.0 - 0.36)) * (gJ / g / a) ** 0.5
     gamma = (W * H / 4) * H / (2 * gJ)
     C_p = 0.532 * 5 / 3 * np.clip(2 * (1.75 - T_p), 0.5, 2.0)
     D_ph = gamma * (T_p / (2 * np.pi)) ** 2 * C_p * g
     built = mechanism(e_p=e_p * T, e_b=e_b * T, load=P)
-    (check,) = assess_face_loaded_wall(built.oscillator, second_storey(size=wall_of(built)), options=Nzsee2017Options())
+    (check,) = assess_face_loaded_wall(
+        built.oscillator, second_storey(size=wall_of(built)), options=Nzsee2017Options(storey_slope=slope)
+    )
     found = {step.symbol: step.value for step in check.steps}
     assert found["k"] == pytest.approx(k, rel=1e-9)
     assert found["b"] == pytest.approx(b(W, P, t), rel=1e-9)
+    assert found["b_ψ"] == pytest.approx(tilted, rel=1e-9)
     assert found["J"] * g == pytest.approx(gJ, rel=2 * CURVED)  # 16 (t/h)^2 of the wall goes with k^3, here with k
     assert found["Δ_i"] == pytest.approx(delta_i, rel=CURVED)
     assert found["T_p"] == pytest.approx(T_p, rel=CURVED)
     assert found["D_ph"] == pytest.approx(D_ph, rel=2 * CURVED)  # C_i(T_p) falls twice as fast as T_p grows
     assert check.score["%NBS"] == pytest.approx(60.0 * delta_i / D_ph, rel=2 * CURVED)
+
+
+def test_a_slope_that_brings_the_wall_down_fails_it() -> None:
+    """psi of 0.1 against a multiplier of 2 (0.975 t) / h = 0.092 of a wall 4.0 x 0.19 m: b is negative."""
+    low, high = planar_box(0.19, H / 2), planar_box(0.19, H / 2, base=H / 2)
+    thin = two_block("wall", low, high, sides="one", hinges=((0.0, 0.0), (-0.095, H / 2), (0.095, H)))
+    (check,) = assess_face_loaded_wall(
+        thin.oscillator, second_storey(size=wall_of(thin)), options=Nzsee2017Options(storey_slope=0.1)
+    )
+    assert (check.verdict, check.reason.key, check.score["%NBS"]) == ("fail", Reason.OVERTURNS, 0.0)
 
 
 def test_ties_and_thrusts_keep_their_moment() -> None:
@@ -156,9 +174,9 @@ def test_a_wall_of_four_metres_by_hand() -> None:
     """t = 0.23 m, no load, case 0, h_i = 4 m of 8 m, Z = 0.4, class C.
 
     The printed figures, Delta_i = 0.115 m, Delta_m = 0.069 m, D_ph = 0.503 m and 13.7 %NBS, are those of the whole
-    thickness: without load T_p and D_ph stay, and the rest goes with t_eff = 0.975 t.
+    thickness and of no slope of the storey: without load T_p and D_ph stay, and the rest goes with t_eff = 0.975 t.
     """
-    (check,) = assess_face_loaded_wall(wall(), second_storey(), options=Nzsee2017Options())
+    (check,) = assess_face_loaded_wall(wall(), second_storey(), options=Nzsee2017Options(storey_slope=0.0))
     found = {step.symbol: step.value for step in check.steps}
     assert found["Δ_i"] == pytest.approx(0.975 * 0.115, rel=CURVED)
     assert found["Δ_m"] == pytest.approx(0.975 * 0.069, rel=CURVED)

@@ -93,7 +93,8 @@ def test_options_reach_the_clause(tmp_path: Path) -> None:
     asked = '[analysis]\nprocedures = ["nzsee2017-face-loaded", "ec8-element"]\n'
     rest = (
         asked
-        + "[procedures.nzsee2017]\nusable = 0.5\n[procedures.ec8]\nbehaviour_factor = 1.5\nimportance_factor = 1.2"
+        + "[procedures.nzsee2017]\nusable = 0.5\nstorey_slope = 0\n"
+        + "[procedures.ec8]\nbehaviour_factor = 1.5\nimportance_factor = 1.2"
     )
     study = study_of(tmp_path, text_of(ZEALAND), rest)
     assert (study.options.nzsee2017.usable, study.options.ec8.behaviour_factor) == (0.5, 1.5)

@@ -22,6 +22,13 @@ def test_required_return_factor(level: int, factor: float) -> None:
     assert nzsee2017.required_return_factor(level) == factor
 
 
+@pytest.mark.parametrize(("slope", "b"), [(0.0, 4000.0), (0.005, 3901.9335), (0.25, -903.325)])
+def test_tilted_line(slope: float, b: float) -> None:
+    """4000 - psi 9.80665 x 2000 N m; the fall a stays."""
+    wall = FaceLoadedWall(MomentLine(4000.0, 20000.0), 8000.0, 2000.0)
+    assert nzsee2017.tilted_line(wall, slope) == MomentLine(pytest.approx(b, rel=1e-9), 20000.0)
+
+
 @pytest.mark.parametrize(
     ("overburden", "k"), [(0.0, 0.975), (1.0, 0.95), (10.0, 0.725), (39.0, 0.0), (50.0, 0.0), (-1.0, 0.975)]
 )

@@ -408,7 +408,7 @@ def _read_file(elements: Mapping[str, str | None], file: Path) -> MeshesBySelect
             taken,
             content.unit,
             content.up,
-            (*(() if element is None else _join_warnings(taken)), *_mesh_warnings(taken)),
+            (*(() if element is None else _join_warnings(taken)), *_class_warnings(taken), *_mesh_warnings(taken)),
         )
     return found
 
@@ -419,6 +419,18 @@ def _join_warnings(meshes: Sequence[ElementMesh]) -> tuple[Message, ...]:
         return ()
     names = first_names([short_name(each.element.shown) for each in meshes], MAX_LISTED)
     return (note("elements-joined", number=whole_number(len(meshes)), names=names),)
+
+
+def _class_warnings(meshes: Sequence[ElementMesh]) -> tuple[Message, ...]:
+    """Note where elements of several classes, as walls and slabs of an IFC file, become one body."""
+    kinds = [kind for each in meshes for kind in each.element.kinds[:1] if kind.startswith("Ifc")]
+    classes = dict.fromkeys(CASES.sub("", kind) for kind in kinds)
+    if len(classes) < 2:
+        return ()
+    return (note("several-classes", number=whole_number(len(meshes)), classes=first_names(list(classes), MAX_LISTED)),)
+
+
+CASES = re.compile("(Standard|Elemented)Case$")  # of IFC classes: the same element, drawn more simply
 
 
 def _mesh_warnings(meshes: Sequence[ElementMesh]) -> tuple[Message, ...]:

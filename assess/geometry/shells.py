@@ -65,10 +65,12 @@ def unify_shells(
     shells = separate_shells(surface, across)
     if len(shells) == 1:
         return surface, done
+    number = len(shells)
     for step in (_drop_flat, _reverse_inverted, _unite_overlapping):
         shells, more = step(shells, where=where)
         done = (*done, *more)
-    return (_join_shells(shells) if done else surface), done
+    counted = (note("many-shells", number=whole_number(number)),) if number > MANY_SHELLS else ()
+    return (_join_shells(shells) if done else surface), (*done, *counted)
 
 
 def separate_shells(surface: Surface, across: NDArray[np.int32] | None = None) -> list[Surface]:
@@ -87,6 +89,7 @@ def separate_shells(surface: Surface, across: NDArray[np.int32] | None = None) -
 
 RAYS = 48  # across the body, each way
 RAY_OFFSET = np.array([0.5317, 0.4619])  # place of a line in its cell
+MANY_SHELLS = 20  # closed shells of one body: more are likely those of a building
 LARGEST_SELF_OVERLAP = 0.01  # of the volume: more than this counted wrongly is refused
 NEGLIGIBLE_SELF_OVERLAP = 1e-6  # of the volume: less than this counted wrongly gets no warning
 SHORTEST_STRETCH = 1e-6  # of the body's size: shorter stretches are rounding where shells touch

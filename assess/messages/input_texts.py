@@ -7,6 +7,8 @@ from collections.abc import Mapping
 GEOMETRY_TEXTS: Mapping[str, str] = {
     # meshes
     "mesh": "{file}: {step}",
+    "several-classes": "elements of several classes joined into one body: {number} ({classes})",
+    "many-shells": "one body of {number} closed shells",
     "elements-joined": "elements joined into one body: {number} ({names})",
     "element-incomplete": 'element "{element}": {what}',
     "not-all-built": "not all of it could be built from what the file says, volume and mass may be wrong: {lost}",

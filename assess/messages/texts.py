@@ -206,6 +206,8 @@ TEXTS: Mapping[str, str] = {
     "missing-basis": "which code decides; the site's spectrum does not determine it",
     "missing-class-by-state": "{state} is not satisfied, which decides in class of use IV",
     "missing-target": "the share of the new building standard to be reached, 34, 67 or 100, has no default",
+    "missing-rigid-whole": "{what}: it is taken as one rigid block, as a whole building would be; draw the parts that "
+    "move as bodies of their own, or name who vouches that these move as one",
     "missing-works": "a local repair has no threshold (NTC 8.4.1): compare the index before and after; write "
     '"none" for a target',
     "missing-class-of-improvement": "the class of use, on which the target of an improvement depends (NTC 8.4.2)",

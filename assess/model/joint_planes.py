@@ -144,6 +144,12 @@ def _normal_at(
         plane = cut_of(definition, where=where)
         if plane is not None:
             return view.project_vector(plane.normal)
+    if face is None and piece.solids and len(pieces) == definition.number_of_blocks:
+        side = UP if definition.number_of_blocks == number == 2 else DOWN
+        plane = _plane_of_face(piece.solids, hinge, view, side)
+        lying = _corners_in(piece.solids, plane)
+        _require_contact(sum(float(areas_and_normals(corners)[0].sum()) for corners in lying), hinge, where)
+        return view.project_vector(-plane.normal)
     return find_joint_plane(number, hinge, definition, pieces, view, where=where).normal
 
 
@@ -152,23 +158,34 @@ def _joint_plane_on_face(
 ) -> JointPlane:
     """Find the face of a block on the ground, or of a wall under the support at its top.
 
-    It is the one through the hinge that looks most to that side; the lowest (highest) one where none does.
+    Raises GeometryError where none lies at the hinge.
+    """
+    plane = _plane_of_face(solids, hinge, view, side)
+    region = _parts_with_area(_faces_in(solids, plane))
+    _require_contact(region.area, hinge, where)
+    return JointPlane(view.project_vector(-plane.normal), plane, region)
+
+
+def _require_contact(area: float, hinge: Point, where: str) -> None:
+    """Raise GeometryError where the faces at a hinge have no area [m2]."""
+    if area <= SLIVER:
+        raise GeometryError(
+            f"{where}: no face of its block lies at the hinge ({hinge[0]:.4g}, {hinge[1]:.4g}) m; give shape"
+        )
+
+
+def _plane_of_face(solids: Sequence[Solid], hinge: Point, view: MotionPlane, side: Vector) -> Plane:
+    """Return the plane of the face through the hinge that looks most to a side; where none does, the last level there.
+
+    Its normal points out of the block.
     """
     at = view.world(hinge)
     found = [normal for normal in _normals_at(solids, at, view) if normal[2] * side[1] >= NOT_UPRIGHT]
     if found:
-        outward = max(found, key=lambda normal: float(normal[2] * side[1]))
-        plane = Plane(at, outward)
-    else:
-        heights = np.concatenate([solid.vertices[:, 2] for solid in solids])
-        level = float(heights.max() if side == UP else heights.min())
-        plane = Plane(view.world((hinge[0], level)), np.array([0.0, 0.0, side[1]]))
-    region = _parts_with_area(_faces_in(solids, plane))
-    if region.area <= SLIVER:
-        raise GeometryError(
-            f"{where}: no face of its block lies at the hinge ({hinge[0]:.4g}, {hinge[1]:.4g}) m; give shape"
-        )
-    return JointPlane(view.project_vector(-plane.normal), plane, region)
+        return Plane(at, max(found, key=lambda normal: float(normal[2] * side[1])))
+    heights = np.concatenate([solid.vertices[:, 2] for solid in solids])
+    level = float(heights.max() if side == UP else heights.min())
+    return Plane(view.world((hinge[0], level)), np.array([0.0, 0.0, side[1]]))
 
 
 def _joint_plane_between(
@@ -227,11 +244,18 @@ def _faces_in(solids: Sequence[Solid], plane: Plane, *, seen_in: Plane | None = 
     """Return the faces of solids that lie in a plane and face along its normal, in the coordinates of `seen_in`."""
     shown, pieces = seen_in or plane, []
     axes = np.column_stack([project_on_plane(shown, unit) for unit in np.eye(3)])
-    for corners, normal, _ in map(_faces, solids):
-        off = np.abs((corners - plane.point) @ plane.normal).max(axis=1)
-        lying = (normal @ plane.normal >= 1.0 - SAME_NORMAL) & (off <= TOUCH)
-        pieces += list(shapely.polygons((corners[lying] - shown.point) @ axes.T))
+    for corners in _corners_in(solids, plane):
+        pieces += [shapely.polygons(each) for each in (corners - shown.point) @ axes.T]
     return shapely.union_all([piece for piece in pieces if piece.area > 0.0])
+
+
+def _corners_in(solids: Sequence[Solid], plane: Plane) -> Iterator[FloatArray]:
+    """Yield the corners [k, 3, 3] of the triangles of each solid that lie in a plane and face along its normal."""
+    for solid in solids:
+        near = np.abs((solid.vertices - plane.point) @ plane.normal) <= TOUCH
+        corners = solid.vertices[solid.triangles[near[solid.triangles].all(axis=1)]]
+        area, normal = areas_and_normals(corners)
+        yield corners[(area > 0.0) & (normal @ plane.normal >= 1.0 - SAME_NORMAL)]
 
 
 def _parts_with_area(region: shapely.Geometry) -> shapely.MultiPolygon:

@@ -300,7 +300,7 @@ def _study_of_mechanisms(
         levels=levels_of(content.analysis.levels, files.spectrum),
         scan=content.analysis.scan,
         question=question,
-        facts=facts_of(content, question, tuple(chosen), files.spectrum),
+        facts=facts_of(content, question, tuple(chosen), files.spectrum, solids=files.solids),
         heights={name: ground_mechanism(section, built[name].mechanism, ground) for name, section in chosen.items()},
         procedures=procedures_of(content),
         offered=content.site_procedures,

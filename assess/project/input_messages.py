@@ -70,9 +70,19 @@ def project_messages(
 def _body_messages(name: str, solid: Solid, body: sections.BodySection) -> Iterator[Message]:
     """Report what was done to the mesh of a body, and an implausible size or place."""
     if isinstance(body, sections.MeshBody) and solid.history:
-        yield from (note("mesh", f"bodies.{name}", file=body.mesh.name, step=step) for step in solid.history)
+        yield from (_mesh_message(name, body.mesh.name, step) for step in solid.history)
     about_size = size_warning(solid, unit=_mesh_unit_of(body))
     yield from locate(() if about_size is None else (about_size,), f"bodies.{name}")
+
+
+MUCH_CHANGED = 2.0  # % of its volume: a mesh that is mended by more may be another body
+
+
+def _mesh_message(name: str, file: str, step: Message) -> Message:
+    """Report one step of mending a mesh: a warning where it changes the volume by more than MUCH_CHANGED."""
+    change = step.values.get("change")
+    much = isinstance(change, Quantity) and abs(change.value) > MUCH_CHANGED
+    return (warning if much else note)("mesh", f"bodies.{name}", file=file, step=step)
 
 
 def _mesh_unit_of(body: sections.BodySection) -> float | None:

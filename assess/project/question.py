@@ -6,6 +6,7 @@ Where the project names no procedures, those run whose `default_run` applies at 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from itertools import chain
 from pathlib import Path
 
 from scipy.constants import g
@@ -19,6 +20,7 @@ from assess.codes.nzsee2017 import NZSEE2017_FACE_LOADED, ULS_YEARS, required_re
 from assess.codes.procedures import KNOWLEDGE_CODES, PROCEDURES, CodeOptions, default_procedures
 from assess.codes.question import SOURCES, Action, Missing, Question, VerdictFacts, methods_of, missing_input
 from assess.errors import ProjectError, locate_errors
+from assess.geometry.solid import Solid
 from assess.messages.message import Message, Quantity, Severity, Value, message, whole_number
 from assess.project import sections
 from assess.project.section import plain_data, value_text
@@ -117,8 +119,16 @@ def use_class_of(content: sections.Content) -> str | None:
     return of_site or of_building
 
 
+NO_SOLIDS: Mapping[str, Solid | None] = {}
+
+
 def facts_of(
-    content: sections.Content, question: Question, names: Sequence[str], spectrum: Spectrum | None = None
+    content: sections.Content,
+    question: Question,
+    names: Sequence[str],
+    spectrum: Spectrum | None = None,
+    *,
+    solids: Mapping[str, Solid | None] = NO_SOLIDS,
 ) -> Mapping[str, VerdictFacts]:
     """Return by mechanism the inputs that a pass needs and that are missing, and the conditions of a pass."""
     premises = {premise for method in methods_of(question) for premise in PROCEDURES[method].premises}
@@ -127,7 +137,11 @@ def facts_of(
     lacking = tuple(importance)
     return {
         name: (
-            (*lacking, *(_missing_masonry(content, name) if Premise.SOUND_MASONRY in premises else ())),
+            (
+                *lacking,
+                *(_missing_masonry(content, name) if Premise.SOUND_MASONRY in premises else ()),
+                *_missing_wholes(content, name, solids),
+            ),
             (*holds, *_conditions(content, name)),
         )
         for name in names
@@ -172,6 +186,20 @@ def _missing_masonry(content: sections.Content, name: str) -> Iterator[Missing]:
             yield missing_input(key, message("missing-disintegration"), 'disintegration = "excluded"')
         if disintegration != "possible" and not content.report.source_of(key):
             why = message("missing-source", {"key": key})
+            yield missing_input(SOURCES, why, f'"{key}" = "measured: …"')
+
+
+OF_MANY_PARTS = ("several-classes", "many-shells")  # notes on meshes that are likely more than one rigid body
+
+
+def _missing_wholes(content: sections.Content, name: str, solids: Mapping[str, Solid | None]) -> Iterator[Missing]:
+    """Yield each body of a mechanism that is made of so many parts that somebody must say that they move as one."""
+    section = content.mechanisms[name]
+    for body in dict.fromkeys(() if section.kind == "equivalent-block" else chain(*section.blocks)):
+        solid, key = solids.get(body), f"bodies.{body}"
+        steps = [step for step in solid.history if step.key in OF_MANY_PARTS] if solid is not None else []
+        if steps and not content.report.source_of(key):
+            why = message("missing-rigid-whole", {"what": steps[0]})
             yield missing_input(SOURCES, why, f'"{key}" = "measured: …"')
 
 

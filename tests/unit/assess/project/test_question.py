@@ -5,15 +5,19 @@ from __future__ import annotations
 import tomllib
 from dataclasses import replace
 
+import numpy as np
 import pytest
 
 from assess.codes.question import SOURCES, Missing, merge_missing, methods_of, toml_lines
+from assess.geometry.mesh import load_solid
 from assess.project.build import build
 from assess.project.project_file import load
 from assess.project.question import facts_of, lowered_pga_conditions, question_of
 from assess.project.site_and_structure import site_in, spectrum_of
 from assess.study.run import run_study
+from tests.support.mesh_files import obj
 from tests.support.projects import NTC, block, lines, project_toml, published, wall
+from tests.support.solids import cuboid
 
 SITE = {"limit_state": "SLV", "spectrum": NTC}
 EXCLUDED = 'disintegration = "excluded"'
@@ -45,6 +49,22 @@ def content(tmp_path, top="", **given):
 def facts(tmp_path, name="wall", **given):
     of = content(tmp_path, **given)
     return facts_of(of, question_of(of, site_pga=1.0), (name,))[name]
+
+
+def test_a_body_of_many_parts_is_one_block_only_where_somebody_vouches_for_it(tmp_path):
+    """Twenty-one boxes in a row, a row of houses as well as a wall, are asked about; twenty are not."""
+    for number, asked in ((20, 0), (21, 1)):
+        row = [cuboid((2.0 * i, 0, 0), (2.0 * i + 1, 1, 3)) for i in range(number)]
+        vertices = np.concatenate([each.vertices for each in row])
+        triangles = np.concatenate([each.triangles + 8 * i for i, each in enumerate(row)])
+        (tmp_path / "row.obj").write_bytes(obj(vertices, triangles))
+        of = content(tmp_path)
+        solid = load_solid(tmp_path / "row.obj", density=1800.0, name="wall")
+        found = facts_of(of, question_of(of, site_pga=1.0), ("wall",), solids={"wall": solid})["wall"][0]
+        assert sum(each.why[0].key == "missing-rigid-whole" for each in found) == asked
+        vouched = content(tmp_path, sources='"bodies.wall" = "measured: survey of 2024, bonded throughout"')
+        found = facts_of(vouched, question_of(vouched, site_pga=1.0), ("wall",), solids={"wall": solid})["wall"][0]
+        assert not any(each.why[0].key == "missing-rigid-whole" for each in found)
 
 
 def keys(found):

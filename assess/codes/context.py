@@ -33,6 +33,9 @@ class Gravity:
     own_slope : of its fall to the rotation at instability, from the wall [N m/rad]
     own_inertia, inertia : of the inertia at rest, from the wall and from what presses on it [kg m2]
     own_excitation : of the excitation at rest, from the wall [kg m]
+    base_eccentricity : of the reaction at the base from mid-thickness, as the drawing bears it [m]
+    edge_moment, edge_inertia : what the hinge at the edge of the base gives beyond that, to the restoring moment and
+        to the inertia at rest [N m, kg m2]; the other values are without it
     """
 
     overburden_ratio: float
@@ -42,6 +45,9 @@ class Gravity:
     own_inertia: float
     inertia: float
     own_excitation: float
+    base_eccentricity: float = 0.0
+    edge_moment: float = 0.0
+    edge_inertia: float = 0.0
 
 
 def is_above_ground(support: float, height: float) -> bool:

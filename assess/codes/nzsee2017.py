@@ -19,7 +19,10 @@ with W what is the wall's own and P what presses on it; moments of ties and of h
 heights, stay. (The wall's share of J is W h^2 / 12 g but for terms of (t/h)^2, that of P an arm in t squared.) Of the
 uniform walls of C8B, case 0 has b_W = W t/2, b_P = P t, a_W = W h/2, a_P = P h: Delta_i = k t/2; T_p hardly moves.
 
-The slope psi of the storey tilts a wall that spans: it takes psi (W_b y_b + W_t y_t) = psi g B off b.
+The base reaction of such a wall is at its face, e_b = t/2, only where the drawing has masonry or a foundation below it
+that bears it from face to face; on a beam, on the edge of a slab and where nothing is drawn e_b = 0. What the hinge at
+the edge gives beyond that comes off b and J. The slope psi of the storey tilts a wall that spans: it takes psi (W_b y_b
++ W_t y_t) = psi g B off b.
 
 The factor of T_p is 4 arcosh(1 / (1 - r)), r the rotation let go over phi_i: r = 0.6 x 0.6 gives 4.07. The period that
 the Guidelines print for walls that stand free, sqrt(0.65 h (1 + (t/h)^2)), is 3.10 sqrt(J / a), which is r = 0.8 x 0.3:
@@ -197,7 +200,7 @@ def wall_response(branch: Branch, name: BranchName, context: Context, options: N
     """
     whole, floor = nominal(branch), floor_factor(context)
     gravity = gravity_of(whole, name, context)
-    wall = whole if gravity is None else with_effective_thickness(whole, gravity)
+    wall = whole if gravity is None else with_effective_thickness(seated_wall(whole, gravity), gravity)
     Tp, R_p, at_rest = part_period(wall, support=context.support), options.risk_factor, threshold(branch)
     slope = options.storey_slope if context.support == "spanning" else 0.0
     tilted = tilted_line(wall, slope)
@@ -261,6 +264,22 @@ class FaceLoadedWall:
 def nominal(branch: Branch) -> FaceLoadedWall:
     """Return the branch with its own thickness."""
     return FaceLoadedWall(straight_line(branch), float(branch.inertia[0]), float(branch.excitation[0]))
+
+
+def seated_wall(wall: FaceLoadedWall, gravity: Gravity) -> FaceLoadedWall:
+    """Return the wall with its base reaction where the drawing bears it.
+
+    Parameters
+    ----------
+    wall : with its reaction at the hinge of the base
+    gravity : with what that hinge gives beyond the drawing
+
+    Returns
+    -------
+    FaceLoadedWall
+    """
+    line = MomentLine(wall.line.b - gravity.edge_moment, wall.line.a)
+    return replace(wall, line=line, J=wall.J - gravity.edge_inertia)
 
 
 def with_effective_thickness(wall: FaceLoadedWall, gravity: Gravity) -> FaceLoadedWall:
@@ -511,6 +530,7 @@ def _sheet_steps(branch: Branch, context: Context, response: WallResponse, *, le
     """Write all lines of the sheet but the score; level: PGA [m/s2]."""
     return (
         *_wall_steps(branch, response),
+        *_seat_steps(response),
         *_thickness_steps(response),
         *_slope_steps(response),
         *_capacity_steps(context, response),
@@ -546,24 +566,50 @@ def _moment_steps(branch: Branch, symbol: str, end: str, moment: float, *, at_re
     return work, step(symbol, words, CLAUSE, f"2 E / {end}", moment, "N m", given=given)
 
 
+AT_FACE = "C8B, cases 1 and 3: masonry or a foundation as thick bears the wall from face to face"
+AT_MIDDLE = "C8B, cases 0 and 2: nothing is drawn below that bears the wall from face to face"
+
+
+def _seat_steps(response: WallResponse) -> tuple[Step, ...]:
+    """Write where the base reaction of a wall that spans is, and what that takes of the wall as modelled."""
+    gravity, modelled = response.gravity, response.nominal
+    if gravity is None:
+        return ()
+    seated, e_b = seated_wall(modelled, gravity), gravity.base_eccentricity
+    words = "eccentricity of the base reaction from mid-thickness"
+    seat = step("e_b", words, CLAUSE, "by the drawing", e_b, "m", remark=AT_FACE if e_b > 0.0 else AT_MIDDLE)
+    if not gravity.edge_moment > 0.0:
+        return (seat,)
+    moments: Given = {"b0": (modelled.line.b, "N m"), "b_A": (gravity.edge_moment, "N m")}
+    turned: Given = {"J0": (modelled.J, "kg m2"), "J_A": (gravity.edge_inertia, "kg m2")}
+    return (
+        seat,
+        step("b_e", "resisting moment without that of the edge", CLAUSE, "b0 − b_A", seated.line.b, "N m",
+             given=moments),
+        step("J_e", "inertia without that of the edge", CLAUSE, "J0 − J_A", seated.J, "kg m2", given=turned),
+    )  # fmt: skip
+
+
 def _thickness_steps(response: WallResponse) -> tuple[Step, ...]:
     """Write the wall with its effective thickness."""
     if response.gravity is None:
         return ()
-    gravity, nominal, wall, k = response.gravity, response.nominal, response.effective, response.thickness
+    gravity, wall, k = response.gravity, response.effective, response.thickness
+    nominal, moved = seated_wall(response.nominal, gravity), gravity.edge_moment > 0.0
+    b, J = ("b_e", "J_e") if moved else ("b0", "J0")
     taken = {"k": (k, "-")}
-    moments = {"b0": (nominal.line.b, "N m"), "b_W": (gravity.own_moment, "N m"), "b_P": (gravity.moment, "N m")}
+    moments = {b: (nominal.line.b, "N m"), "b_W": (gravity.own_moment, "N m"), "b_P": (gravity.moment, "N m")}
     slopes = {"a0": (nominal.line.a, "N m/rad"), "a_W": (gravity.own_slope, "N m/rad")}
-    turned = {"J0": (nominal.J, "kg m2"), "J_W": (gravity.own_inertia, "kg m2"), "J_P": (gravity.inertia, "kg m2")}
+    turned = {J: (nominal.J, "kg m2"), "J_W": (gravity.own_inertia, "kg m2"), "J_P": (gravity.inertia, "kg m2")}
     driven = {"B0": (nominal.B, "kg m"), "B_W": (gravity.own_excitation, "kg m")}
     words = "effective thickness over thickness; P presses on the wall, W is its own weight"
     return (
         step("k", words, CLAUSE, "0.975 − 0.025 P/W", k, given={"P/W": gravity.overburden_ratio}),
-        step("b", "resisting moment, the wall's by k², of P by k", CLAUSE, "b0 − (1 − k²) b_W − (1 − k) b_P",
+        step("b", "resisting moment, the wall's by k², of P by k", CLAUSE, f"{b} − (1 − k²) b_W − (1 − k) b_P",
              wall.line.b, "N m", given={**moments, **taken}),
         step("a", "slope, the wall's by k", CLAUSE, "a0 − (1 − k) a_W", wall.line.a, "N m/rad",
              given={**slopes, **taken}),
-        step("J", "inertia, the wall's by k, of P by k²", CLAUSE, "J0 − (1 − k) J_W − (1 − k²) J_P", wall.J, "kg m2",
+        step("J", "inertia, the wall's by k, of P by k²", CLAUSE, f"{J} − (1 − k) J_W − (1 − k²) J_P", wall.J, "kg m2",
              given={**turned, **taken}),
         step("B", "excitation, the wall's by k", CLAUSE, "B0 − (1 − k) B_W", wall.B, "kg m", given={**driven, **taken}),
     )  # fmt: skip

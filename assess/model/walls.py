@@ -13,7 +13,7 @@ from scipy.constants import g
 from scipy.optimize import minimize_scalar
 
 from assess.errors import CrackError
-from assess.geometry.contact import CONTACT_TOLERANCE
+from assess.geometry.contact import CONTACT_TOLERANCE, find_contact
 from assess.geometry.cut import Division, Piece, divide, level_plane
 from assess.geometry.planar import base_of_section, join_bodies, planar_body, top_edge
 from assess.geometry.solid import Solid
@@ -24,7 +24,7 @@ from assess.mechanisms.chain import Chain, RigidBlock, mirror_chain, move, virtu
 from assess.mechanisms.mechanism import Sides, Vector
 from assess.mechanisms.two_block import Hinges, TwoBlock
 from assess.messages.message import Message, Quantity, Value, warning
-from assess.model.bodies import Bodies, Body, materials_of, piece_above_cut, pieces_of
+from assess.model.bodies import Bodies, Body, Material, materials_of, piece_above_cut, pieces_of
 from assess.model.check import check_definition, with_floats
 from assess.model.loading import loads_of
 
@@ -393,3 +393,59 @@ def _split_range(ends: tuple[float, float], jumps: Sequence[float], *, apart: fl
         start = max(start, jump + apart)
     if start < ends[1]:
         yield start, ends[1]
+
+
+WHOLE = 0.95  # of the base of a wall: what bears on it from below reaches both faces
+FOOT = 1e-3  # of the height of a body, within which its faces are those of its base
+
+
+def stands_on_masonry(definition: TwoBlock, bodies: Bodies) -> bool:
+    """Return whether masonry or a foundation, drawn below a wall and at least as thick, bears it from face to face.
+
+    A body of another material bears only where it lies on the ground, as the lowest of all: upstairs it is a beam or
+    the edge of a slab, on which the reaction does not reach the face. Above a cut the wall stands on its own masonry.
+
+    Parameters
+    ----------
+    definition : of the wall
+    bodies : all that are drawn
+    """
+    if definition.cut is not None:
+        return True
+    lower = [bodies[name] for name in definition.blocks[0]]
+    walls = [(each.solid, each.material) for each in lower if each.solid is not None]
+    others = [each for name, each in bodies.items() if name not in definition.bodies and each.solid is not None]
+    ground = min((float(each.solid.vertices[:, 2].min()) for each in bodies.values() if each.solid), default=0.0)
+    return bool(walls) and all(
+        _borne_area(solid, [each.solid for each in others if each.solid is not None and _bears(each, material, ground)])
+        >= WHOLE * _base_area(solid)
+        for solid, material in walls
+    )
+
+
+def _bears(below: Body, material: Material | None, ground: float) -> bool:
+    """Return whether a body is of the wall's own masonry, or a foundation."""
+    assert below.solid is not None
+    founded = float(below.solid.vertices[:, 2].min()) <= ground + CONTACT_TOLERANCE
+    return founded or (below.material is not None and below.material == material)
+
+
+def _borne_area(wall: Solid, others: Sequence[Solid]) -> float:
+    """Return the area of its base on which other bodies bear a wall [m2]."""
+    foot = float(wall.vertices[:, 2].min())
+    near = [
+        each
+        for each in others
+        if float(each.vertices[:, 2].min()) < foot <= float(each.vertices[:, 2].max()) + CONTACT_TOLERANCE
+    ]
+    found = [find_contact(each, wall) for each in near]
+    return sum(each.area for each in found if each is not None and each.bearing)
+
+
+def _base_area(wall: Solid) -> float:
+    """Return the area in plan of the faces at the foot of a wall [m2]."""
+    corners = wall.vertices[wall.triangles]
+    height = float(wall.vertices[:, 2].max() - wall.vertices[:, 2].min())
+    at_foot = (corners[:, :, 2] <= wall.vertices[:, 2].min() + FOOT * height).all(axis=1)
+    normal = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    return float(np.abs(normal[at_foot, 2]).sum() / 2.0)

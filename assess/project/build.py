@@ -18,10 +18,12 @@ from assess.errors import FallingError, ProjectError, locate_errors
 from assess.geometry.mesh import MeshesBySelection
 from assess.geometry.solid import Solid, scale_density
 from assess.mechanisms.kinds import Definition
+from assess.mechanisms.two_block import TwoBlock
 from assess.messages.message import Message, locate
 from assess.model.assembly import Built
 from assess.model.bodies import Bodies
 from assess.model.directions import mechanism_as_given, mechanism_in_direction
+from assess.model.walls import stands_on_masonry
 from assess.project import sections
 from assess.project.input_messages import project_messages
 from assess.project.keys import KeySweep, ProjectVariant, Setting, dependents, read_case
@@ -302,6 +304,11 @@ def _study_of_mechanisms(
         question=question,
         facts=facts_of(content, question, tuple(chosen), files.spectrum, solids=files.solids),
         heights={name: ground_mechanism(section, built[name].mechanism, ground) for name, section in chosen.items()},
+        on_masonry={
+            name: stands_on_masonry(definition, bodies)
+            for name, definition in definitions.items()
+            if name in built and isinstance(definition, TwoBlock)
+        },
         procedures=procedures_of(content),
         offered=content.site_procedures,
         options=options_of(content),

@@ -261,8 +261,10 @@ SUPPORTS: Mapping[str, WallSupport] = {name: kind.support for name, kind in MECH
 JUST_ABOVE = 1e-3  # of the height: where the thickness of a wall that rocks to one side is measured
 
 
-def wall_of(mechanism: Mechanism) -> Wall | None:
+def wall_of(mechanism: Mechanism, *, on_masonry: bool = False) -> Wall | None:
     """Return the wall across its plane; None for mechanisms that are not walls, or without geometry.
+
+    on_masonry : whether what is drawn below bears it from face to face
 
     The height is from the base hinge to the hinge at the top, or to the top of a free-standing wall. The thickness is
     the distance along the direction between the hinges of both branches, at the base or the crack; of a wall that rocks
@@ -271,7 +273,7 @@ def wall_of(mechanism: Mechanism) -> Wall | None:
     hinges = mechanism.positive.hinges
     if mechanism.kind == "two-block":
         size = _wall_across(mechanism, height=hinges[2][1] - hinges[0][1], at=1)
-        return None if size is None else replace(size, gravity=gravity_of(mechanism))
+        return None if size is None else replace(size, gravity=gravity_of(mechanism, on_masonry=on_masonry))
     if mechanism.kind != "single-block" or not mechanism.outlines[0]:
         return None
     top = max(z for ring in mechanism.outlines[0] for _, z in ring)
@@ -283,14 +285,20 @@ def carries_floors(mechanism: Mechanism) -> bool:
     return any(isinstance(load, PointMass) or upward(load) < 0.0 for load in mechanism.positive.loads)
 
 
-def gravity_of(mechanism: Mechanism) -> Mapping[BranchName, Gravity]:
-    """Return the gravity moments of a wall and of the loads that press on it, by branch."""
-    oscillator = mechanism.variants.deciding
+def gravity_of(mechanism: Mechanism, *, on_masonry: bool = False) -> Mapping[BranchName, Gravity]:
+    """Return the gravity moments of a wall and of the loads that press on it, by branch.
+
+    on_masonry : whether what is drawn below bears it from face to face; else its base reaction is at mid-thickness
+    """
+    oscillator, middle = mechanism.variants.deciding, _middle_of_base(mechanism)
     gravity: dict[BranchName, Gravity] = {
-        "positive": _gravity_of_branch(mechanism.positive, oscillator.positive.unstable)
+        "positive": _seated_gravity(mechanism.positive, oscillator.positive.unstable, middle, on_masonry=on_masonry)
     }
     if mechanism.negative is not None and oscillator.negative is not None:
-        gravity["negative"] = _gravity_of_branch(mechanism.negative, oscillator.negative.unstable)
+        mirrored = None if middle is None else -middle
+        gravity["negative"] = _seated_gravity(
+            mechanism.negative, oscillator.negative.unstable, mirrored, on_masonry=on_masonry
+        )
     return gravity
 
 
@@ -388,7 +396,7 @@ def _context_without_floor_spectrum(
         support=SUPPORTS[mechanism.kind],
         carries_floors=carries_floors(mechanism),
         actions=tuple(load.name for load in mechanism.positive.loads if not isinstance(load, PointMass)),
-        wall=wall_of(mechanism),
+        wall=wall_of(mechanism, on_masonry=study.on_masonry.get(mechanism.name, False)),
         elevation=height.base,
         rise=rise,
         building=study.building,
@@ -433,6 +441,33 @@ def _reasons_against_histories(mechanism: Mechanism) -> tuple[Message, ...]:
     if mechanism.stopped is None:
         return ()
     return (reason_message(Reason.STOPS, restitution=Quantity(mechanism.stopped, figures=3)),)
+
+
+def _middle_of_base(mechanism: Mechanism) -> float | None:
+    """Return the place of mid-thickness at the base along the direction [m]; None without geometry."""
+    outline = mechanism.outlines[0]
+    base = mechanism.positive.hinges[0][1]
+    height = max((z for ring in outline for _, z in ring), default=base) - base
+    edges = [
+        x for ring in outline for a, b in pairwise(ring) for x in _crossing_of_edge(a, b, base + JUST_ABOVE * height)
+    ]
+    return (min(edges) + max(edges)) / 2.0 if edges else None
+
+
+def _seated_gravity(chain: Chain, instability: float, middle: float | None, *, on_masonry: bool) -> Gravity:
+    """Return the gravity moments of one branch with its base reaction where the drawing bears it."""
+    edge = _gravity_of_branch(chain, instability)
+    (x, z), *others = chain.hinges
+    if middle is None:
+        return edge
+    if on_masonry or x <= middle:
+        return replace(edge, base_eccentricity=max(x - middle, 0.0))
+    within = _gravity_of_branch(replace(chain, hinges=((middle, z), *others)), instability)
+    return replace(
+        within,
+        edge_moment=edge.own_moment + edge.moment - within.own_moment - within.moment,
+        edge_inertia=edge.own_inertia + edge.inertia - within.own_inertia - within.inertia,
+    )
 
 
 def _gravity_of_branch(chain: Chain, instability: float) -> Gravity:

@@ -272,6 +272,8 @@ COMMON: Mapping[tuple[str, str], Reading] = {
     ("a_W", "rotational stiffness"): lambda s: gravity(s, "own_slope"),
     ("J_W", "inertia"): lambda s: gravity(s, "own_inertia"),
     ("J_P", "inertia"): lambda s: gravity(s, "inertia"),
+    ("b_A", "moment"): lambda s: gravity(s, "edge_moment"),
+    ("J_A", "inertia"): lambda s: gravity(s, "edge_inertia"),
     ("B_W", "first moment"): lambda s: gravity(s, "own_excitation"),
     ("f", "ratio"): lambda s: AMPLIFIED,
     ("f", "frequency"): elastic,

@@ -67,6 +67,7 @@ SPECTRUM = {"verdict": {"procedures": ["asce43-05-spectrum"]}}
 OF_LOAD, OF_TIE = ({"report": {"sources": {"mechanisms.wall.loads[1]": source}}} for source in (SURVEY, DESIGN))
 PRESSED = {"loads": [{"kind": "overburden", "force": "20 kN"}]}
 WHOLE, THIN = wall(0.6, 3.0), wall(0.4, 3.0)
+FOOTING = {"thickness": 0.6, "length": 4.0, "height": 0.5, "base": [0.0, 0.0, -0.5]}
 UP = wall(0.6, 2.0, foot=4.0)
 JOINT = {"model": "flexible", "stiffness": "2 GPa/m"}
 
@@ -172,7 +173,15 @@ HONEST: dict[str, Tables] = {
     ),
     "NZ tied wall": honest("nzsee2017", _scaled(ZEALAND, "0.35"), WHOLE, block(loads=[TIE]), **(NZ | OF_TIE)),
     "NZ upper storey": honest("nzsee2017", _scaled(ZEALAND, "0.18"), UP, block(), **NZ),
-    "NZ two blocks": honest("nzsee2017", _scaled(ZEALAND, "0.35"), THIN, _two_block(**PRESSED), **(NZ | OF_LOAD)),
+    "NZ two blocks": honest(
+        "nzsee2017",
+        _scaled(ZEALAND, "0.35"),
+        THIN,
+        _two_block(**PRESSED),
+        bodies={"footing": {"material": "stone", "box": FOOTING}},
+        report={"sources": {"mechanisms.wall.loads[1]": SURVEY, "building.ground_elevation": SURVEY}},
+        **NZ,
+    ),
     "ASCE 41 two blocks": honest("asce41-13", _scaled(AMERICA, "0.8"), THIN, _two_block(**PRESSED), **OF_LOAD),
     "ASCE 41 thick wall": honest(
         "asce41-13", _scaled(AMERICA, "1.0"), wall(0.5, 3.0), _two_block(**PRESSED), **OF_LOAD

@@ -305,6 +305,7 @@ LINES: Mapping[str, Callable[[Sheet], float | None]] = {
     # what few sheets have
     "1": lambda s: 1.0 if s.subject.branch.restitution == 0.0 else inf,
     "1 at worst": lambda s: 1.0,
+    "by the drawing": lambda s: 0.0,  # nothing is drawn below the walls
     "small motions; 0 on rigid joints": on_joints,
     "0: the building is not known": lambda s: 0.0,
     "first or last row of the hazard": years,

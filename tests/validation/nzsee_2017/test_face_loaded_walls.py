@@ -115,7 +115,9 @@ def test_boundary_cases_with_the_effective_thickness(case: str, share: float, sl
     D_ph = gamma * (T_p / (2 * np.pi)) ** 2 * C_p * g
     built = mechanism(e_p=e_p * T, e_b=e_b * T, load=P)
     (check,) = assess_face_loaded_wall(
-        built.oscillator, second_storey(size=wall_of(built)), options=Nzsee2017Options(storey_slope=slope)
+        built.oscillator,
+        second_storey(size=wall_of(built, on_masonry=True)),
+        options=Nzsee2017Options(storey_slope=slope),
     )
     found = {step.symbol: step.value for step in check.steps}
     assert found["k"] == pytest.approx(k, rel=1e-9)
@@ -126,6 +128,27 @@ def test_boundary_cases_with_the_effective_thickness(case: str, share: float, sl
     assert found["T_p"] == pytest.approx(T_p, rel=CURVED)
     assert found["D_ph"] == pytest.approx(D_ph, rel=2 * CURVED)  # C_i(T_p) falls twice as fast as T_p grows
     assert check.score["%NBS"] == pytest.approx(60.0 * delta_i / D_ph, rel=2 * CURVED)
+
+
+@pytest.mark.parametrize("share", [0.0, 2.0])
+@pytest.mark.parametrize(("edge", "middle"), [("1", "0"), ("3", "2")])
+def test_without_masonry_below_the_base_reaction_is_at_mid_thickness(edge: str, middle: str, share: float) -> None:
+    """A wall modelled on the edge of its base, where the drawing has nothing below: cases 1 and 3 become 0 and 2."""
+    scores = []
+    for case, on_masonry in ((edge, False), (middle, True)):
+        e_p, e_b, b, _ = CASES[case]
+        built = mechanism(e_p=e_p * T, e_b=e_b * T, load=share * WEIGHT)
+        context = second_storey(size=wall_of(built, on_masonry=on_masonry))
+        (check,) = assess_face_loaded_wall(built.oscillator, context, options=Nzsee2017Options())
+        scores.append(check.score["%NBS"])
+        found = {step.symbol: step.value for step in check.steps}
+        assert found["e_b"] == 0.0
+        if case == edge:
+            b_middle, inertia = CASES[middle][2], CASES[middle][3]
+            assert found["b_e"] == pytest.approx(b_middle(WEIGHT, share * WEIGHT, T), rel=1e-9)
+            assert found["J_e"] * g == pytest.approx(inertia(WEIGHT, share * WEIGHT, T), rel=1e-9)
+            assert found["b0"] == pytest.approx(b(WEIGHT, share * WEIGHT, T), rel=1e-9)
+    assert scores[0] == pytest.approx(scores[1], rel=2 * CURVED)
 
 
 def test_a_slope_that_brings_the_wall_down_fails_it() -> None:

@@ -99,7 +99,8 @@ def test_options_reach_the_clause(tmp_path: Path) -> None:
     study = study_of(tmp_path, text_of(ZEALAND), rest)
     assert (study.options.nzsee2017.usable, study.options.ec8.behaviour_factor) == (0.5, 1.5)
     spanning = run_study(study, jobs=1).mechanisms[0].checks
-    assert spanning[0].capacity_rotation_ratio == pytest.approx(0.5 * 0.975, rel=1e-9)  # t_eff without load
+    halved = 0.5  # b of C8B, case 0 over case 1: nothing is drawn below the wall
+    assert spanning[0].capacity_rotation_ratio == pytest.approx(0.5 * 0.975 * halved, rel=5e-4)  # t_eff without load
     site = study.spectrum
     assert site is not None
     resonant = 3 * (1 + 2.0 / 8.0) - 0.5  # T_a may be longer than T_1

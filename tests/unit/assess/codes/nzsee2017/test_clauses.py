@@ -22,6 +22,15 @@ def test_required_return_factor(level: int, factor: float) -> None:
     assert nzsee2017.required_return_factor(level) == factor
 
 
+@pytest.mark.parametrize(("moment", "inertia", "b", "J"), [(0.0, 0.0, 4000.0, 8000.0), (1500.0, 300.0, 2500.0, 7700.0)])
+def test_seated_wall(moment: float, inertia: float, b: float, J: float) -> None:
+    """What the hinge at the edge gives beyond the drawing comes off; the fall a and B stay."""
+    wall = FaceLoadedWall(MomentLine(4000.0, 20000.0), 8000.0, 2000.0)
+    seat = replace(gravity_of(wall, "positive", replace(GROUND, support="spanning")), edge_moment=moment)
+    found = nzsee2017.seated_wall(wall, replace(seat, edge_inertia=inertia))
+    assert found == FaceLoadedWall(MomentLine(b, 20000.0), J, 2000.0)
+
+
 @pytest.mark.parametrize(("slope", "b"), [(0.0, 4000.0), (0.005, 3901.9335), (0.25, -903.325)])
 def test_tilted_line(slope: float, b: float) -> None:
     """4000 - psi 9.80665 x 2000 N m; the fall a stays."""

@@ -227,9 +227,11 @@ def _neighbours(
 def _normals_at(solids: Sequence[Solid], at: FloatArray, view: MotionPlane) -> list[FloatArray]:
     """Return the outward unit normals of the faces that contain the axis through a point [3], largest face first."""
     there: list[tuple[FloatArray, FloatArray]] = []
-    for corners, normal, area in map(_faces, solids):
+    for solid in solids:
+        corners = solid.vertices[solid.triangles]
+        area, normal = areas_and_normals(corners)
         off = np.abs(np.einsum("ij,ij->i", corners[:, 0] - at, normal))
-        lying = (off <= TOUCH) & (np.abs(normal @ view.axis) <= ACROSS)
+        lying = (area > 0.0) & (off <= TOUCH) & (np.abs(normal @ view.axis) <= ACROSS)
         there.append((normal[lying], area[lying]))
     normals, areas = (np.concatenate(each) for each in zip(*there, strict=True))
     found = []
@@ -261,14 +263,6 @@ def _corners_in(solids: Sequence[Solid], plane: Plane) -> Iterator[FloatArray]:
 def _parts_with_area(region: shapely.Geometry) -> shapely.MultiPolygon:
     """Return the parts of a region that have area."""
     return shapely.MultiPolygon([part for part in shapely.get_parts(region) if part.area > SLIVER])
-
-
-def _faces(solid: Solid) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """Return corners [k, 3, 3] [m], outward unit normals [k, 3] and areas [k] [m2] of the triangles of a solid."""
-    corners = solid.vertices[solid.triangles]
-    area, normal = areas_and_normals(corners)
-    kept = area > 0.0
-    return corners[kept], normal[kept], area[kept]
 
 
 def _hinge_normal(

@@ -19,7 +19,7 @@ Anything else that reaches the command line is a bug (exit code 70).
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 
 from spectra.errors import SpectrumError
@@ -86,4 +86,62 @@ def locate_errors(where: str) -> Iterator[None]:
     try:
         yield
     except (AssessError, SpectrumError) as error:
-        raise type(error)(f"{where}: {error}") from None
+        located = type(error)(f"{where}: {error}")
+        for other in other_faults(error):
+            located.add_note(f"{where}: {other}")
+        raise located from None
+
+
+def other_faults(error: Exception) -> tuple[str, ...]:
+    """Return what else is wrong with the input besides what an error says, each in one line."""
+    return tuple(getattr(error, "__notes__", ()))
+
+
+class Faults:
+    """What is wrong with an input, gathered as far as its parts can be judged one without the other.
+
+    kinds : of errors that are gathered besides our own and those of spectra
+    """
+
+    def __init__(self, *kinds: type[Exception]) -> None:
+        self._kinds: tuple[type[Exception], ...] = (AssessError, SpectrumError, *kinds)
+        self._found: list[Exception] = []
+
+    @contextmanager
+    def gather(self, *, besides: tuple[type[Exception], ...] = ()) -> Iterator[None]:
+        """Keep the error that is raised within the block, and go on behind it; besides: kinds that are raised."""
+        try:
+            yield
+        except besides:
+            raise
+        except self._kinds as error:
+            self._found.append(error)
+
+    @property
+    def any(self) -> bool:
+        """Whether an error was gathered."""
+        return bool(self._found)
+
+    def raise_all(self) -> None:
+        """Raise the first error that was gathered, with the number of the others and each of them as a note."""
+        lines = [line for error in self._found for line in _lines_of(error)]
+        if lines:
+            raise one_of_several(type(self._found[0]), lines)
+
+
+def one_of_several(kind: type[Exception], lines: Sequence[str]) -> Exception:
+    """Return an error that says the first of several faults and how many more there are; these are its notes."""
+    first, *others = dict.fromkeys(lines)
+    error = kind(first + _more(others))
+    for other in others:
+        error.add_note(other)
+    return error
+
+
+def _lines_of(error: Exception) -> tuple[str, ...]:
+    others = other_faults(error)
+    return (str(error).removesuffix(_more(others)), *others)
+
+
+def _more(others: Sequence[str]) -> str:
+    return f" (and {len(others)} more)" if others else ""

@@ -1,4 +1,5 @@
-"""The command line: one file per command, without logic. `main` is the entry point and reduces every error to one line.
+"""The command line: one file per command, without logic. `main` is the entry point. It reduces every error to
+one line, and what else is wrong with the input to a line each.
 
 Exit codes: 0 success; of `run` 1 for a fail and 3 for an incomplete verdict; 2 the input is wrong; 70 a bug in the
 program; 128 plus the number of the signal that ended it.
@@ -9,10 +10,11 @@ from __future__ import annotations
 import gc
 import signal
 import sys
+from collections.abc import Sequence
 from typing import NoReturn
 
 from assess.cli.stderr import log_to_stderr
-from assess.errors import AssessError
+from assess.errors import AssessError, other_faults
 from assess.outputs.signals import Terminated, raise_on_signals
 from records.errors import RecordError
 from spectra.errors import SpectrumError
@@ -33,7 +35,7 @@ def main(arguments: list[str] | None = None) -> NoReturn:
 
             code = app(args=arguments, prog_name="assess", standalone_mode=False)
     except (AssessError, RecordError, SpectrumError) as error:
-        _end(f"error: {error}", INPUT_IS_WRONG)
+        _end(f"error: {error}", INPUT_IS_WRONG, others=[f"error: {each}" for each in other_faults(error)])
     except OSError as error:
         _end(f"error: {_file_error(error)}", INPUT_IS_WRONG)
     except Terminated as signalled:
@@ -56,10 +58,11 @@ def _with_notes(what: str, stop: BaseException) -> str:
     return "; ".join((what, *getattr(stop, "__notes__", ())))
 
 
-def _end(line: str, code: int) -> NoReturn:
-    """Print one line on stderr, whatever the text contains, and exit."""
-    text = "".join(c if c.isprintable() else " " for c in line)
-    print(f"assess: {text}", file=sys.stderr)
+def _end(line: str, code: int, *, others: Sequence[str] = ()) -> NoReturn:
+    """Print one line on stderr and one for each of the others, whatever the texts contain, and exit."""
+    for each in (line, *others):
+        text = "".join(c if c.isprintable() else " " for c in each)
+        print(f"assess: {text}", file=sys.stderr)
     sys.exit(code)
 
 

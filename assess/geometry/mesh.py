@@ -14,7 +14,7 @@ from pathlib import Path
 import numpy as np
 import shapely
 
-from assess.errors import GeometryError
+from assess.errors import Faults, GeometryError
 from assess.geometry.formats.mesh_file import (
     MAX_LISTED,
     Element,
@@ -122,12 +122,13 @@ FileSelection = tuple[
 MeshesBySelection = Mapping[FileSelection, SelectedMeshes]
 
 
-def read_selected_meshes(selections: Mapping[str, FileSelection]) -> MeshesBySelection:
+def read_selected_meshes(selections: Mapping[str, FileSelection], *, faults: Faults | None = None) -> MeshesBySelection:
     """Read what each body takes of its file; every file is read once.
 
     Parameters
     ----------
     selections : file and elements by name of the body
+    faults : gathers the errors of all; those of one file are raised if None
 
     Raises
     ------
@@ -135,7 +136,12 @@ def read_selected_meshes(selections: Mapping[str, FileSelection]) -> MeshesBySel
     """
     found: dict[FileSelection, SelectedMeshes] = {}
     for file in dict.fromkeys(path for path, _ in selections.values()):
-        found |= _read_file({name: element for name, (path, element) in selections.items() if path == file}, file)
+        gathered = Faults() if faults is None else faults
+        with gathered.gather():
+            elements = {name: element for name, (path, element) in selections.items() if path == file}
+            found |= _read_file(elements, file, gathered)
+        if faults is None:
+            gathered.raise_all()
     return found
 
 
@@ -389,27 +395,32 @@ def _check_vertices(vertices: FloatArray, triangles: IntArray, *, where: str) ->
     return vertices
 
 
-def _read_file(elements: Mapping[str, str | None], file: Path) -> MeshesBySelection:
-    """Read what bodies take of one file; elements: those selected, by name of the body."""
+def _read_file(elements: Mapping[str, str | None], file: Path, faults: Faults) -> MeshesBySelection:
+    """Read what bodies take of one file.
+
+    elements : those selected, by name of the body; faults : gathers those of each body
+    """
     places_named = {name: f'body "{name}": mesh {file.name}' for name in elements}
     first = next(iter(places_named.values()))
     content = read_mesh_file(file, where=first)
-    places = {
-        name: select_elements(content.elements, element, where=places_named[name]) for name, element in elements.items()
-    }
+    places: dict[str, Sequence[int]] = {}
+    for name, element in elements.items():
+        with faults.gather():
+            places[name] = select_elements(content.elements, element, where=places_named[name])
     selected = sorted({place for each in places.values() for place in each})
     meshes = dict(zip(selected, mesh_elements(content, selected, file=file, where=first), strict=True))
     found = {}
-    for name, element in elements.items():
-        taken = tuple(meshes[place] for place in places[name])
-        _refuse_unmeshed(taken, where=places_named[name])
-        found[file, element] = SelectedMeshes(
-            file,
-            taken,
-            content.unit,
-            content.up,
-            (*(() if element is None else _join_warnings(taken)), *_class_warnings(taken), *_mesh_warnings(taken)),
-        )
+    for name in places:
+        element, taken = elements[name], tuple(meshes[place] for place in places[name])
+        with faults.gather():
+            _refuse_unmeshed(taken, where=places_named[name])
+            found[file, element] = SelectedMeshes(
+                file,
+                taken,
+                content.unit,
+                content.up,
+                (*(() if element is None else _join_warnings(taken)), *_class_warnings(taken), *_mesh_warnings(taken)),
+            )
     return found
 
 

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import Executor
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
+from typing import Protocol
 
 import numpy as np
 
@@ -14,10 +16,12 @@ from assess.codes.asce43_05 import VERTICAL_RATIO
 from assess.codes.context import Building
 from assess.codes.verdict import falling_message
 from assess.dynamics.packing import Equation
-from assess.errors import FallingError, ProjectError, locate_errors
+from assess.errors import FallingError, Faults, ProjectError, locate_errors
 from assess.geometry.mesh import MeshesBySelection
 from assess.geometry.solid import Solid, scale_density
+from assess.loads.load import bodies_of as loading_bodies
 from assess.mechanisms.kinds import Definition
+from assess.mechanisms.mechanism import BlockMechanism
 from assess.mechanisms.two_block import TwoBlock
 from assess.messages.message import Message, locate
 from assess.model.assembly import Built
@@ -81,12 +85,14 @@ from assess.study.study import (
     levels_with_site,
 )
 from assess.study.suites import ALL_PERIODS, RecordSet, record_messages
+from records.errors import RecordError
 from records.pulses import pulse_shape
 from records.reading import relative_path
 from records.record import Record
 from spectra.spectrum import Spectrum
 
 Builder = Callable[[str, Definition, Bodies], Built]
+NO_RECORDS = RecordSet((), Fitting(ALL_PERIODS))
 CLAUSES_NEED = {"height", "storeys", "period", "damping"}  # of [building]
 
 
@@ -98,6 +104,14 @@ class ProjectFiles:
     solids: Mapping[str, Solid | None]
     spectrum: Spectrum | None
     named: RecordSet
+
+
+@dataclass(frozen=True)
+class Known:
+    """What has been read of a project that differs from another in a few values."""
+
+    content: sections.Content
+    files: ProjectFiles
 
 
 def build(project: Project, *, executor: Executor | None = None) -> Study:
@@ -124,11 +138,16 @@ def build_to_decide(project: Project) -> Study:
     AssessError, SpectrumError or RecordError : as `build`
     """
     with locate_errors(str(project.path)):
-        if project.sweeps:
-            return study_of(project)
-        study, files, messages = _deciding_study(project)
-        study = _with_replaceables(study, project, files, read_again=build_to_decide)
-        return replace(study, messages=_input_messages(project, study, files, messages))
+        return _study_to_decide(project)
+
+
+def _study_to_decide(project: Project, *, known: Known | None = None) -> Study:
+    """Build the study of `build_to_decide`, with errors that do not name the project file."""
+    if project.sweeps:
+        return study_of(project, known=known)
+    study, files, messages = _deciding_study(project, known=known)
+    study = _with_replaceables(study, project, files, read_again=_study_to_decide)
+    return replace(study, messages=_input_messages(project, study, files, messages))
 
 
 def uses_of_project(project: Project) -> tuple[str, ...]:
@@ -142,11 +161,18 @@ def uses_of_project(project: Project) -> tuple[str, ...]:
         return uses_of(project.content, _deciding_study(project)[0])
 
 
-def study_of(project: Project, *, executor: Executor | None = None) -> Study:
-    """Build the study of a project, with errors that do not name the project file."""
+def study_of(project: Project, *, executor: Executor | None = None, known: Known | None = None) -> Study:
+    """Build the study of a project, with errors that do not name the project file.
+
+    Parameters
+    ----------
+    project : the project file as read
+    executor : processes that share the reading of many records; None for this process alone
+    known : what has been read of a project that differs in a few values; its models are not read again
+    """
     content = project.content
     report = report_matter_of(content, project.folder)
-    study, files, messages = _deciding_study(project, executor=executor)
+    study, files, messages = _deciding_study(project, executor=executor, known=known)
     variants = Variants(project, files.solids, partial(cases_of, project=project, files=files))
     annex, annex_messages = annex_of(project, uses_of(content, study))
     study = _with_replaceables(study, project, files, read_again=study_of)
@@ -168,9 +194,14 @@ def study_of(project: Project, *, executor: Executor | None = None) -> Study:
     )
 
 
-def _with_replaceables(
-    study: Study, project: Project, files: ProjectFiles, *, read_again: Callable[[Project], Study]
-) -> Study:
+class ReadAgain(Protocol):
+    """Builds the study of a project that differs in a few values from one that has been read."""
+
+    def __call__(self, project: Project, /, *, known: Known | None = None) -> Study:
+        """Build the study."""
+
+
+def _with_replaceables(study: Study, project: Project, files: ProjectFiles, *, read_again: ReadAgain) -> Study:
     """Return a study with its values that something stands for, and what builds it without some of them.
 
     read_again : builds the study of the project in which they are replaced
@@ -182,7 +213,7 @@ def _with_replaceables(
         return lambda name: _study_of_mechanisms(content, known, names=(name,))
 
     def replaced(values: Sequence[Replaceable]) -> Study:
-        without = read_again(replace_values(project, values))
+        without = read_again(replace_values(project, values), known=Known(project.content, files))
         return replace(without, replaceables=(), replaced=None)
 
     found = replaceables_of(project, files.solids, study, study_at=study_at)
@@ -222,18 +253,57 @@ def record_files(section: sections.Records, paths: Iterable[Path]) -> tuple[Path
     return (*(section.files if section.selection is None else paths), *beside)
 
 
+def _files_of(project: Project, *, known: Known | None) -> tuple[ProjectFiles, tuple[Message, ...]]:
+    """Read the files of a project, with messages on its records.
+
+    A model is not read again that is known, nor a body put together again. What is wrong with spectrum, bodies and
+    records is raised at once, and with it what is wrong with the mechanisms of bodies without a fault.
+    """
+    content, faults = project.content, Faults(RecordError)
+    spectrum: Spectrum | None = None
+    with faults.gather():
+        site = site_in(content)
+        spectrum = None if site is None else spectrum_of(site)
+    models = models_of(content.bodies, known={} if known is None else known.files.models, faults=faults)
+    solids: dict[str, Solid | None] = {}
+    for name, body in content.bodies.items():
+        if known is not None and name in known.content.bodies and _same_body(name, content, known.content):
+            solids[name] = known.files.solids[name]
+        elif not isinstance(body, sections.MeshBody) or (body.mesh, body.element) in models:
+            with faults.gather():
+                solids[name] = solid_of(name, body, content.materials, models)
+    named, messages = NO_RECORDS, tuple[Message, ...]()
+    with faults.gather():
+        named, messages = _all_records(content.records, project.folder, spectrum)
+    if faults.any:
+        _gather_mechanism_faults(content, solids, faults)
+    faults.raise_all()
+    return ProjectFiles(models, solids, spectrum, named), messages
+
+
+def _gather_mechanism_faults(content: sections.Content, solids: Mapping[str, Solid | None], faults: Faults) -> None:
+    """Build each mechanism whose bodies are sound for its faults alone."""
+    known = content.model_copy(update={"bodies": {name: content.bodies[name] for name in solids}})
+    sound = bodies_of(known, solids)
+    for name, definition in definitions_of(content).items():
+        moved = definition.bodies if isinstance(definition, BlockMechanism) else ()
+        loads = definition.loads if isinstance(definition, BlockMechanism) else ()
+        if set(solids).issuperset((*moved, *(body for load in loads for body in loading_bodies(load)))):
+            with faults.gather(), suppress(FallingError):
+                mechanism_in_direction(name, definition, sound)
+
+
 def _deciding_study(
-    project: Project, *, executor: Executor | None = None
+    project: Project, *, executor: Executor | None = None, known: Known | None = None
 ) -> tuple[Study, ProjectFiles, tuple[Message, ...]]:
-    """Build what the verdict of a project depends on; with what its files hold, and messages on the records."""
+    """Build what the verdict of a project depends on; with what its files hold, and messages on the records.
+
+    known : what has been read of a project that differs in a few values
+    """
     content = project.content
-    site = site_in(content)
-    spectrum = None if site is None else spectrum_of(site)
-    models = models_of(content.bodies, known={})
-    solids = {name: solid_of(name, body, content.materials, models) for name, body in content.bodies.items()}
-    named, messages = _all_records(content.records, project.folder, spectrum)
-    files = ProjectFiles(models, solids, spectrum, named)
+    files, messages = _files_of(project, known=known)
     study = _study_of_mechanisms(content, files, names=content.mechanisms, may_fall=True)
+    models, solids, spectrum, named = files.models, files.solids, files.spectrum, files.named
     selection = content.records.selection
     if selection is not None and spectrum is not None and study.mechanisms:
         named, messages = select_records(
@@ -267,14 +337,17 @@ def _study_of_mechanisms(
     ground = ground_of(building, definitions, files.solids)
     built: dict[str, Built] = {}
     falling: list[FallingMechanism] = []
+    faults = Faults()
     for name, section in chosen.items():
         try:
-            built[name] = built_by(name, definitions[name], bodies)
+            with faults.gather(besides=(FallingError,)):
+                built[name] = built_by(name, definitions[name], bodies)
         except FallingError as error:
             if not may_fall:
                 raise
             reason = str(error).removeprefix(f'mechanism "{name}": already falling').lstrip(": ")
             falling.append(FallingMechanism(name, section.label, section.kind, error.multiplier, reason))
+    faults.raise_all()
     chosen = {name: chosen[name] for name in built}
     in_place = {
         name: MechanismInPlace(
@@ -428,7 +501,7 @@ def _all_records(
 ) -> tuple[RecordSet, tuple[Message, ...]]:
     """Read every horizontal record named or locked, with messages; none are read here if a suite is to be selected."""
     if section.selection is not None or (section.lock is not None and spectrum is None):
-        return RecordSet((), Fitting(ALL_PERIODS)), ()
+        return NO_RECORDS, ()
     if section.lock is not None and spectrum is not None:
         locked = locked_records(section.lock, folder=folder, spectrum=spectrum)
         return locked, (*lock_messages(section.lock, section), *record_messages(locked.records))

@@ -8,7 +8,7 @@ finds becomes one line for the engineer: key, value, what is wrong and the remed
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from difflib import get_close_matches
 from functools import cache, reduce
@@ -22,10 +22,11 @@ from pydantic.fields import FieldInfo
 from pydantic_core import ErrorDetails
 
 from assess.declaration import BOUNDS, Safe, Scatters, marks_of
-from assess.errors import ProjectError
+from assess.errors import Faults, ProjectError, one_of_several
 from assess.loads.load import bodies_of as loading_bodies
 from assess.messages.message import escape_text
 from assess.project.section import (
+    JUDGED,
     KeyPath,
     ProjectSection,
     UncertainNumber,
@@ -206,7 +207,8 @@ class KeySweep:
 def key_sweeps(content: Content, raw: Mapping[str, Any], folder: Path) -> tuple[KeySweep, ...]:
     """Return every sweep of the project, with the `content` read from the `raw` file in `folder`.
 
-    Raises ProjectError for a key that is unknown or not a number, and for the first case that breaks the schema.
+    Raises ProjectError for keys that are unknown or not a number, and of each sweep for the first case that breaks the
+    schema.
     """
     sweeps = content.analysis.sweeps
     if not sweeps:
@@ -214,10 +216,13 @@ def key_sweeps(content: Content, raw: Mapping[str, Any], folder: Path) -> tuple[
     by_key = keyed_values(content)
     single = isinstance(content.analysis.sweep, SweepSection)
     names = ["analysis.sweep"] if single else [f"analysis.sweep[{i}]" for i in range(1, len(sweeps) + 1)]
-    return tuple(
-        _key_sweep(sweep, swept_value(sweep.key, by_key, where=where), content, raw, folder, where=where)
-        for sweep, where in zip(sweeps, names, strict=True)
-    )
+    found, faults = [], Faults()
+    for sweep, where in zip(sweeps, names, strict=True):
+        with faults.gather():
+            entry = swept_value(sweep.key, by_key, where=where)
+            found.append(_key_sweep(sweep, entry, content, raw, folder, where=where))
+    faults.raise_all()
+    return tuple(found)
 
 
 def read_case(setting: Setting, content: Content, raw: Mapping[str, Any], folder: Path, *, name: str = "") -> Content:
@@ -255,10 +260,10 @@ class UncertainValue:
 StatedUncertainNumbers = tuple[tuple[KeyPath, UncertainNumber], ...]
 
 
-def take_means(raw: Mapping[str, Any], folder: Path) -> tuple[dict[str, Any], StatedUncertainNumbers]:
-    """Return what the file says with the mean in entry of each uncertain number, and these numbers.
+def take_means(raw: Mapping[str, Any], folder: Path, faults: Faults) -> tuple[dict[str, Any], StatedUncertainNumbers]:
+    """Return what the file says with the mean in place of each uncertain number, and these numbers.
 
-    Raises ProjectError for a table with a mean that is none of an uncertain number.
+    A table with a mean that is none of an uncertain number is among the faults.
     """
     found: list[tuple[KeyPath, UncertainNumber]] = []
 
@@ -269,7 +274,10 @@ def take_means(raw: Mapping[str, Any], folder: Path) -> tuple[dict[str, Any], St
             return value
         if not _is_uncertain(value):
             return {name: plain(item, (*path, name)) for name, item in value.items()}
-        found.append((path, _uncertain_number(value, path, raw, folder)))
+        with faults.gather():
+            found.append((path, _uncertain_number(value, path, raw, folder)))
+        if "mean" not in value:
+            faults.raise_all()  # there is nothing to read in its place
         return value["mean"]
 
     means = {name: table if name in WITHOUT_UNCERTAIN_NUMBERS else plain(table, (name,)) for name, table in raw.items()}
@@ -283,8 +291,12 @@ def uncertain_values(content: Content, stated: StatedUncertainNumbers) -> tuple[
     """
     if not stated:
         return ()
-    by_key = keyed_values(content)
-    return tuple(_uncertain_value(path, number, by_key, content) for path, number in stated)
+    by_key, found, faults = keyed_values(content), [], Faults()
+    for path, number in stated:
+        with faults.gather():
+            found.append(_uncertain_value(path, number, by_key, content))
+    faults.raise_all()
+    return tuple(found)
 
 
 def covs_of(values: tuple[UncertainValue, ...]) -> dict[str, float]:
@@ -294,15 +306,88 @@ def covs_of(values: tuple[UncertainValue, ...]) -> dict[str, float]:
 
 def error_line(error: ValidationError, *, raw: Mapping[str, Any]) -> str:
     """Return the first error as "key: value: what is wrong; remedy", and how many more the `raw` content has."""
+    return str(one_of_several(ProjectError, list(_fault_lines(error, raw).values())))
+
+
+def read_content(raw: Mapping[str, Any], folder: Path) -> Content:
+    """Read all tables of a project; raise ProjectError with every fault of the `raw` file that shows beside others.
+
+    A table with unknown or missing keys shows its wrong values when it is read again without the unknown ones. What
+    must agree between bodies and mechanisms shows beside faults elsewhere when it is read without these tables.
+    """
+    context: dict[str, Any] = {"folder": folder}
+    try:
+        return Content.model_validate(raw, context=context)
+    except ValidationError as error:
+        first = error
+    lines = _fault_lines(first, raw)
+    rest, judged, latest = raw, set[KeyPath](), first
+    while keys := _tables_judged(latest, rest) - judged:
+        rest = reduce(_without, (key for key in _unknown_keys(latest, rest)), rest)
+        judged |= keys
+        try:
+            Content.model_validate(rest, context=context | {JUDGED: _identities(rest, judged)})
+        except ValidationError as error:
+            latest = error
+        else:
+            break
+        lines |= {key: line for key, line in _fault_lines(latest, rest, judged).items() if key not in lines}
+    if not any(key[0] in BUILT_OF for key in lines):
+        alone = {name: table for name, table in rest.items() if name not in {key[0] for key in lines}}
+        try:
+            Content.model_validate(alone, context=context | {JUDGED: _identities(alone, judged)})
+        except ValidationError as error:
+            found = _fault_lines(error, alone, judged)
+            lines |= {key: line for key, line in found.items() if key[0] in BUILT_OF and key[-1] != "examines"}
+    raise one_of_several(ProjectError, list(lines.values()))
+
+
+BUILT_OF = ("materials", "bodies", "mechanisms")
+"""The tables that must agree with one another, and with no other but the list that [report] names."""
+
+
+def _fault_lines(
+    error: ValidationError, raw: Mapping[str, Any], judged: Collection[KeyPath] = ()
+) -> dict[KeyPath, str]:
+    """Return a line for each key with a fault: key, value, what is wrong and the remedy.
+
+    judged : tables whose missing keys are known already
+    """
     by_key: dict[KeyPath, ErrorDetails] = {}
     for found in error.errors(include_url=False):
-        if found["type"] != "default_factory_not_called":
-            by_key.setdefault(_key_in_file(found, raw), found)
-    by_key = {key: found for key, found in by_key.items() if not any(_is_below(other, key) for other in by_key)}
-    key, first = next(iter(by_key.items()))
-    known, value = look_up(raw, key)
-    parts = [key_text(key), *([value_text(value)] if known else []), _sentence(first, known=known)]
-    return ": ".join(parts) + (f" (and {len(by_key) - 1} more)" if len(by_key) > 1 else "")
+        for each in (found, *_more_of_table(found)):
+            key = _key_in_file(each, raw)
+            told = each["type"] == "missing" and key[:-1] in judged
+            if each["type"] != "default_factory_not_called" and not told:
+                by_key.setdefault(key, each)
+    lines = {}
+    for key, first in by_key.items():
+        if not any(_is_below(other, key) for other in by_key):
+            known, value = look_up(raw, key)
+            parts = [key_text(key), *([value_text(value)] if known else []), _sentence(first, known=known)]
+            lines[key] = ": ".join(parts)
+    return lines
+
+
+def _more_of_table(error: ErrorDetails) -> Iterator[ErrorDetails]:
+    for key, reason in error.get("ctx", {}).get("more", ()):
+        yield {**error, "ctx": {"key": key, "reason": reason}}
+
+
+def _tables_judged(error: ValidationError, raw: Mapping[str, Any]) -> set[KeyPath]:
+    """Return the tables of which unknown and missing keys are among the faults of an error."""
+    every = error.errors(include_url=False)
+    return {_key_in_file(each, raw)[:-1] for each in every if "unknown" in each.get("ctx", {})}
+
+
+def _unknown_keys(error: ValidationError, raw: Mapping[str, Any]) -> Iterator[KeyPath]:
+    for each in error.errors(include_url=False):
+        for key in each.get("ctx", {}).get("unknown", ()):
+            yield (*_key_in_file(each, raw)[:-1], key)
+
+
+def _identities(raw: Mapping[str, Any], tables: Iterable[KeyPath]) -> frozenset[int]:
+    return frozenset(id(look_up(raw, table)[1]) for table in tables)
 
 
 def _one_number(value: Any) -> bool:

@@ -24,18 +24,17 @@ from functools import cache
 from pathlib import Path
 from typing import Any, TypeVar
 
-from pydantic import ValidationError
 from scipy.constants import g
 
-from assess.errors import ProjectError
+from assess.errors import Faults, ProjectError, locate_errors
 from assess.messages.message import Message, Quantity, escape_text, note, warning
 from assess.project.keys import (
     KeySweep,
     UncertainValue,
     covs_of,
-    error_line,
     key_sweeps,
     keyed_values,
+    read_content,
     take_means,
     uncertain_values,
 )
@@ -124,22 +123,24 @@ def load_tree(tables: dict[str, Any], file: Path, *, sha256: str) -> Project:
 
     Raises
     ------
-    ProjectError : it breaks the schema
+    ProjectError : it breaks the schema; its notes are the other faults that show beside the first
     """
-    raw = tables
-    try:
-        raw, stated = take_means(_upgraded(tables), file.parent)
-        content = Content.model_validate(raw, context={"folder": file.parent})
-        uncertain = uncertain_values(content, stated)
-        varied = key_sweeps(content, raw, file.parent)
-    except ValidationError as error:
-        raise ProjectError(f"{file}: {error_line(error, raw=raw)}") from None
-    except ProjectError as error:
-        raise ProjectError(f"{file}: {error}") from None
+    faults = Faults()
+    uncertain: tuple[UncertainValue, ...] = ()
+    varied: tuple[KeySweep, ...] = ()
+    with locate_errors(str(file)):
+        raw, stated = take_means(_upgraded(tables), file.parent, faults)
+        with faults.gather():
+            content = read_content(raw, file.parent)
+            with faults.gather():
+                uncertain = uncertain_values(content, stated)
+            with faults.gather():
+                varied = key_sweeps(content, raw, file.parent)
+            with faults.gather():
+                _check_sources(content, file.parent)
+        faults.raise_all()
     messages = (*bare_number_messages(raw), *_weight_density_messages(content, raw))
-    project = Project(content, file, sha256, varied, messages, raw, uncertain)
-    _check_sources(project)
-    return project
+    return Project(content, file, sha256, varied, messages, raw, uncertain)
 
 
 def resolve(project: Project) -> dict[str, ResolvedValue]:
@@ -260,14 +261,15 @@ def with_located_faults(schema: dict[str, Any]) -> dict[str, Any]:
     return {key: locate(each) for key, each in schema.items()}
 
 
-def _check_sources(project: Project) -> None:
+def _check_sources(content: Content, folder: Path) -> None:
     """Check that every key of [report.sources] is one of the file, or the beginning of one."""
-    if not project.content.report.sources:
+    if not content.report.sources:
         return
-    every = _resolved("", project.content, True, project.folder)
-    keys = [*keyed_values(project.content), *(key for key, _ in every if not key.startswith("report.sources."))]
+    faults = Faults()
+    every = _resolved("", content, True, folder)
+    keys = [*keyed_values(content), *(key for key, _ in every if not key.startswith("report.sources."))]
     starts = {".".join(key.split(".")[: n + 1]) for key in keys for n in range(key.count(".") + 1)}
-    for key in project.content.report.sources:
+    for key in content.report.sources:
         if count_from_0(key) not in starts:
             near = get_close_matches(key, starts, n=1)
             remedy = (
@@ -275,7 +277,9 @@ def _check_sources(project: Project) -> None:
                 if near
                 else 'write one like "materials.NAME.density"'
             )
-            raise ProjectError(f"{project.path}: report.sources: {value_text(key)}: not a key of this file; {remedy}")
+            with faults.gather():
+                raise ProjectError(f"report.sources: {value_text(key)}: not a key of this file; {remedy}")
+    faults.raise_all()
 
 
 def _project_file(path: Path) -> Path:

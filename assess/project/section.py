@@ -9,7 +9,7 @@ from __future__ import annotations
 import json
 import math
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import MISSING, asdict, fields, is_dataclass
 from functools import cache, partial, reduce
 from inspect import get_annotations
@@ -29,6 +29,7 @@ from pydantic import (
     StrictBool,
     StrictStr,
     Tag,
+    ValidationInfo,
     WithJsonSchema,
     create_model,
     model_validator,
@@ -69,6 +70,8 @@ from assess.results.run import Distribution
 KeyPath = tuple[str | int, ...]
 """A key by its steps from the top of the file; items of lists are counted from 0."""
 _LONGEST = 60  # characters of a value in an error
+JUDGED = "tables whose keys have been judged"
+"""The key of a validation's context with the identities of tables whose unknown and missing keys are known."""
 
 
 class ProjectSection(BaseModel):
@@ -133,15 +136,17 @@ class ProjectSection(BaseModel):
 
     @model_validator(mode="before")
     @classmethod
-    def _keys_are_known(cls, values: Any) -> Any:
-        if isinstance(values, dict):
+    def _keys_are_known(cls, values: Any, info: ValidationInfo) -> Any:
+        if isinstance(values, dict) and id(values) not in (info.context or {}).get(JUDGED, ()):
             known = cls.table_keys()
-            for key in values:
-                if key not in known:
-                    raise error_at(key, cls._unknown(key))
-            for key, field in known.items():
-                if field.is_required() and key not in values:
-                    raise error_at(key, f"missing; {cls.meanings()[key]}")
+            unknown = [(key, cls._unknown(key)) for key in values if key not in known]
+            missing = [
+                (key, f"missing; {cls.meanings()[key]}")
+                for key, field in known.items()
+                if field.is_required() and key not in values and not any(f'"{key}"' in reason for _, reason in unknown)
+            ]
+            if unknown or missing:
+                raise errors_at((*unknown, *missing), unknown=tuple(key for key, _ in unknown))
         return values
 
     @classmethod
@@ -175,6 +180,19 @@ def error_at(key: str | tuple[str | int, ...], reason: str) -> PydanticCustomErr
     return PydanticCustomError(
         "project", "{reason}", {"key": (key,) if isinstance(key, str) else key, "reason": reason}
     )
+
+
+def errors_at(
+    faults: Sequence[tuple[str | tuple[str | int, ...], str]], *, unknown: tuple[str, ...] = ()
+) -> PydanticCustomError:
+    """Return one error for several keys of the table that is being read, each with its reason.
+
+    unknown : those of the keys that no table of the kind has
+    """
+    (key, reason), *others = faults
+    more = [((each,) if isinstance(each, str) else each, text) for each, text in others]
+    context = {"key": (key,) if isinstance(key, str) else key, "reason": reason, "more": more, "unknown": unknown}
+    return PydanticCustomError("project", "{reason}", context)
 
 
 def quote_names(names: Mapping[str, Any] | tuple[str, ...]) -> str:
@@ -424,8 +442,8 @@ class DeclaredSection(ProjectSection):
 
     @model_validator(mode="after")
     def _keys_go_together(self) -> DeclaredSection:
-        for key, reason in self.plain.faults() if hasattr(self.declares, "faults") else ():
-            raise error_at(key, reason)
+        if faults := tuple(self.plain.faults()) if hasattr(self.declares, "faults") else ():
+            raise errors_at(faults)
         return self
 
 

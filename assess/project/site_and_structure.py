@@ -15,7 +15,7 @@ from typing import Any, TypeVar
 from pydantic import ValidationError
 
 from assess.codes.context import SiteHazard
-from assess.errors import ProjectError, locate_errors
+from assess.errors import Faults, ProjectError, locate_errors
 from assess.geometry import mesh
 from assess.geometry.mesh import MeshesBySelection, read_selected_meshes
 from assess.geometry.solid import Solid, Solids, box, profile
@@ -69,10 +69,16 @@ def fill(kind: type[D], section: ProjectSection, **given: Any) -> D:
     return kind(**{name: getattr(section, name) for name in own if hasattr(section, name)}, **given)
 
 
-def models_of(bodies: Mapping[str, sections.BodySection], *, known: MeshesBySelection) -> MeshesBySelection:
-    """Read what the bodies take from model files, each file once; `known` has been read already."""
+def models_of(
+    bodies: Mapping[str, sections.BodySection], *, known: MeshesBySelection, faults: Faults | None = None
+) -> MeshesBySelection:
+    """Read what the bodies take from model files, each file once; `known` has been read already.
+
+    faults : gathers those of all files; the first is raised if None
+    """
     choices = {name: (body.mesh, body.element) for name, body in bodies.items() if isinstance(body, sections.MeshBody)}
-    return {**known, **read_selected_meshes({name: one for name, one in choices.items() if one not in known})}
+    unread = {name: one for name, one in choices.items() if one not in known}
+    return {**known, **read_selected_meshes(unread, faults=faults)}
 
 
 def solid_of(

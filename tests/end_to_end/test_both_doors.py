@@ -12,7 +12,7 @@ import pytest
 
 import assess
 from assess.declaration import Evidence, NotAKey, annotations_of, descriptions, marks_of
-from assess.errors import MechanismError, ProjectError
+from assess.errors import MechanismError, ProjectError, other_faults
 from assess.interfaces.contact import Interface
 from assess.interfaces.section import Shape
 from assess.loads.load import LOADS, LoadDefinition
@@ -245,7 +245,8 @@ def refusals(loads: list[dict[str, Any]], mechanism: dict[str, Any], folder: Pat
     try:
         load(write_project(folder, text))
     except ProjectError as error:
-        by_file = str(error).removeprefix(f"{folder / 'project.toml'}: mechanisms.m.")
+        first = str(error).removesuffix(f" (and {len(other_faults(error))} more)")
+        by_file = first.removeprefix(f"{folder / 'project.toml'}: mechanisms.m.")
     bodies = {name: assess.box(**each["box"], density=1800.0, name=name) for name, each in BODIES.items()}
     make = assess.two_block if kind == "two-block" else assess.single_block
     given = {key: value for key, value in more.items() if key not in ("kind", "loads", "cut")}

@@ -75,11 +75,14 @@ def _slight(before: str, after: str) -> bool:
 
 
 def _refusal(found: Answer) -> Judged:
-    """A refusal in one line; anything else that ends with 2 is a bug."""
-    last = found.err.splitlines(keepends=True)[-1:] or [""]
-    if not REFUSAL.fullmatch(last[0]) or found.err.count("assess: error: ") != 1:
-        return Judged(BUG, "a refusal that is not one line", found.err[-1500:])
-    return Judged(REFUSED, detail=last[0].strip())
+    """A refusal in a line for each fault, at the end; anything else that ends with 2 is a bug."""
+    lines = found.err.splitlines(keepends=True)
+    number = found.err.count("assess: error: ")
+    told = lines[len(lines) - number :]
+    counted = number == 1 or (told and told[0].endswith(f" (and {number - 1} more)\n"))
+    if not number or not counted or not all(map(REFUSAL.fullmatch, told)):
+        return Judged(BUG, "a refusal that is not a line for each fault", found.err[-1500:])
+    return Judged(REFUSED, detail=told[0].strip())
 
 
 def _accepted(found: Answer, usual: Answer) -> Judged:

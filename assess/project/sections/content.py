@@ -21,7 +21,7 @@ from assess.declaration import (
     Name,
 )
 from assess.loads.load import body_faults
-from assess.project.section import KeyPath, ProjectSection, error_at, quote_names, value_text
+from assess.project.section import KeyPath, ProjectSection, error_at, errors_at, quote_names, value_text
 from assess.project.sections.analysis import Analysis
 from assess.project.sections.bodies_and_loads import (
     BodySection,
@@ -222,32 +222,37 @@ class Content(ProjectSection):
 
     @model_validator(mode="after")
     def _names_exist(self) -> Content:
+        if faults := tuple(self._unknown_names()):
+            raise errors_at(faults)
+        return self
+
+    def _unknown_names(self) -> Iterator[tuple[KeyPath, str]]:
+        """Yield each key that names what the file has not, or a body twice."""
         for name, body in self.bodies.items():
             if not isinstance(body, DirectBody) and body.material not in self.materials:
-                raise error_at(
-                    ("bodies", name, "material"), f"no such material; {_known_names('materials', self.materials)}"
-                )
+                yield ("bodies", name, "material"), f"no such material; {_known_names('materials', self.materials)}"
         for name, mechanism in self.mechanisms.items():
             used = [body for block in mechanism.blocks for body in block] if isinstance(mechanism, ChainSection) else []
-            if not set(used) <= set(self.bodies):
-                raise error_at(("mechanisms", name, "blocks"), f"no such body; {_known_names('bodies', self.bodies)}")
             twice = sorted({body for body in used if used.count(body) > 1})
-            if twice:
-                raise error_at(
-                    ("mechanisms", name, "blocks"), f"{quote_names(tuple(twice))} named twice; a body moves once"
-                )
+            if not set(used) <= set(self.bodies):
+                yield ("mechanisms", name, "blocks"), f"no such body; {_known_names('bodies', self.bodies)}"
+            elif twice:
+                yield ("mechanisms", name, "blocks"), f"{quote_names(tuple(twice))} named twice; a body moves once"
             if isinstance(mechanism, ChainSection):
                 known = _known_names("bodies", self.bodies)
                 for place, key, reason in body_faults(mechanism.loads, self.bodies, moving=used, known=known):
-                    raise error_at(("mechanisms", name, "loads", place, key), reason)
-        return self
+                    yield ("mechanisms", name, "loads", place, key), reason
 
     @model_validator(mode="after")
     def _front_matter_agrees(self) -> Content:
+        faults: list[tuple[KeyPath, str]] = []
         for key in ALIKE:
             above, below = getattr(self, key), getattr(self.report, key)
             if above and below and above != below:
-                raise error_at(("report", key), f"beside {key} = {value_text(above)} at the top of the file; give one")
+                given = f"beside {key} = {value_text(above)} at the top of the file; give one"
+                faults.append((("report", key), given))
+        if faults:
+            raise errors_at(faults)
         return self
 
     @model_validator(mode="after")

@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 from scipy.constants import g
 
-from assess.errors import ProjectError
+from assess.errors import ProjectError, other_faults
 from assess.project.project_file import json_schema, load, resolve
 from assess.project.sections.bodies_and_loads import BoxBody, DirectBody, MeshBody, ProfileBody
 from tests.support.projects import load_project, replace_once, write_project
@@ -264,10 +264,57 @@ def test_what_is_wrong_is_one_line(case: str, tmp_path: Path) -> None:
     assert text.isprintable()
 
 
-def test_more_errors_are_counted(tmp_path: Path) -> None:
-    two = changed('"4 m"', '"4 s"').replace('"2.84 m"', '"2.84 kg"').replace('p = "1.60 1/s"', "p = 0")
-    with pytest.raises(ProjectError, match=r"bodies\.wall\.box\.height: .* \(and 2 more\)$"):
-        load_project(tmp_path, two)
+def faults_of(folder: Path, text: str) -> list[str]:
+    """Return where the faults of a project file are, in the order in which they are told."""
+    with pytest.raises(ProjectError) as refused:
+        load_project(folder, text)
+    lines = (str(refused.value), *other_faults(refused.value))
+    assert all(line.startswith(f"{folder / 'project.toml'}: ") and line.isprintable() for line in lines)
+    assert str(refused.value).endswith(f" (and {len(lines) - 1} more)") or len(lines) == 1
+    return [line.split(": ")[1] for line in lines]
+
+
+def test_every_fault_is_told_in_one_round(tmp_path: Path) -> None:
+    three = changed('"4 m"', '"4 s"').replace('"2.84 m"', '"2.84 kg"').replace('p = "1.60 1/s"', "p = 0")
+    assert sorted(faults_of(tmp_path, three)) == [
+        "bodies.wall.box.height",
+        "mechanisms.other.p",
+        "mechanisms.other.radius",
+    ]
+
+
+def test_unknown_and_missing_keys_hide_no_wrong_value_beside_them(tmp_path: Path) -> None:
+    text = changed('p = "1.60 1/s"', "q = 1").replace('"2.84 m"', '"2.84 kg"')
+    text = text.replace('density = "1800 kg/m^3"', 'densty = 1\nfriction = "a"').replace('"4 m"', '"4 s", colour = 1')
+    assert sorted(faults_of(tmp_path, text)) == [
+        "bodies.wall.box.colour",
+        "bodies.wall.box.height",
+        "materials.brick.densty",  # and not that density is missing: it is the key that was meant
+        "materials.brick.friction",
+        "mechanisms.other.p",
+        "mechanisms.other.q",
+        "mechanisms.other.radius",
+    ]
+
+
+def test_names_that_no_table_has_are_told_beside_faults_elsewhere(tmp_path: Path) -> None:
+    text = changed('blocks = ["wall"]', 'blocks = ["wal"]').replace('material = "brick"', 'material = "stone"')
+    names = ["bodies.wall.material", "mechanisms.wall.blocks"]
+    assert faults_of(tmp_path, text) == names
+    assert sorted(faults_of(tmp_path, text.replace('t_l = "6 s"', "t_1 = 6"))) == [*names, "site.spectrum.t_1"]
+    scattering = text.replace('"2.84 m"', '{ mean = "2.84 m", cov = 2 }')
+    assert sorted(faults_of(tmp_path, scattering)) == sorted([*names, "mechanisms.other.radius.cov"])
+
+
+def test_every_source_of_no_key_is_told(tmp_path: Path) -> None:
+    sources = '[report.sources]\n"bodies.a" = "measured: x"\n"materials.b" = "measured: x"\n'
+    sweep = '[analysis.sweep]\nkey = "bodies.wall.box.depth"\nvalues = [1]\n'
+    plain = PROJECT.replace("[analysis]", sources + "[analysis]")
+    assert faults_of(tmp_path, plain) == ["report.sources", "report.sources"]
+    assert faults_of(tmp_path, plain + sweep) == ["analysis.sweep.key", "report.sources", "report.sources"]
+
+
+def test_what_follows_from_a_fault_is_no_second_one(tmp_path: Path) -> None:
     with pytest.raises(ProjectError, match=r'analysis\.levels\[1\]: "x": .* or a number in m/s\^2$'):
         load_project(tmp_path, changed('["0.1 g", "0.2 g"]', '["x"]'))  # that none is left is no second fault
 

@@ -415,5 +415,5 @@ def test_what_was_done_to_a_mesh_is_told_on_stderr_whatever_is_printed(
     (tmp_path / "project.toml").write_text(PROJECT.replace(box, 'mesh = "wall.obj"'))
     assert ended("parameters", tmp_path, *form) == 0
     told = capsys.readouterr()
-    assert "note: bodies.wall: wall.obj: holes closed by planes: 1 with 3 edges and an area of 0.9 m2" in told.err
+    assert "warning: bodies.wall: wall.obj: holes closed by planes: 1 with 3 edges and an area of 0.9 m2" in told.err
     assert "hole" not in told.out

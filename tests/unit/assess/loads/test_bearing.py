@@ -75,6 +75,19 @@ def test_overburden_of_two_floors_is_what_a_beam_and_a_free_body_bring():
     np.testing.assert_allclose(found.at, (0.3, y, 4.0), atol=1e-9)
 
 
+def test_a_share_that_a_gap_of_three_centimetres_would_change_is_told():
+    """A wall halfway below the beam, 3 cm short of it: on it the beam would put much of its weight."""
+    beam, near = cuboid((0, 1, 4), (7, 3, 4.3), "beam"), cuboid((3, 1, 0), (3.5, 3, 3.97), "near")
+    found = overburden([beam], block=[FRONT], others=[REAR, near])
+    share, (least, most) = found.unsure["beam"]
+    assert share == most == pytest.approx((6.5 - 3.5) / (6.5 - 0.3), rel=1e-9)
+    areas, at = np.array([1.2, 2.0, 1.0]), np.array([0.3, 6.5, 3.25])  # by springs in proportion to the areas
+    middle = areas @ at / areas.sum()
+    turned = (3.5 - middle) / (areas @ (at - middle) ** 2)
+    assert least == pytest.approx(1.2 * (1 / areas.sum() + (0.3 - middle) * turned), rel=1e-9)
+    assert overburden([beam], block=[FRONT], others=[REAR]).unsure == {}
+
+
 def test_a_body_that_would_lift_off_is_no_overburden():
     """It leans out beyond the far wall, so that it lies on that one alone."""
     out = join([cuboid((0.3, 1, 4), (7, 3, 4.3), "beam"), cuboid((8, 1, 4), (9, 3, 9), "heap", 9e3)], name="crane")

@@ -45,6 +45,7 @@ def _block(**more: Any) -> Tables:
 
 STATIC = {"analysis": {"scan": False, "procedures": ["ntc2018-linear", "ntc2018-nonlinear"]}}
 NBS = {"basis": "nzsee2017", "target_nbs": 67}
+OF_LEVEL_2 = {"height": 4.5, "storeys": 2, "ground_elevation": 0.0, "importance_level": 2}
 UPSTAIRS: Tables = {
     "bodies": {"wall": WALL | {"box": {**BOX, "base": [0, 0, 3.5]}}},
     "building": {"height": 8.0, "storeys": 2, "ground_elevation": 0.0, "use_class": "II"},
@@ -71,8 +72,14 @@ PROJECTS: dict[str, Tables] = {
         report={"sources": {"mechanisms.wall.disintegration": SURVEY}},
     ),
     "dmi-wall": _project("dmi2008", ITALY, {"wall": _block(sides="one", loads=[FLOOR])}),
-    "nz-wall": _project("nzsee2017", ZEALAND, {"wall": _block(loads=[FLOOR])}, verdict=NBS),
-    "nz-upstairs": _project("nzsee2017", ZEALAND, {"wall": _block()}, verdict=NBS, **UPSTAIRS),
+    "nz-wall": _project("nzsee2017", ZEALAND, {"wall": _block(loads=[FLOOR])}, verdict=NBS, building=OF_LEVEL_2),
+    "nz-upstairs": _project(
+        "nzsee2017",
+        ZEALAND,
+        {"wall": _block()},
+        verdict=NBS,
+        **{**UPSTAIRS, "building": {**UPSTAIRS["building"], "importance_level": 2}},
+    ),
     "ec8-gable": _project("ec8", EUROPE, {"wall": _block()}, **UPSTAIRS),
     "asce41-wall": _project("asce41-13", AMERICA, {"wall": {**_block(), "kind": "two-block", "loads": [LOAD]}}),
     "asce43-wall": _project(

@@ -11,6 +11,7 @@ import typer
 from assess.cli.options import JobsOption, ProjectPath, flag, folder_option, optional_output, refuse_two_formats
 from assess.cli.stderr import (
     NOTHING_WRITTEN,
+    is_verbose,
     on_interruption,
     print_detail,
     print_message,
@@ -39,14 +40,14 @@ def run(
 ) -> None:
     """Assess every mechanism and write the report.
 
-    Writes report.pdf, report.html, results.json, tables.xlsx, tables/*.csv and figures/*.svg, and prints the verdicts
-    and the path of the report. The exit code is 0 for a pass, 1 for a fail and 3 for an incomplete verdict; the last
-    lines then say what is missing.
+    Writes report.pdf, report.html, results.json, tables.xlsx, tables/*.csv and figures/*.svg, and prints the verdict,
+    that of each mechanism and the path of the report; notes that bear on nothing that decides only with -v. The exit
+    code is 0 for a pass, 1 for a fail and 3 for an incomplete verdict; the last lines then say what is missing.
     """
     results, path = _run_project(project, output, jobs, report=not no_report)
     from assess.cli.tables.analysis import exit_code, run_text
 
-    print(run_text(results), end="")
+    print(run_text(results, verbose=is_verbose()), end="")
     print(path)
     raise typer.Exit(exit_code(results))
 

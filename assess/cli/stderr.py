@@ -113,7 +113,7 @@ class _TimedStages:
 @contextmanager
 def progress() -> Iterator[ProgressDisplay]:
     """Show progress while the block runs."""
-    if _is_verbose():
+    if is_verbose():
         with _progress_lines() as lines:
             yield lines
     elif _is_quiet() or not sys.stderr.isatty() or os.environ.get("TERM") in ("dumb", "unknown"):
@@ -123,7 +123,7 @@ def progress() -> Iterator[ProgressDisplay]:
             yield bar
 
 
-def _is_verbose() -> bool:
+def is_verbose() -> bool:
     """Whether --verbose was given."""
     return LOG.isEnabledFor(VERBOSE)
 

@@ -1,16 +1,17 @@
 """What `assess run`, `assess envelope` and `assess fragility` print.
 
-A run prints the deciding answer for each mechanism, the verdict with its conditions, and how likely each answer fails.
+A run prints the verdict, the deciding answer for each mechanism, the conditions, and how likely each answer fails.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import replace
 from textwrap import wrap
 
 from assess.cli.tables import messages_text, on_one_line, text_table
 from assess.codes.histories import interval_figures, margin_figures
-from assess.codes.question import toml_lines
+from assess.codes.question import Missing, toml_lines
 from assess.codes.verdict import (
     Answer,
     Decision,
@@ -65,28 +66,28 @@ def exit_code(results: Results) -> int:
     return EXIT_CODES[Decision.INCOMPLETE if results.verdict is None else results.verdict.outcome]
 
 
-def run_text(results: Results) -> str:
-    """Write a line for each mechanism and limit state, why they do not pass, and the verdict with its conditions."""
+def run_text(results: Results, *, verbose: bool = False) -> str:
+    """Write the verdict, a line for each mechanism and limit state, why they do not pass, and what it rests on.
+
+    Notes, which bear on nothing that decides, are counted, and written where `verbose` asks for them.
+    """
     found = results.verdict
     if found is None:
         return "no verdict\n"
     pairs = [(one, answer) for one in found.mechanisms for answer in one.answers]
-    warnings = relevant_warnings(results.warnings)
     notes = [each for each in results.warnings if each.severity == Severity.NOTE]
     lines = [
         *_reasons(found),
-        *(f"note: {each.where}: {each.text}" for each in notes),
-        "",
-        *_verdict(found, results.report),
         *(f"rests on: {each.message.text}" for each in found.overrides),
         *(f"condition: {each.text}" for each in found.conditions),
-        *(f"warning: {each.where}: {each.text}" for each in warnings),
-        *dict.fromkeys(_remarks(results)),
+        *_grouped("warning", [*relevant_warnings(results.warnings), *_remarks(results)]),
         *uncertainty_lines(results.uncertainty),
+        *(_grouped("note", notes) if verbose else _count_of(notes)),
         *_missing(found),
     ]
     return (
-        _answers_table(found, pairs)
+        "".join(map(_wrap, _verdict(found, results.report)))
+        + _answers_table(found, pairs)
         + "".join(map(_wrap, lines))
         + "".join(f"{line}\n" for line in _toml(found, results))
     )
@@ -153,12 +154,25 @@ def fragility_csv(results: FragilityResults) -> str:
     return csv_lines([header, *rows])
 
 
-def _remarks(results: Results) -> Iterator[str]:
+def _remarks(results: Results) -> Iterator[Message]:
     """Yield what is remarked on the checks that decide, such as a failure at a lower level than the site's."""
     for one in results.mechanisms:
         for check in one.checks:
             if check.role == "deciding":
-                yield from (f"warning: mechanisms.{one.name}: {each.text}" for each in check.remarks)
+                yield from (replace(each, where=f"mechanisms.{one.name}") for each in check.remarks)
+
+
+def _grouped(severity: str, messages: Iterable[Message]) -> Iterator[str]:
+    """Yield each text once, with all the places that it is about."""
+    places: dict[str, dict[str, None]] = {}
+    for each in messages:
+        places.setdefault(each.text, {})[each.where] = None
+    yield from (f"{severity}: {', '.join(where)}: {text}" for text, where in places.items())
+
+
+def _count_of(notes: Sequence[Message]) -> Iterator[str]:
+    if notes:
+        yield f"{count_noun(len(notes), 'note')} on what decides nothing: assess run -v"
 
 
 def _answers_table(found: Verdict, pairs: list[tuple[MechanismVerdict, Answer]]) -> str:
@@ -224,23 +238,31 @@ def _unexamined(report: ReportMatter) -> str:
 
 
 def _missing(found: Verdict) -> Iterator[str]:
-    """Yield what would complete the verdict, and the verdict that the safe values would give."""
+    """Yield what is missing and has no line to paste, and the verdict that the safe values would give."""
     if found.outcome != Decision.INCOMPLETE:
         return
-    yield from (f"missing: {each.key}: {each.text}" for each in found.missing)
+    yield from (f"missing: {each.key}: {each.text}" for each in found.missing if not each.toml)
     if found.provisional in (Decision.PASS, Decision.FAIL):
         yield f"{PROVISIONAL}{_emphasise(found.provisional.value)}"
 
 
 def _toml(found: Verdict, results: Results) -> list[str]:
-    """Return the TOML lines that complete the verdict."""
+    """Return the TOML lines that complete the verdict, with why each is needed where no mechanism's reason says it."""
     given = [key for key, each in results.project.items() if each.given]
-    lines = toml_lines(found.missing, given) if found.outcome == Decision.INCOMPLETE else ()
+    told = {answer.reason.text for one in found.mechanisms for answer in one.answers}
+    missing = [each if {reason.text for reason in each.reasons} & told else _commented(each) for each in found.missing]
+    lines = toml_lines(missing, given) if found.outcome == Decision.INCOMPLETE else ()
     return (
         ["to complete it, add the following to the project file with your own values:", *map(escape_text, lines)]
         if lines
         else []
     )
+
+
+def _commented(missing: Missing) -> Missing:
+    """Return a missing key whose line to paste stands below a comment that says why."""
+    why = wrap(escape_text(missing.text), LINE_WIDTH, initial_indent="# ", subsequent_indent="# ")
+    return replace(missing, toml="\n".join((*why, missing.toml))) if missing.toml else missing
 
 
 def _wrap(line: str) -> str:

@@ -25,7 +25,7 @@ from assess.codes.verdict import (
     relevant_warnings,
     target_text,
 )
-from assess.messages.message import UNITS, Message, Severity, count_noun, escape_text, locate
+from assess.messages.message import UNITS, Message, Quantity, Severity, Value, count_noun, escape_text, locate, message
 from assess.portfolio.tasks import EXIT_CODES
 from assess.results import CriticalResult, EnvelopeResult, ReportMatter, Results
 from assess.results.fragility import (
@@ -212,13 +212,31 @@ def _emphasise(outcome: str) -> str:
 
 
 def _reasons(found: Verdict) -> Iterator[str]:
-    """Yield why mechanisms do not pass, each reason once with its mechanisms."""
-    names: dict[str, dict[str, None]] = {}
+    """Yield why mechanisms do not pass, each reason once with its mechanisms and the range of its quantities."""
+    groups: dict[tuple[object, ...], dict[str, list[Message]]] = {}
     for one in found.mechanisms:
         for answer in one.answers:
             if answer.outcome != Decision.PASS:
-                names.setdefault(answer.reason.text, {})[on_one_line(one.mechanism, 40)] = None
-    yield from (f"{', '.join(mechanisms)}: {text}" for text, mechanisms in names.items())
+                reason = answer.reason
+                same = tuple(each for each in reason.values.items() if not isinstance(each[1], Quantity))
+                names = groups.setdefault((reason.key, str(same)), {})
+                names.setdefault(on_one_line(one.mechanism, 40), []).append(reason)
+    for names in groups.values():
+        reasons = [reason for each in names.values() for reason in each]
+        yield f"{', '.join(names)}: {_text_of_all(reasons)}"
+
+
+def _text_of_all(reasons: Sequence[Message]) -> str:
+    """Return the text of reasons that differ in their quantities alone, each given from least to largest."""
+    first = reasons[0]
+    if all(each.text == first.text for each in reasons):
+        return first.text
+    ranges: dict[str, Value] = {}
+    for name, value in first.values.items():
+        every = [found for each in reasons if isinstance(found := each.values.get(name), Quantity)]
+        ends = sorted(every, key=lambda quantity: quantity.value)
+        ranges[name] = f"{ends[0]} to {ends[-1]}" if ends and str(ends[0]) != str(ends[-1]) else value
+    return message(first.key, ranges).text
 
 
 def _verdict(found: Verdict, report: ReportMatter) -> Iterator[str]:

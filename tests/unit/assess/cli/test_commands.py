@@ -15,10 +15,10 @@ from scipy.constants import g
 
 from assess.cli.tables.analysis import run_text
 from assess.codes.bases import BASES
-from assess.codes.check import Check
+from assess.codes.check import Check, Reason, reason_message
 from assess.codes.question import Action, MechanismChecks, Missing, Question
 from assess.codes.verdict import verdict
-from assess.messages.message import Message, Severity, warning
+from assess.messages.message import Message, Quantity, Severity, warning
 from assess.outputs.manifest import MANIFEST
 from assess.project.build import build
 from assess.project.project_file import load
@@ -282,6 +282,20 @@ def test_what_is_warned_of_several_mechanisms_is_one_line(project: Path) -> None
     told = " ".join(run_text(replace(results, warnings=warned)).split())
     assert told.count("artificial records match the spectrum") == 1
     assert "warning: mechanisms.w0, mechanisms.w1, mechanisms.w2: artificial records" in told
+
+
+def test_reasons_that_differ_in_their_numbers_are_one_line_with_the_range(project: Path) -> None:
+    results = results_of(project, rated("fail", 1.25))
+    assert results.verdict is not None
+    (one,) = results.verdict.mechanisms
+    mechanisms = []
+    for number, height in enumerate((5.95, 2.95, 4.0)):
+        reason = reason_message(Reason.ABOVE_BUILDING, height=Quantity(height, "length"))
+        answer = replace(one.answers[0], reason=reason)
+        mechanisms.append(replace(one, mechanism=f"w{number}", answers=(answer,)))
+    told = run_text(replace(results, verdict=replace(results.verdict, mechanisms=tuple(mechanisms))))
+    assert "w0, w1, w2: " in told
+    assert "2.95 m to 5.95 m" in " ".join(told.split())
 
 
 def test_the_index_is_bounded_by_the_mechanisms_that_were_not_examined(project: Path) -> None:

@@ -110,10 +110,12 @@ class ModalFilter:
     """The motion through the first mode, absolute acceleration at `height` [m]: ground and mode added in time.
 
     Higher modes are left out; above the first natural frequency they would carry what this filter takes away.
+    fastest : frequency by which the motion is sampled [Hz]; that of the mode where None
     """
 
     mode: FirstMode
     height: float
+    fastest: float | None = None
 
 
 Amplification = Unamplified | FloorFactor | Srss | SrssRelative | ModalFilter
@@ -153,7 +155,13 @@ def base_motion(amplification: Amplification, record: Record) -> BaseMotion:
             factor = srss_factor(mode, record, height=height)
             return BaseMotion(scale(record, factor), factor)
         case ModalFilter(mode=mode, height=height):
-            filtered = floor_motion(record, frequency=mode.frequency, shape=mode.shape(height), damping=mode.damping)
+            filtered = floor_motion(
+                record,
+                frequency=mode.frequency,
+                shape=mode.shape(height),
+                damping=mode.damping,
+                fastest=amplification.fastest,
+            )
             return BaseMotion(filtered, filtered.pga / _peak_of_motion(record))
     assert_never(amplification)
 
@@ -254,7 +262,9 @@ STEPS_PER_PERIOD = 100.0  # of the building: a sine through 100 points, lines be
 FADED = 0.01  # of the free vibration after the record is left when the motion ends
 
 
-def floor_motion(record: Record, *, frequency: float, shape: float, damping: float = 0.05) -> Record:
+def floor_motion(
+    record: Record, *, frequency: float, shape: float, damping: float = 0.05, fastest: float | None = None
+) -> Record:
     """Return the absolute acceleration a_g + shape * u'' at a height of a building that responds in its first mode.
 
     u'' is the acceleration relative to the ground of an oscillator, exact for ground acceleration that is linear
@@ -267,6 +277,7 @@ def floor_motion(record: Record, *, frequency: float, shape: float, damping: flo
     frequency : of the first mode [Hz]
     shape : participation factor times mode shape at the height [-]
     damping : damping ratio of the mode [-]
+    fastest : frequency by whose period the step is divided [Hz], so that several modes share a step; else `frequency`
 
     Raises
     ------
@@ -277,7 +288,7 @@ def floor_motion(record: Record, *, frequency: float, shape: float, damping: flo
     """
     _check_first_mode(record, frequency=frequency, shape=shape, damping=damping)
     period = 1.0 / frequency
-    parts = max(1, ceil(record.dt * STEPS_PER_PERIOD * frequency - 1e-9))
+    parts = max(1, ceil(record.dt * STEPS_PER_PERIOD * (fastest or frequency) - 1e-9))
     tail = min(record.npts, ceil(log(1.0 / FADED) / (2.0 * pi * damping) * period / record.dt))
     ground_acceleration = np.concatenate([record.acceleration, np.zeros(tail)])
     relative = relative_accelerations(ground_acceleration, record.dt, parts, period, damping)

@@ -33,6 +33,8 @@ from assess.codes.asce43_05 import (
 )
 from assess.codes.calculation_sheet import Step, instability_step, multiplier_step, step
 from assess.codes.check import (
+    ELASTIC,
+    BuildingState,
     Check,
     CodeProcedure,
     DefaultRun,
@@ -73,6 +75,11 @@ CAVEAT = "the method was read in the thesis, not in the printed standard"
 LEAST_RECORDS = 5
 
 
+PERIOD_UNCERTAINTY = 1.15
+BUILDINGS = (ELASTIC, BuildingState(PERIOD_UNCERTAINTY), BuildingState(1.0 / PERIOD_UNCERTAINTY))
+"""The elastic building with the uncertainty of its frequency, by which peaks of floor spectra are broadened too."""
+
+
 def assess_history(oscillator: Oscillator, context: Context, *, options: Asce4305Options) -> tuple[Check, ...]:
     """Return one check for each level that has a suite of time histories."""
 
@@ -108,6 +115,8 @@ ASCE43_05_HISTORY = CodeProcedure(
     options="asce43_05",
     default_run=DefaultRun(),
     suite_rules="asce43-05",
+    buildings=BUILDINGS,
+    building_clause="frequency of the building ± 15 %",
 )
 
 

@@ -86,6 +86,20 @@ class DefaultRun:
         return spectrum_code not in self.except_spectra and (has_friction or not self.needs_friction)
 
 
+@dataclass(frozen=True)
+class BuildingState:
+    """A state of the building through which histories reach a mechanism above the ground.
+
+    period_ratio : of its first period to the elastic one [-]; damping : of its first mode [-], None for the elastic one
+    """
+
+    period_ratio: float
+    damping: float | None = None
+
+
+ELASTIC = BuildingState(1.0)
+
+
 @dataclass(frozen=True, kw_only=True)
 class CodeProcedure:
     """A procedure of a code: each stands beside its formulas, and `assess.codes.procedures` lists them all.
@@ -107,6 +121,8 @@ class CodeProcedure:
     required_pga : gives the PGA [m/s2] of the suites it needs, from the levels, hazard and spectrum of the site, its
         options, crushing and the level of knowledge; None where suites at the levels are enough
     premises : what a pass of it depends on, under any basis
+    buildings, building_clause : states of the building that its histories above the ground are run through, of which
+        the worst decides, and what asks for them
     damped_by_impacts : whether its damping is that of impacts on both hinges, so that the body must rebound on both
     """
 
@@ -124,6 +140,8 @@ class CodeProcedure:
     suite_rules: str = ""
     floor_suite_rules: str = ""
     required_pga: Callable[..., tuple[float, ...]] | None = None
+    buildings: tuple[BuildingState, ...] = (ELASTIC,)
+    building_clause: str = ""
     damped_by_impacts: bool = False
     premises: tuple[Premise, ...] = ()
 

@@ -33,7 +33,13 @@ from assess.codes.check import (
     check_worst_branch,
 )
 from assess.codes.context import Context
-from assess.codes.italian_histories import HistoryRule, assess_histories, required_pga
+from assess.codes.italian_histories import (
+    SOFTENING_BUILDING,
+    SOFTENING_CLAUSE,
+    HistoryRule,
+    assess_histories,
+    required_pga,
+)
 from assess.codes.italian_limit_states import (
     BranchCurves,
     Demands,
@@ -279,6 +285,8 @@ DMI2008_HISTORY = CodeProcedure(
     suite_rules="ntc2018",
     required_pga=partial(required_pga, rule=HISTORY_RULE),
     premises=(Premise.SOUND_MASONRY,),
+    buildings=SOFTENING_BUILDING,
+    building_clause=SOFTENING_CLAUSE,
 )
 
 

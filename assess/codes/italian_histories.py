@@ -18,7 +18,7 @@ import numpy as np
 from scipy.constants import g
 
 from assess.codes.calculation_sheet import Given, Step, step
-from assess.codes.check import Check, Outcome, PgaCurve, Reason, caveats_of, reason_message
+from assess.codes.check import ELASTIC, BuildingState, Check, Outcome, PgaCurve, Reason, caveats_of, reason_message
 from assess.codes.context import Context, SiteHazard
 from assess.codes.histories import (
     Capacities,
@@ -63,6 +63,10 @@ from spectra.arrays import FloatArray
 from spectra.spectrum import Spectrum
 
 LEAST_RECORDS = 3  # NTC 7.3.5
+SOFTENED_DAMPING, SOFTENING_CLAUSE = 0.10, "C8.7.1.2.1.4"
+SOFTENING_BUILDING = (ELASTIC, *(BuildingState(ratio, SOFTENED_DAMPING) for ratio in (1.25, 1.5, 1.75, 2.0)))
+"""The building from its first shakes, elastic, to the ultimate limit states: C8.7.1.2.1.4 has T +50 to +100 %, and
+damping of 10 to 20 %. What overturns upstairs is resonance, so that no end of the range is worst for every body."""
 NUMBER_CLAUSE = "NTC 7.3.5"
 
 DEMAND_AT: Mapping[BranchName, str] = {

@@ -18,7 +18,13 @@ from assess.codes import ntc2018_clauses as clauses
 from assess.codes.calculation_sheet import Given, Step, step
 from assess.codes.check import Check, CodeProcedure, DefaultRun, Family, Premise
 from assess.codes.context import Context
-from assess.codes.italian_histories import HistoryRule, assess_histories, required_pga
+from assess.codes.italian_histories import (
+    SOFTENING_BUILDING,
+    SOFTENING_CLAUSE,
+    HistoryRule,
+    assess_histories,
+    required_pga,
+)
 from assess.codes.italian_limit_states import (
     Demands,
     ItalianOptions,
@@ -392,6 +398,8 @@ NTC2018_HISTORY = CodeProcedure(
     suite_rules="ntc2018",
     required_pga=partial(required_pga, rule=HISTORY_RULE),
     premises=(Premise.SOUND_MASONRY,),
+    buildings=SOFTENING_BUILDING,
+    building_clause=SOFTENING_CLAUSE,
 )
 
 

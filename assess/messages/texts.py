@@ -101,6 +101,8 @@ TEXTS: Mapping[str, str] = {
     "rocks-before-sliding": "the body rocks before it slides, a case that A.1 does not cover",
     "ground-motion": "the ground motion is applied unamplified although the mechanism is above ground: "
     "unconservative where the building amplifies it",
+    "on-softened-building": "histories are shown in the worst of {states} states of the building: first period "
+    "{period}, {ratio} times the elastic one, damping {damping}",
     # reasons of checks
     "within-capacity": "the demand is within {capacity}",
     "beyond-capacity": "the demand exceeds {capacity}",

@@ -291,7 +291,9 @@ class AmplificationResult(ShortRepr):
     """The amplification of the ground motion up to the mechanism.
 
     height_m: of its base above the ground, None where nothing is amplified; said: description of the method, with its
-    numbers and assumptions; motion: present if the motion is filtered, not only multiplied.
+    numbers and assumptions; motion: present if the motion is filtered, not only multiplied;
+    building_period_ratio: of the building's first period to the elastic one [-], where the mechanism comes off worst by
+    histories; building_damping: of that mode, None for the elastic one [-].
     """
 
     method: str
@@ -299,6 +301,8 @@ class AmplificationResult(ShortRepr):
     height_m: float | None = None
     said: tuple[Message | str, ...] = ()
     motion: CarriedMotion | None = None
+    building_period_ratio: float = 1.0
+    building_damping: float | None = None
 
 
 @dataclass(frozen=True, repr=False)

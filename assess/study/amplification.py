@@ -23,7 +23,7 @@ from assess.amplification import (
     rayleigh_mode,
     slice_cantilever,
 )
-from assess.codes.check import Reason, reason_message
+from assess.codes.check import ELASTIC, BuildingState, Reason, reason_message
 from assess.codes.context import is_above_ground
 from assess.codes.question import Missing, missing_input
 from assess.errors import GeometryError, ProjectError
@@ -61,6 +61,7 @@ class MechanismAmplification:
     assumptions : on values that are not given
     by_stiffness : whether the amplification follows from the stiffness of the bodies
     missing : what a provisional value stands for, so that nothing that follows the motion is shown
+    state : of the building that the motion passes
     """
 
     method: str
@@ -70,6 +71,7 @@ class MechanismAmplification:
     assumptions: tuple[Message, ...] = ()
     by_stiffness: bool = False
     missing: tuple[Missing, ...] = ()
+    state: BuildingState = ELASTIC
 
 
 NOT_AMPLIFIED = MechanismAmplification("none", None, Unamplified(), ())

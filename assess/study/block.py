@@ -38,14 +38,13 @@ from assess.model.directions import mechanism_in_direction
 from assess.oscillator import Oscillator
 from assess.results import OscillatorResult
 from assess.study.amplification import NOT_AMPLIFIED, GroundLevel, HeightAboveGround, find_height, lowest_body_elevation
-from assess.study.checks import checks_of, context_of
+from assess.study.assessment import check_mechanism
 from assess.study.histories import (
     RockingCase,
     RockingHistories,
     check_record,
     further_levels,
     mechanism_histories,
-    rocking_case,
 )
 from assess.study.mechanism_results import oscillator_result, rigid_branches
 from assess.study.study import Fitting, ScaledRecord, Study
@@ -543,9 +542,11 @@ def _checks_of_block(study: Study, mechanism: Mechanism, spectrum: Spectrum, *, 
     """Return the checks of the study's only mechanism."""
     motions = motions_of(study, spectrum)
     study = replace(study, suite_faults=suite_faults(study, spectrum, motions))
-    case = rocking_case(study, mechanism, motions)
-    histories = _histories_of_block(study, spectrum, mechanism, case, motions, threads=threads)
-    return checks_of(study, case.oscillator, context_of(study, spectrum, mechanism, histories, case.base, motions))
+
+    def run(there: Study, case: RockingCase) -> RockingHistories:
+        return _histories_of_block(there, spectrum, mechanism, case, motions, threads=threads)
+
+    return check_mechanism(study, spectrum, mechanism, motions, run).checks
 
 
 def _histories_of_block(

@@ -12,7 +12,6 @@ the spectrum of the ground: a suite is finite, and one mode neglects the others.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 from functools import lru_cache
 from itertools import pairwise
@@ -25,7 +24,7 @@ from assess.amplification import BaseMotion, FirstMode, ModalFilter
 from assess.codes.asce43_05 import ASCE43_05_SPECTRUM
 from assess.codes.check import Check, Outcome, Reason, reason_message
 from assess.codes.context import Building, Context, Gravity, Transfer, Wall, WallSupport
-from assess.codes.procedures import apply_procedure, uses_histories, with_options
+from assess.codes.procedures import apply_procedure, with_options
 from assess.codes.question import MechanismChecks, Missing, Question, VerdictFacts, missing_input
 from assess.codes.verdict import Verdict, add_falling_mechanisms, mark_deciding, verdict
 from assess.geometry.planar import Outline
@@ -39,69 +38,15 @@ from assess.oscillator import BranchName, Oscillator
 from assess.results import MechanismResult
 from assess.study.amplification import NOT_AMPLIFIED, MechanismAmplification
 from assess.study.histories import (
-    RockingCase,
     RockingHistories,
-    further_levels,
-    mechanism_histories,
-    rocking_case,
-    run_levels,
-    vibrates,
-    with_governing_trace,
 )
-from assess.study.mechanism_results import amplification_result, mechanism_result, unsupported_messages
-from assess.study.study import Progress, ScaledRecord, Study, may_follow_motion
-from assess.workers import available_cores
+from assess.study.mechanism_results import unsupported_messages
+from assess.study.study import ScaledRecord, Study, may_follow_motion
 from records.record import Record, scale
 from records.response import response_spectrum
 from spectra.arrays import FloatArray
 from spectra.floor import Mode, circolare2019_floor_spectrum, first_mode_factor
 from spectra.spectrum import Spectrum
-
-
-def assess_mechanisms(
-    study: Study, spectrum: Spectrum, motions: tuple[ScaledRecord, ...], *, jobs: int, progress: Progress
-) -> tuple[MechanismResult, ...]:
-    """Assess every mechanism of a study.
-
-    Each thread takes a mechanism, the longest work first; if there are fewer mechanisms than threads, several threads
-    share the histories of each. So the procedures of one, which hold the interpreter's lock, run beside the histories
-    of another, which do not.
-
-    Parameters
-    ----------
-    study : Study
-        The study.
-    spectrum : Spectrum
-        The site's elastic spectrum, to which the motions are scaled.
-    motions : tuple of ScaledRecord
-        The suite of records.
-    jobs : int
-        Number of threads; 0 for all cores.
-    progress : Progress
-        Called as mechanisms are done.
-
-    Returns
-    -------
-    tuple of MechanismResult
-        In the order of the study.
-    """
-    cases = {mechanism.name: rocking_case(study, mechanism, motions) for mechanism in study.mechanisms}
-    workers = jobs or available_cores()
-    threads = max(1, workers // max(1, len(cases)))
-
-    def assess(mechanism: Mechanism) -> MechanismResult:
-        case = cases[mechanism.name]
-        histories = mechanism_histories(study, spectrum, motions, mechanism, case, threads=threads)
-        return _assess_mechanism(study, spectrum, motions, mechanism, case, histories)
-
-    longest = sorted(study.mechanisms, key=lambda mechanism: not vibrates(cases[mechanism.name].oscillator))
-    done: dict[str, MechanismResult] = {}
-    progress("rocking histories", 0, len(longest))
-    with ThreadPoolExecutor(workers) as pool:
-        for result in pool.map(assess, longest):
-            done[result.name] = result
-            progress("rocking histories", len(done), len(longest))
-    return tuple(done[mechanism.name] for mechanism in study.mechanisms)
 
 
 def checks_of(study: Study, oscillator: Oscillator, context: Context) -> tuple[Check, ...]:
@@ -114,46 +59,6 @@ def checks_of(study: Study, oscillator: Oscillator, context: Context) -> tuple[C
         checks = apply_procedure(name, with_options(name, study.options), oscillator, context)
         found += (c for c in checks if name not in study.offered or c.verdict != Outcome.NOT_APPLICABLE)
     return tuple(found)
-
-
-def checks_without_scan(
-    study: Study, spectrum: Spectrum, motions: tuple[ScaledRecord, ...], *, jobs: int
-) -> tuple[Check, ...]:
-    """Return the checks of a study of one mechanism, without the scan over rising PGA.
-
-    Parameters
-    ----------
-    study : Study
-        A study of one mechanism.
-    spectrum : Spectrum
-        The site's elastic spectrum.
-    motions : tuple of ScaledRecord
-        The suite of records; run only where a procedure by histories is among those of the study.
-    jobs : int
-        Number of threads; 0 for all cores.
-
-    Returns
-    -------
-    tuple of Check
-        In the order of the procedures.
-    """
-    (mechanism,) = study.mechanisms
-    case = rocking_case(study, mechanism, motions)
-    levels = study.levels if any(map(uses_histories, study.procedures)) else ()
-    histories = RockingHistories((), ())
-    if levels and motions:
-        further = further_levels(study, spectrum, mechanism)
-        histories = run_levels(
-            case,
-            motions,
-            levels=levels,
-            further=further,
-            site_pga=spectrum.pga,
-            threads=jobs,
-            with_twins=False,
-        )
-    context = context_of(replace(study, levels=levels), spectrum, mechanism, histories, case.base, motions)
-    return checks_of(study, case.oscillator, replace(context, levels=study.levels))
 
 
 class WithChecks(Protocol):
@@ -360,28 +265,6 @@ def broaden(period: FloatArray, acceleration: FloatArray) -> FloatArray:
     low = np.searchsorted(period, period * (1.0 - BROADENING), side="left")
     high = np.searchsorted(period, period / (1.0 - BROADENING), side="right")
     return np.array([acceleration[a:b].max() for a, b in zip(low, high, strict=True)])
-
-
-def _assess_mechanism(
-    study: Study,
-    spectrum: Spectrum,
-    motions: tuple[ScaledRecord, ...],
-    mechanism: Mechanism,
-    case: RockingCase,
-    histories: RockingHistories,
-) -> MechanismResult:
-    """Return one mechanism with the checks of every procedure and its histories."""
-    context = context_of(study, spectrum, mechanism, histories, case.base, motions)
-    return mechanism_result(
-        mechanism,
-        mechanism.variants.starting,
-        equation=case.equation,
-        scene=study.scenes.get(mechanism.name),
-        checks=checks_of(study, case.oscillator, context),
-        histories=() if context.not_lasting else with_governing_trace(case, histories.histories, motions),
-        amplification=amplification_result(study.amplified[mechanism.name], motions, case.base),
-        height=study.heights[mechanism.name],
-    )
 
 
 def _context_without_floor_spectrum(

@@ -315,6 +315,8 @@ def amplification_result(
         height_m=amplified.height,
         said=(*amplified.description, *amplified.assumptions),
         motion=_base_motion_result(motions[most], base[most].record) if filtered else None,
+        building_period_ratio=amplified.state.period_ratio,
+        building_damping=amplified.state.damping,
     )
 
 

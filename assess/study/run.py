@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from scipy.constants import g
 
 from assess.amplification import pulse_factor
-from assess.codes.check import Check
+from assess.codes.check import BuildingState, Check
 from assess.codes.procedures import pga_rules, uses_histories
 from assess.codes.question import Question, methods_of
 from assess.codes.verdict import Verdict
@@ -39,7 +39,9 @@ from assess.results import (
 )
 from assess.results.provenance import describe_program, stamp
 from assess.short_repr import ShortRepr
-from assess.study.checks import assess_mechanisms, checks_of, context_of, decide, mark_result
+from assess.study.amplification import MechanismAmplification
+from assess.study.assessment import assess_mechanisms, building_states, check_mechanism, on_building
+from assess.study.checks import decide, mark_result
 from assess.study.controls import control_warnings, equilibrium_controls, multiplier_control
 from assess.study.ground_motion import ground_motion, record_result, spectrum_result, with_primary_pulses
 from assess.study.histories import (
@@ -47,7 +49,6 @@ from assess.study.histories import (
     RockingHistories,
     fastest_vibration,
     mechanism_histories,
-    rocking_case,
     rule_levels,
     run_levels,
 )
@@ -453,10 +454,12 @@ def _check_what_decides(
     study: Study, spectrum: Spectrum, motions: tuple[ScaledRecord, ...], mechanism: Mechanism, *, jobs: int
 ) -> CheckedMechanism:
     """Return the checks of a mechanism, with time histories where one of them asks for these."""
-    case = rocking_case(study, mechanism, motions)
-    histories = _histories_that_decide(study, spectrum, motions, mechanism, case, jobs=jobs)
-    context = context_of(study, spectrum, mechanism, histories, case.base, motions)
-    return CheckedMechanism(mechanism.name, checks_of(study, case.oscillator, context))
+
+    def run(there: Study, case: RockingCase) -> RockingHistories:
+        return _histories_that_decide(there, spectrum, motions, mechanism, case, jobs=jobs)
+
+    found = check_mechanism(study, spectrum, mechanism, motions, run)
+    return CheckedMechanism(mechanism.name, found.checks)
 
 
 def _histories_that_decide(
@@ -524,7 +527,7 @@ def _mechanism_controls(case: AssessedMechanism) -> tuple[Control, ...]:
         mechanism,
         case.result.histories,
         {motion.record.id: motion for motion in case.motions},
-        study.amplified[mechanism.name],
+        _amplified_as_shown(study, case.result),
         equation=equation,
         site_pga=study.spectrum.pga,
     )
@@ -534,6 +537,14 @@ def _mechanism_controls(case: AssessedMechanism) -> tuple[Control, ...]:
         multiplier_control(mechanism, mechanism.oscillator),
         convergence_control(mechanism, governing),
     )
+
+
+def _amplified_as_shown(study: Study, result: MechanismResult) -> MechanismAmplification:
+    """Return how the motion reaches a mechanism in the state of the building whose histories are shown."""
+    shown = result.amplification
+    state = BuildingState(shown.building_period_ratio, shown.building_damping)
+    states = building_states(study, result.name)
+    return on_building(study, result.name, state, among=states).amplified[result.name]
 
 
 def _as_assessed(

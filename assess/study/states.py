@@ -26,7 +26,8 @@ from assess.codes.verdict import (
     worst_outcome,
 )
 from assess.errors import AssessError, FallingError
-from assess.study.checks import checks_without_scan, decide
+from assess.study.assessment import checks_without_scan
+from assess.study.checks import decide
 from assess.study.study import Replaceable, ScaledRecord, Study, needs_motions, require_spectrum
 from assess.study.suites import suite_faults
 from assess.study.variations import motions_of_case

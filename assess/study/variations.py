@@ -31,7 +31,8 @@ from assess.codes.verdict import Answer, Decision, MechanismVerdict, Verdict, fi
 from assess.errors import AssessError, locate_errors
 from assess.messages.message import Message, Term, locate, message, note, whole_number
 from assess.results import MechanismResult, OscillatorResult, SensitivityResult, SweepResult
-from assess.study.checks import assess_mechanisms, checks_without_scan, decide, mark_result
+from assess.study.assessment import assess_mechanisms, checks_without_scan
+from assess.study.checks import decide, mark_result
 from assess.study.study import (
     Progress,
     ScaledRecord,

@@ -21,6 +21,7 @@ from assess.amplification import (
 )
 from assess.errors import ProjectError
 from assess.geometry.solid import box
+from assess.study.assessment import building_states
 from assess.study.run import run_envelopes, run_study
 from assess.study.study import Study
 from tests.support import projects
@@ -199,7 +200,14 @@ def test_a_filtered_motion_is_the_floor_s(tmp_path):
     study = study_of(tmp_path, CUT + amplification("modal-filter"))
     frequency, effective_height, damping, height = mode_of(study)
     found = run_study(study)
-    floor = floor_motion(study.records[0], frequency=frequency, shape=height / effective_height, damping=damping)
+    shown = found.mechanisms[0].amplification
+    floor = floor_motion(
+        study.records[0],
+        frequency=frequency / shown.building_period_ratio,
+        shape=height / effective_height,
+        damping=shown.building_damping or damping,
+        fastest=max(frequency / state.period_ratio for state in building_states(study, found.mechanisms[0].name)),
+    )
     ground = replace(study_of(tmp_path, CUT), records=(floor,), scale_to="none")
     site = found.spectrum.pga_g
     level = (site * g * 0.3 / site * found.records[0].scale_factor,)  # the floor's motion is not scaled to the target

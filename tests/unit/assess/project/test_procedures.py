@@ -10,7 +10,7 @@ from scipy.constants import g
 from assess.errors import ProjectError
 from assess.project.build import build
 from assess.project.project_file import load
-from assess.study.checks import checks_without_scan
+from assess.study.assessment import checks_without_scan
 from assess.study.run import run_study
 from assess.study.suites import motions_of
 from tests.support import projects

@@ -11,7 +11,8 @@ from assess.cli.tables.project import duration_text
 from assess.codes.check import Family, Outcome
 from assess.codes.procedures import PROCEDURES
 from assess.errors import AssessError
-from assess.study.checks import checks_without_scan, context_of
+from assess.study.assessment import checks_without_scan
+from assess.study.checks import context_of
 from assess.study.histories import RockingHistories
 from assess.study.mechanism_results import parameters
 from assess.study.run import run_envelopes, run_study

@@ -62,9 +62,11 @@ def repair(surface: Surface, *, where: str) -> tuple[Surface, Steps]:
             _fill_holes,
         ):
             surface, more = step(surface)
+            _refuse_empty(surface, where=where)
             done = (*done, *more)
         _refuse_open(surface, where=where)
     surface, more = unify_shells(surface, across, where=where)
+    _refuse_empty(surface, where=where)
     return surface, (*done, *more)
 
 
@@ -258,6 +260,12 @@ def _unclosable(surface: Surface, holes: list[Hole]) -> str:
     if doubt > HOLE_UNCERTAINTY * abs(volume(vertices, whole)):
         return f"up to {max(hole.deviation for hole in holes):.2g} m off a plane, too uneven to close by a guess"
     return ""
+
+
+def _refuse_empty(surface: Surface, *, where: str) -> None:
+    """Raise where mending has left no triangle."""
+    if not len(surface[1]):
+        raise GeometryError(f"{where}: it encloses nothing: mending leaves no triangle of it; close the surface")
 
 
 def _refuse_open(surface: Surface, *, where: str) -> None:

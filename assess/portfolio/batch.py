@@ -2,8 +2,8 @@
 
 The ledger keeps the rows computed so far in an SQLite file that outlives a kill at any moment. One process writes it,
 the one that gives out the tasks. A row counts only under the identity of its job: with another input, another program
-or other outputs it is computed again. Several commands can divide a portfolio into shards, each with a ledger
-of its own.
+or other outputs it is computed again. It counts only as it was written: its seal is the SHA-256 of its text. Several
+commands can divide a portfolio into shards, each with a ledger of its own.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ _SHARD = re.compile(r"([0-9]{1,6})/([0-9]{1,6})")
 LEDGER_PATTERNS = ("ledger.sqlite", "ledger-*-of-*.sqlite")
 """Patterns of the names of ledgers."""
 LEDGER_APPLICATION = 0x41534C47  # marks the file as ours
-LEDGER_VERSION = 1
+LEDGER_VERSION = 2  # 1 had no seals
 WAIT_FOR_WRITER = 60.0  # s, to wait for another process that writes
 TableWriter = Callable[[Sequence[ProjectRow], Path], object]
 """Writes the ranked table of rows into a folder."""
@@ -179,19 +179,19 @@ class Ledger:
         self._connection = connection
         self.path = path
 
-    def rows(self) -> Iterator[tuple[str, ProjectRow]]:
-        """Yield every row with the identity of its job, in the order of keys."""
-        for identity, text in self._connection.execute("SELECT identity, row FROM rows ORDER BY key"):
-            yield identity, ProjectRow(**json.loads(text))
+    def rows(self) -> Iterator[tuple[str, ProjectRow | None]]:
+        """Yield each identity with its row, None for a row that is not as it was written, in the order of keys."""
+        found = self._connection.execute("SELECT key, identity, row, seal FROM rows ORDER BY key")
+        for key, identity, text, seal in found:
+            yield _text_of(identity), _row_as_written(key, identity, text, seal)
 
     def put(self, rows: Iterable[tuple[str, ProjectRow]]) -> None:
         """Write rows, each with the identity of its job; all of them are on the disk afterwards, or none."""
+        written = [(json.dumps(row.key), identity, json.dumps(asdict(row))) for identity, row in rows]
         with self._connection:
             self._connection.executemany(
-                "INSERT OR REPLACE INTO rows VALUES (?, ?, ?)",
-                [
-                    (json.dumps(row.key), identity, json.dumps(asdict(row))) for identity, row in rows
-                ],  # keys of any text
+                "INSERT OR REPLACE INTO rows (key, identity, row, seal) VALUES (?, ?, ?, ?)",
+                [(*texts, _seal(*(each.encode() for each in texts))) for texts in written],
             )
 
     def clear(self) -> None:
@@ -213,6 +213,7 @@ def open_ledger(path: Path) -> Iterator[Ledger]:
     try:
         with closing(sqlite3.connect(path, timeout=WAIT_FOR_WRITER)) as connection:
             _prepare_ledger(connection, path)
+            connection.text_factory = bytes  # whatever stands in it, a row that is not ours stops nothing
             yield Ledger(connection, path)
     except sqlite3.Error as error:
         raise OutputError(
@@ -248,8 +249,12 @@ def _rows_to_keep(
     done = {job.task.key: known[job.task.key] for job in mine if job.task.key in known}
     done = {key: row for key, row in done.items() if row.status == "done" and _has_outputs(row, options.place)}
     if found or done:
-        changed = found - sum(1 for identity, row in ledger.rows() if _is_of(jobs, identity, row))
+        own = {job.identity for job in jobs.values()}
+        rows = [row for identity, row in ledger.rows() if identity in own]
+        changed, edited = found - len(rows), rows.count(None)
         more = f"; {changed} of other inputs, options or versions of the program are not used" if changed else ""
+        if edited:
+            more += f"; {edited} changed in the ledger since they were written are computed again"
         tell(f"{ledger.path}: {len(done)} of {len(mine)} projects are done{more}")
     return done
 
@@ -287,14 +292,32 @@ def _known_rows(jobs: Mapping[str, Job], options: BatchOptions) -> dict[str, Pro
     for name in sorted(names, key=lambda name: (name != options.shard.ledger, name)):
         with open_ledger(options.place / name) as ledger:
             for identity, row in ledger.rows():
-                if _is_of(jobs, identity, row) and (row.key not in known or known[row.key].status == "broken"):
+                if row is None or row.key not in jobs or jobs[row.key].identity != identity:
+                    continue
+                if row.key not in known or known[row.key].status == "broken":
                     known[row.key] = row
     return known
 
 
-def _is_of(jobs: Mapping[str, Job], identity: str, row: ProjectRow) -> bool:
-    """Return whether a row is of a project as it is now."""
-    return row.key in jobs and jobs[row.key].identity == identity
+def _text_of(found: object) -> str:
+    return found.decode("utf-8", "replace") if isinstance(found, bytes) else ""
+
+
+def _row_as_written(key: object, identity: object, text: object, seal: object) -> ProjectRow | None:
+    """Return the row of the texts of the ledger; None unless they are those that were written."""
+    if not (isinstance(key, bytes) and isinstance(identity, bytes) and isinstance(text, bytes)):
+        return None
+    if seal != _seal(key, identity, text).encode():
+        return None
+    try:
+        return ProjectRow(**json.loads(text))
+    except (ValueError, TypeError, RecursionError):
+        return None
+
+
+def _seal(*texts: bytes) -> str:
+    """Return the SHA-256 of texts, each with its length."""
+    return hashlib.sha256(b"".join(b"%d %b" % (len(text), text) for text in texts)).hexdigest()
 
 
 def _prepare_ledger(connection: sqlite3.Connection, path: Path) -> None:
@@ -317,6 +340,13 @@ def _prepare_ledger(connection: sqlite3.Connection, path: Path) -> None:
     if not tables:
         with connection:
             connection.execute("BEGIN")
-            connection.execute("CREATE TABLE IF NOT EXISTS rows (key TEXT PRIMARY KEY, identity TEXT, row TEXT)")
+            columns = "key TEXT PRIMARY KEY, identity TEXT, row TEXT, seal TEXT"
+            connection.execute(f"CREATE TABLE IF NOT EXISTS rows ({columns})")
             connection.execute(f"PRAGMA application_id = {LEDGER_APPLICATION}")
+            connection.execute(f"PRAGMA user_version = {LEDGER_VERSION}")
+    elif version < LEDGER_VERSION:
+        with connection:
+            connection.execute("BEGIN IMMEDIATE")
+            if "seal" not in {column[1] for column in connection.execute("PRAGMA table_info(rows)")}:
+                connection.execute("ALTER TABLE rows ADD COLUMN seal TEXT")
             connection.execute(f"PRAGMA user_version = {LEDGER_VERSION}")

@@ -116,3 +116,11 @@ def test_an_inner_wall_between_two_rooms_is_refused_by_its_edges() -> None:
         GeometryError, match=r"4 edges shared by three or more triangles .the first from .* remove inner faces"
     ):
         repair((vertices, triangles), where="box")
+
+
+def test_a_sliver_whose_corners_are_one_after_mending_is_refused() -> None:
+    # Two triangles over one edge of 1 m, their apexes 1e-6 m off it: all borders join, and nothing is left.
+    vertices = np.array([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1e-6, 0.0], [1.0, 0.0, 1e-6]])
+    triangles = np.array([[0, 1, 2], [0, 3, 1]])
+    with pytest.raises(GeometryError, match="sliver: it encloses nothing"):
+        repair((vertices, triangles), where="sliver")

@@ -43,8 +43,10 @@ GEOMETRY_TEXTS: Mapping[str, str] = {
     "the weight of both: cut one back",
     "gap": 'bodies "{one}" and "{other}" do not touch: they are {distance} apart; since they form one block, they '
     "are treated as joined",
-    "gap-at-hinge": 'bodies "{one}" and "{other}" do not touch: they are {distance} apart; since a hinge connects '
-    "them, they are treated as in contact: close the gap, or check hinges and blocks",
+    "blocks-apart": "block {second} is in the air: its body nearest to block {first}, with which it has a hinge, is "
+    '"{other}", {distance} from "{one}": close the gap, or check hinges and blocks',
+    "blocks-overlap": "blocks {first} and {second} overlap by {mass}, {share} of the lighter one, although they move "
+    "apart: cut one back",
     # bases and cuts
     "askew": "the base touches its extreme line in the direction of motion at a point, not along an edge; if the body "
     "stands askew to `direction`, turn one to the other: a corner as hinge overestimates the resistance",

@@ -240,6 +240,10 @@ TEXTS: Mapping[str, str] = {
     "class-not-given": "a pass is valid for use classes I to III; class IV also requires {states}: give [building] "
     "use_class",
     "pga-lowered": "a pass is valid for site.pga = {given}, which replaces {own} from the parameters of the spectrum",
+    "top-held": "a pass is valid only if the top of {mechanism} is held: as it begins to move, its support takes "
+    "{force}",
+    "top-unheld": "what holds the top of {mechanism}, {height} above the ground: a floor of the building (its height), "
+    "or a floor, roof or tie among its loads",
     "thrust-is-tied": "a pass is valid only if ties or tie-beams carry the thrust of {what} up to collapse",
     "falls-at-rest": "it falls under its own loads, uplift multiplier {multiplier}: {reason}",
     "falls-at-rest-unknown": "it falls under its own loads: {reason}",

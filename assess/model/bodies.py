@@ -18,7 +18,7 @@ from numpy.typing import ArrayLike
 from assess.errors import GeometryError
 from assess.geometry import mesh as meshes
 from assess.geometry import solid as solids
-from assess.geometry.boolean import overlap_warnings, shortest_distance
+from assess.geometry.boolean import intersect, overlap_warnings, shortest_distance
 from assess.geometry.contact import CONTACT_TOLERANCE
 from assess.geometry.cut import Division, Piece, Plane, Scene, divide, inclined_plane, level_plane
 from assess.geometry.mesh import read_selected_meshes
@@ -31,10 +31,10 @@ from assess.geometry.planar import (
     planar_body_from_values,
 )
 from assess.geometry.solid import Solid
-from assess.geometry.surface import connected_groups
+from assess.geometry.surface import connected_groups, volume
 from assess.mechanisms.kinds import Definition
 from assess.mechanisms.mechanism import BlockMechanism, CutAngle, CutPlane
-from assess.messages.message import Message, Quantity, Value, warning
+from assess.messages.message import Message, Quantity, Value, warning, whole_number
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -270,10 +270,6 @@ def gaps_of(definitions: Mapping[str, Definition], bodies: Bodies) -> Iterator[M
         blocks = [_block_solids(block, bodies) for block in chained]
         where = f"mechanisms.{name}"
         yield from (warning("gap", where, **each) for block in blocks for each in gaps_in_block(block))
-        pairs = pairwise(blocks)
-        yield from (
-            warning("gap-at-hinge", where, **each) for one, other in pairs for each in gaps_at_hinge(one, other)
-        )
 
 
 def gaps_in_block(block: Sequence[Solid]) -> Iterator[Gap]:
@@ -311,6 +307,33 @@ def overlaps_of(definitions: Mapping[str, Definition], bodies: Bodies) -> Iterat
         names = dict.fromkeys(definition.bodies if isinstance(definition, BlockMechanism) else ())
         known = [solid for body in names if (solid := bodies[body].solid) is not None]
         yield from overlap_warnings(known, where=f"mechanisms.{name}")
+
+
+BLOCKS_OVERLAP = 0.01  # of the mass of the lighter block: what moves apart may share no more
+
+
+def contradictions_of_blocks(pieces: Sequence[Piece]) -> Iterator[Message]:
+    """Warn of two blocks that overlap, so that neither can be where it is drawn, and of a block in the air.
+
+    Parameters
+    ----------
+    pieces : the blocks of a mechanism, as they are cut, each with a hinge to the next
+    """
+    for (number, one), (place, other) in combinations(enumerate(pieces, start=1), 2):
+        shared = [(a, each) for a in one.solids for b in other.solids if (each := intersect(a, b)) is not None]
+        mass = sum(each.volume * a.mass / volume(a.vertices, a.triangles) for a, each in shared)
+        share = mass / min(sum(solid.mass for solid in piece.solids) for piece in (one, other)) if shared else 0.0
+        if share > BLOCKS_OVERLAP:
+            yield warning(
+                "blocks-overlap",
+                first=whole_number(number),
+                second=whole_number(place),
+                mass=Quantity(mass, "mass", 3),
+                share=Quantity(100.0 * share, "percent", 3),
+            )
+    for number, (one, other) in enumerate(pairwise(pieces), start=1):
+        for gap in gaps_at_hinge(one.solids, other.solids):
+            yield warning("blocks-apart", first=whole_number(number), second=whole_number(number + 1), **gap)
 
 
 def _masonry(density: float | Material, name: str) -> Material:

@@ -30,10 +30,10 @@ from assess.codes.verdict import Verdict, add_falling_mechanisms, mark_deciding,
 from assess.geometry.planar import Outline
 from assess.loads.load import Force, Load, Point, PointMass, upward
 from assess.mechanisms.chain import Chain, virtual_work
-from assess.mechanisms.hinge_forces import hinge_forces
+from assess.mechanisms.hinge_forces import chain_at_start, hinge_forces, incipient_motion
 from assess.mechanisms.kinds import MECHANISM_KINDS
 from assess.mechanisms.mechanism import Mechanism, height_of_support, limits, open_seats
-from assess.messages.message import Message, Quantity
+from assess.messages.message import Message, Quantity, Severity, Value, message
 from assess.oscillator import BranchName, Oscillator
 from assess.results import MechanismResult
 from assess.study.amplification import NOT_AMPLIFIED, MechanismAmplification
@@ -89,16 +89,56 @@ def decide(study: Study, mechanisms: Sequence[WithChecks], tolerance: Mapping[st
     return add_falling_mechanisms(verdict(study.question, checked), study.falling)
 
 
-CONTRADICTIONS = ("load-in-the-air", "load-share-unsure")
-"""Warnings that a drawing contradicts itself or can be read in two ways: nothing can be said until it is mended."""
+CONTRADICTIONS: Mapping[str, str] = {
+    "load-in-the-air": ".loads",
+    "load-share-unsure": ".loads",
+    "blocks-overlap": ".blocks",
+    "blocks-apart": ".blocks",
+}
+"""Warnings that a drawing contradicts itself or can be read in two ways, each with the key that it concerns.
+
+Nothing can be said of the mechanism until it is mended.
+"""
 
 
 def _facts_of(study: Study, name: str) -> VerdictFacts:
     """Return what a pass of a mechanism needs, where its drawing contradicts itself too, and its conditions."""
     missing, conditions = study.facts.get(name, ((), ()))
-    warnings = next((each.warnings for each in study.mechanisms if each.name == name), ())
-    wrong = (missing_input(f"mechanisms.{name}.loads", each) for each in warnings if each.key in CONTRADICTIONS)
-    return (*missing, *wrong), conditions
+    mechanism = next((each for each in study.mechanisms if each.name == name), None)
+    if mechanism is None:
+        return missing, conditions
+    wrong = (
+        missing_input(f"mechanisms.{name}{CONTRADICTIONS[each.key]}", each)
+        for each in mechanism.warnings
+        if each.key in CONTRADICTIONS
+    )
+    unheld, held = _support_at_top(study, mechanism)
+    return (*missing, *wrong, *unheld), (*conditions, *held)
+
+
+AT_TOP = 0.05  # of the height of a wall: a load or tie no farther below its top acts there
+
+
+def _support_at_top(study: Study, mechanism: Mechanism) -> VerdictFacts:
+    """Return whether something is missing to hold the top of a wall of two blocks, and else the force that it takes.
+
+    A floor of the building can hold it, or what acts on it there: a floor, a roof, a tie.
+    """
+    if SUPPORTS[mechanism.kind] != "spanning" or mechanism.name not in study.heights:
+        return (), ()
+    top = study.heights[mechanism.name].base + mechanism.rise
+    level = mechanism.positive.hinges[-1][1] - AT_TOP * mechanism.rise
+    within_building = study.building is not None and top <= study.building.height * (1.0 + 1e-9)
+    if not within_building and not any(load.at[1] >= level for load in mechanism.positive.loads):
+        key = "building.height" if study.building is None else f"mechanisms.{mechanism.name}.loads"
+        where: dict[str, Value] = {"mechanism": mechanism.name, "height": Quantity(top, "length", 3)}
+        why = message("top-unheld", where, severity=Severity.WARNING)
+        return (missing_input(key, why, 'height = "9 m"' if study.building is None else ""),), ()
+    chains = [chain for chain in (mechanism.positive, mechanism.negative) if chain is not None]
+    starts = [incipient_motion(chain_at_start(chain, name=mechanism.name)) for chain in chains]
+    force = max(abs(float(start.forces[-1][0])) for start in starts)
+    values: dict[str, Value] = {"mechanism": mechanism.name, "force": Quantity(force, "force", 3)}
+    return (), (message("top-held", values, severity=Severity.WARNING),)
 
 
 def _provisional_of(study: Study, name: str) -> tuple[Missing, ...]:

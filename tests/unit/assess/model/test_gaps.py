@@ -14,7 +14,7 @@ from tests.support.solids import solid_box
 def gaps(tmp_path, base: list[float], mechanism: str) -> list[str]:
     bodies = {"a": wall(0.5, 3, 4, material="m"), "b": wall(0.5, 3, 4, material="m", base=base)}
     text = project_toml(site=None, materials={"m": {"density": 2000}}, bodies=bodies, mechanisms={"m": mechanism})
-    return [notice.text for notice in study_of(tmp_path, text).messages if notice.key in ("gap", "gap-at-hinge")]
+    return [notice.text for notice in study_of(tmp_path, text).messages if notice.key in ("gap", "blocks-apart")]
 
 
 ONE_BLOCK = 'kind = "single-block"\nblocks = [["a", "b"]]'
@@ -32,7 +32,9 @@ def test_bodies_of_one_block_that_touch_nowhere_are_told(tmp_path):
 
 def test_blocks_that_do_not_meet_at_their_hinge_are_told(tmp_path):
     (text,) = gaps(tmp_path, [0, 0, 4.5], TWO_BLOCKS)
-    assert text.startswith('bodies "a" and "b" do not touch: they are 0.5 m apart; since a hinge connects them')
+    assert text.startswith(
+        'block 2 is in the air: its body nearest to block 1, with which it has a hinge, is "b", 0.5 m'
+    )
     assert gaps(tmp_path, [0, 0, 4], TWO_BLOCKS) == []
     assert gaps(tmp_path, [0, 0, 3.5], TWO_BLOCKS) == []  # an overlap, told as such
 

@@ -113,4 +113,4 @@ def _text(value: object, kind: str) -> Quantity | Verbatim:
     if isinstance(value, int) or not isinstance(value, float):
         return Verbatim(str(value))
     number = value / g if kind == "acceleration" else float(value)
-    return Quantity(number, KIND_DIMENSIONS.get(kind, "ratio"), _FIGURES)
+    return Quantity(number, KIND_DIMENSIONS[kind or "ratio"], _FIGURES)

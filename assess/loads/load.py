@@ -46,6 +46,8 @@ Point = tuple[float, float]
 Until = float | Literal["collapse"] | None
 Through = Literal["joint", "fixed"] | None
 SourceParts = tuple[Term | Message, ...]
+VariedKey = tuple[str, Literal["loads", "tie_force"]]
+"""The number of a load that a sensitivity and the survey's tolerance vary, and its key in [analysis.sensitivity]."""
 LoadFault = tuple[int, str, str]
 """The number of a load, from 0, its key, and what is wrong; remedy."""
 StatedUntil = Annotated[
@@ -82,6 +84,7 @@ class MassLoad:
     """A point mass: a floor, a roof, a wall that moves with the block."""
 
     kind: ClassVar[Literal["mass"]] = "mass"
+    varied: ClassVar[VariedKey] = ("mass", "loads")
     mass: Annotated[PositiveMass, UNCERTAIN, WHERE_IT_HURTS]
     """like "1200 kg\""""
     at: Annotated[StatedPlace, WHERE_DRAWN]
@@ -107,6 +110,7 @@ class ForceLoad:
     """A dead force: the thrust of a vault or roof."""
 
     kind: ClassVar[Literal["force"]] = "force"
+    varied: ClassVar[VariedKey] = ("force", "loads")
     force: Annotated[
         StatedForce, UNCERTAIN, Evidence("loads", "either", "none where it holds the wall", safe=Safe.WITHOUT)
     ]
@@ -139,6 +143,7 @@ class TieLoad:
     """
 
     kind: ClassVar[Literal["tie"]] = "tie"
+    varied: ClassVar[VariedKey] = ("force", "tie_force")
     force: Annotated[
         PositiveForce, UNCERTAIN, Evidence("measured", "up", "the wall without the tie", safe=Safe.WITHOUT)
     ]
@@ -184,6 +189,7 @@ class OverburdenLoad:
     """What presses on the top of a wall of two blocks: a dead vertical load, without mass of its own."""
 
     kind: ClassVar[Literal["overburden"]] = "overburden"
+    varied: ClassVar[VariedKey] = ("force", "loads")
     force: Annotated[PositiveForce | None, UNCERTAIN, WHERE_IT_HURTS] = None
     """vertical load, like "40 kN\""""
     bodies: Annotated[tuple[Name, ...], Evidence("drawn", "either", "as drawn")] = ()
@@ -213,6 +219,7 @@ class BodyLoad:
     """A floor, roof or vault given as a body: what it puts on the block is found where it touches it."""
 
     kind: ClassVar[Literal["body"]] = "body"
+    varied: ClassVar[VariedKey] = ("mass", "loads")
     body: Annotated[Name, Evidence("drawn", "either", "as drawn")]
     """the name of a table [bodies.NAME] that is not part of the block"""
     role: Annotated[Literal["floor", "roof", "vault"], Evidence("drawn", "either", "as its faces show")] = "floor"
@@ -288,9 +295,9 @@ def direction_keys(load: Any) -> Iterator[str]:
 
 def bodies_of(load: LoadDefinition) -> tuple[str, ...]:
     """Return the names of the bodies that a load stands for."""
-    if load.kind == "overburden":
-        return load.bodies
-    return (load.body,) if load.kind == "body" else ()
+    body: str | None = getattr(load, "body", None)
+    bodies: tuple[str, ...] = getattr(load, "bodies", ())
+    return bodies if body is None else (body, *bodies)
 
 
 def block_faults(loads: Sequence[LoadDefinition], kind: str, *, number_of_blocks: int) -> Iterator[LoadFault]:

@@ -45,6 +45,7 @@ class MechanismKind:
     impacts : its rules of restitution
     support : how the masonry is held: free above its base, spanning between supports, or hinged to other blocks
     direction_sought : whether its weakest direction is found where none is given
+    turns_on_base : whether it turns at the edges of its base or cut, by which alone directions are compared
     """
 
     definition: type[Any]
@@ -52,6 +53,7 @@ class MechanismKind:
     impacts: ImpactRules
     support: Literal["free", "spanning", "hinged"]
     direction_sought: bool = False
+    turns_on_base: bool = False
 
     @property
     def name(self) -> str:

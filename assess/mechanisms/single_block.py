@@ -321,7 +321,12 @@ BLOCK_RULES = ImpactRules(
     one_sided={"thesis": sorrentino_rebound, "sorrentino": sorrentino_rebound},
 )
 SINGLE_BLOCK = MechanismKind(
-    definition=SingleBlock, build=build_single_block, impacts=BLOCK_RULES, support="free", direction_sought=True
+    definition=SingleBlock,
+    build=build_single_block,
+    impacts=BLOCK_RULES,
+    support="free",
+    direction_sought=True,
+    turns_on_base=True,
 )
 EQUIVALENT_BLOCK = MechanismKind(
     definition=EquivalentBlock, build=_build_equivalent_block, impacts=BLOCK_RULES, support="free"

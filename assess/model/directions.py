@@ -43,8 +43,6 @@ from assess.mechanisms.mechanism import (
 )
 from assess.mechanisms.oscillators import collapse_branch
 from assess.mechanisms.restitution import Restitution
-from assess.mechanisms.single_block import SingleBlock, build_single_block
-from assess.mechanisms.two_block import TwoBlock
 from assess.messages.message import Message, Quantity, Severity, Term, Value, format_key, message, warning
 from assess.model.assembly import Built, mechanism_of, on_rigid_hinges
 from assess.model.bodies import Bodies, cut_of
@@ -345,7 +343,7 @@ def _with_messages(
 def _prepare_search(name: str, definition: BlockMechanism, bodies: Bodies) -> DirectionSearch:
     """Find the candidate directions of a mechanism and the bodies beside it."""
     standing, bare = _solids_of_blocks(name, definition, bodies), _one_sided_definition(definition)
-    if isinstance(bare, SingleBlock) and not isinstance(bare.cut, CutAngle):
+    if _turns_on_base(bare):
         block = _standing_above_cut(name, bare, standing)
         standing, foot, towards = block.solids, block.foot, _block_by_direction(name, bare, block, bodies)
     else:
@@ -362,7 +360,7 @@ def _prepare_search(name: str, definition: BlockMechanism, bodies: Bodies) -> Di
 def _candidate_angles(definition: BlockMechanism, foot: FloatArray, corners: FloatArray) -> tuple[float, ...]:
     """Return the angles [deg] of the candidates, rising, from the corners of the base and of the whole mechanism."""
     plan = hull_edge_normals(corners)
-    if isinstance(definition, TwoBlock):
+    if _is_held_at_top(definition):
         normals = _thinnest_normal(corners[:, :2], plan)
     else:
         normals = plan if isinstance(definition.cut, CutAngle) else _edge_normals_and_beside(foot)
@@ -504,7 +502,7 @@ def _sweep_directions(name: str, definition: BlockMechanism, bodies: Bodies) -> 
     """Build the mechanism in the weakest of directions all around."""
     standing = _solids_of_blocks(name, definition, bodies)
     corner: tuple[Message, ...] = ()
-    if isinstance(definition, SingleBlock) and not isinstance(definition.cut, CutAngle):
+    if _turns_on_base(definition):
         block = _standing_above_cut(name, definition, standing)
         found = _resistance_by_direction(
             _block_by_direction(name, definition, block, bodies), _swept_angles(_edge_normals_and_beside(block.foot))
@@ -561,7 +559,17 @@ def _edge_normals_and_beside(foot: FloatArray) -> FloatArray:
     return np.unique(np.concatenate(beside) % 360.0) if _has_slope(foot) else normals
 
 
-def _standing_above_cut(name: str, definition: SingleBlock, solids: tuple[Solid, ...]) -> StandingBlock:
+def _turns_on_base(definition: BlockMechanism) -> bool:
+    """Return whether a mechanism turns at the edges of one base or cut, whatever its direction."""
+    return MECHANISM_KINDS[definition.kind].turns_on_base and not isinstance(definition.cut, CutAngle)
+
+
+def _is_held_at_top(definition: BlockMechanism) -> bool:
+    """Return whether a mechanism spans between supports."""
+    return MECHANISM_KINDS[definition.kind].support == "spanning"
+
+
+def _standing_above_cut(name: str, definition: BlockMechanism, solids: tuple[Solid, ...]) -> StandingBlock:
     """Return the block above its cut, which is the same in every direction."""
     plane = cut_of(definition, where=f'mechanism "{name}"')
     if plane is None:
@@ -571,9 +579,10 @@ def _standing_above_cut(name: str, definition: SingleBlock, solids: tuple[Solid,
 
 
 def _block_by_direction(
-    name: str, definition: SingleBlock, standing: StandingBlock, bodies: Bodies
+    name: str, definition: BlockMechanism, standing: StandingBlock, bodies: Bodies
 ) -> Callable[[Vector], Mechanism]:
-    """Return a function of the direction that builds the single block; it is cut once and its loads are found once."""
+    """Return a function of the direction that builds a block; it is cut once and its loads are found once."""
+    build = MECHANISM_KINDS[definition.kind].build
     known: dict[str, BlockContact] = {}
 
     def find(load: BodyLoad, body: Solid | None, around: Surroundings) -> BlockContact:
@@ -587,7 +596,7 @@ def _block_by_direction(
         pieces = [Piece(body, standing.solids, None, fixed=standing.fixed)]
         faced = _turn_towards(definition, direction)
         load_set = loads_of(name, faced, pieces, bodies, find=find)
-        return build_single_block(name, faced, pieces, loads=load_set.loads)[0]
+        return build(name, faced, pieces, loads=load_set.loads)[0]
 
     return block
 
@@ -641,7 +650,7 @@ def _obstacles_of(definition: BlockMechanism, standing: Sequence[Solid], bodies:
     low = min(float(solid.vertices[:, 2].min()) for solid in standing)
     high = max(float(solid.vertices[:, 2].max()) for solid in standing)
     foot = low + FOOT * (high - low)
-    head = high - FOOT * (high - low) if isinstance(definition, TwoBlock) else np.inf  # held there by what touches
+    head = high - FOOT * (high - low) if _is_held_at_top(definition) else np.inf  # held there by what touches
     own = set(definition.bodies)
     own |= {body for load in definition.loads for body in bodies_of(load)}
     others = [each.solid for name, each in bodies.items() if each.solid is not None and name not in own]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from math import inf
+from typing import assert_never
 
 import numpy as np
 
@@ -39,7 +40,6 @@ from assess.loads.load import (
 )
 from assess.mechanisms.chain import point_values
 from assess.mechanisms.mechanism import BlockMechanism
-from assess.mechanisms.two_block import TwoBlock
 from assess.messages.message import Message, Quantity, distinct, warning, whole_number
 from assess.model.bodies import Bodies, solids_of
 
@@ -124,7 +124,7 @@ def _blocks_of(name: str, definition: BlockMechanism, pieces: Sequence[Piece]) -
     foot, crack = pieces[-1].foot, None
     if cracked and foot is not None:
         crack = float(foot[0, 2])
-    elif len(pieces) == 2 and not any(piece.solids for piece in pieces) and isinstance(definition, TwoBlock):
+    elif len(pieces) == 2 and not any(piece.solids for piece in pieces):
         crack = None if (hinges := definition.hinge_points) is None else hinges[1][-1]
     return MechanismBlocks(tuple(pieces), crack, cracked, definition.along, where=f'mechanism "{name}"')
 
@@ -166,21 +166,30 @@ def _load_in_plane(
 ) -> Load:
     """Return a load in the plane of motion, named by its kind and number."""
     name, at = f"{load.kind} {number}", point_in_plane(load.at, direction)
-    if isinstance(load, MassLoad):
-        return PointMass(name, load.mass, at, load.bearing, load.block, seat=load.seat)
-    way = None if load.direction is None else unit_in_plane(load.direction, direction)
-    if isinstance(load, TieLoad):
-        return _tie_in_plane(name, load, at, way, direction)
+    match load:
+        case MassLoad():
+            return PointMass(name, load.mass, at, load.bearing, load.block, seat=load.seat)
+        case ForceLoad():
+            force = _force_in_plane(load, direction)
+            return Force(name, force, at, load.block, until=load.until, evidence=load.evidence)
+        case TieLoad():
+            return _tie_in_plane(name, load, at, direction)
+        case _:
+            assert_never(load)
+
+
+def _force_in_plane(load: ForceLoad, direction: Sequence[float]) -> Point:
+    """Return the components of a force in the plane of motion [N]."""
     if isinstance(load.force, tuple):
-        force = load.force
-    else:
-        assert way is not None  # a force given by its size has a direction
-        force = (load.force * way[0], load.force * way[1])
-    return Force(name, force, at, load.block, until=load.until, evidence=load.evidence)
+        return load.force
+    assert load.direction is not None  # a force given by its size has a direction
+    along, up = unit_in_plane(load.direction, direction)
+    return (load.force * along, load.force * up)
 
 
-def _tie_in_plane(name: str, load: TieLoad, at: Point, way: Point | None, direction: Sequence[float]) -> Tie:
+def _tie_in_plane(name: str, load: TieLoad, at: Point, direction: Sequence[float]) -> Tie:
     """Return a tie in the plane of motion; raise GeometryError if its anchor is then where it holds the block."""
+    way = None if load.direction is None else unit_in_plane(load.direction, direction)
     anchor = None if load.anchor is None else point_in_plane(load.anchor, direction)
     if anchor == at:
         raise GeometryError(f'load "{name}": seen in the plane of motion its anchor is where it holds; move one')

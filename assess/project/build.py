@@ -60,6 +60,7 @@ from assess.project.site_and_structure import (
     base_elevation_of,
     bodies_of,
     definitions_of,
+    density_of,
     ground_mechanism,
     ground_of,
     hazard_over_periods,
@@ -465,7 +466,7 @@ def _solid_in_case(
     body, known = case.bodies[name], solids[name]
     if known is None or body != whole.bodies[name] or not isinstance(body, sections.MeshBody):
         return solid_of(name, body, case.materials, models)
-    before, after = (content.materials[body.material].density for content in (whole, case))
+    before, after = (density_of(body, content.materials) for content in (whole, case))
     return scale_density(known, after / before)
 
 

@@ -339,8 +339,8 @@ def _number_type(value: Any, number: Number) -> Any:
 
     def read_any(given: Any) -> Any:
         if isinstance(given, str) and words and not any(each.isdigit() for each in given):
-            if given.strip() in words:
-                return given.strip()
+            if given in words:
+                return given
             raise ValueError(number.form)
         if isinstance(given, list | tuple) and count:
             if len(given) != count:
@@ -352,7 +352,7 @@ def _number_type(value: Any, number: Number) -> Any:
     forms: list[dict[str, Any]] = [quantity]
     if count:
         forms.append({"type": "array", "items": quantity, "minItems": count, "maxItems": count})
-    forms += [{"type": "string", "pattern": rf"^\s*{word}\s*$"} for word in words]
+    forms += [{"enum": list(words)}] * bool(words)
     form = "quantity or infinite" if number.infinite else "quantity"
     schema = WithJsonSchema({"anyOf": forms}) if len(forms) > 1 else _described(number.dimension, form)
     return Annotated[value, BeforeValidator(read_any), schema, kind, number]

@@ -10,7 +10,7 @@ from collections.abc import Mapping
 from contextlib import nullcontext
 from dataclasses import fields, replace
 from pathlib import Path
-from typing import Any, TypeVar
+from typing import Any, TypeVar, cast
 
 from pydantic import ValidationError
 
@@ -19,7 +19,6 @@ from assess.errors import Faults, ProjectError, locate_errors
 from assess.geometry import mesh
 from assess.geometry.mesh import MeshesBySelection, read_selected_meshes
 from assess.geometry.solid import Solid, Solids, box, profile
-from assess.loads.load import ForceLoad, TieLoad
 from assess.mechanisms.kinds import Definition
 from assess.mechanisms.mechanism import BlockMechanism, Mechanism
 from assess.messages.message import Message
@@ -29,6 +28,7 @@ from assess.project.keys import error_line
 from assess.project.project_file import bare_number_messages, load
 from assess.project.question import PROVISIONAL_CLASS, limit_state_of, use_class_of
 from assess.project.section import ProjectSection
+from assess.project.sections.bodies_and_loads import ProfileBody
 from assess.project.sections.ground_motion import SiteSection
 from assess.study.amplification import (
     AmplificationChoice,
@@ -51,12 +51,12 @@ def definitions_of(content: sections.Content) -> dict[str, Definition]:
 
 
 def _with_evidence(definition: Any, name: str, content: sections.Content) -> Any:
-    """Return a definition whose forces and ties say where it is shown that they last."""
+    """Return a definition whose loads that may end say where it is shown that they last."""
     if not isinstance(definition, BlockMechanism):
         return definition
     lasting = (
-        replace(load, evidence=content.report.source_of(f"mechanisms.{name}.loads.{place}.until"))
-        if isinstance(load, ForceLoad | TieLoad)
+        replace(cast(Any, load), evidence=content.report.source_of(f"mechanisms.{name}.loads.{place}.until"))
+        if hasattr(load, "evidence")
         else load
         for place, load in enumerate(definition.loads)
     )
@@ -87,13 +87,20 @@ def solid_of(
     """Return the solid of a body; None if it has direct values."""
     if isinstance(body, sections.DirectBody):
         return None
-    density = materials[body.material].density
+    density = density_of(body, materials)
     if isinstance(body, sections.MeshBody):
         model = models[body.mesh, body.element]
         return mesh.solid_from_meshes(model, density=density, name=name, scale=body.mesh_unit, up=body.mesh_up)
     if isinstance(body, sections.BoxBody):
         return box(**body.box.model_dump(), density=density, name=name)
     return profile(body.profile, length=body.length, density=density, name=name)
+
+
+def density_of(
+    body: sections.MeshBody | sections.BoxBody | ProfileBody, materials: Mapping[str, sections.MaterialSection]
+) -> float:
+    """Return the mass per volume of a body with geometry [kg/m3]."""
+    return materials[body.material].density
 
 
 def bodies_of(content: sections.Content, solids: Mapping[str, Solid | None]) -> Bodies:

@@ -14,10 +14,12 @@ from dataclasses import dataclass, replace
 from functools import partial
 from itertools import chain
 from math import inf
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, cast
 
+from assess.declaration import Number, annotations_of, marks_of
 from assess.errors import ProjectError
 from assess.geometry.solid import Solid, Solids, scale_along
+from assess.loads.load import LOADS
 from assess.mechanisms.chain import hinge_names
 from assess.mechanisms.mechanism import BlockMechanism, Mechanism
 from assess.messages.message import Message, Term, note, warning
@@ -27,6 +29,7 @@ from assess.project.keys import Setting, dependents, read_case, value_at, with_v
 from assess.project.project_file import Project
 from assess.project.section import KeyPath, key_text
 from assess.project.site_and_structure import bodies_of
+from assess.project.units import KINDS
 from assess.results.run import UncertainInput
 from assess.study.amplification import MechanismAmplification
 from assess.study.study import SampledNumber, Sampling, Study, UnvariedNumber, Variable
@@ -339,14 +342,18 @@ def _load_numbers(subject: VariedMechanism, section: sections.ChainSection) -> I
     """Yield the loads given as numbers; a force given by two components is two of them."""
     for place, load in enumerate(section.loads):
         path = ("mechanisms", subject.name, "loads", place)
-        if load.kind == "tie":
-            yield VariedNumber("tie_force", (*path, "force"), "N")
-        elif (load.kind == "mass" or load.kind == "body") and load.mass is not None:
-            yield VariedNumber("loads", (*path, "mass"), "kg")
-        elif load.kind == "force" and isinstance(load.force, tuple):
-            yield from (VariedNumber("loads", (*path, "force", i), "N") for i in (0, 1) if load.force[i])
-        elif (load.kind == "force" or load.kind == "overburden") and load.force is not None:
-            yield VariedNumber("loads", (*path, "force"), "N")
+        key, parameter = LOADS[load.kind].varied
+        value, unit = getattr(load, key), _unit_of_load(load.kind, key)
+        if isinstance(value, tuple):
+            yield from (VariedNumber(parameter, (*path, key, i), unit) for i, each in enumerate(value) if each)
+        elif value is not None:
+            yield VariedNumber(parameter, (*path, key), unit)
+
+
+def _unit_of_load(kind: str, key: str) -> str:
+    """Return the SI unit of a number of a kind of load, by its declared dimension."""
+    marks = marks_of(annotations_of(cast(Any, LOADS[kind]))[key])
+    return next(KINDS[mark.dimension].symbol for mark in marks if isinstance(mark, Number))
 
 
 def _set_at_key(path: KeyPath, value: Any) -> Setting:

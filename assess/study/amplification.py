@@ -29,9 +29,8 @@ from assess.codes.question import Missing, missing_input
 from assess.errors import GeometryError, ProjectError
 from assess.geometry.solid import Solids
 from assess.loads.load import bodies_of
-from assess.mechanisms.kinds import Definition
+from assess.mechanisms.kinds import MECHANISM_KINDS, Definition
 from assess.mechanisms.mechanism import BlockMechanism, Mechanism, height_of_support
-from assess.mechanisms.single_block import SingleBlock
 from assess.messages.message import Message, Quantity, Term, Value, message, note, warning, whole_number
 from assess.model.assembly import Built
 from assess.model.bodies import Bodies
@@ -434,11 +433,12 @@ def _has_own_mode(in_place: MechanismInPlace) -> bool:
 def _rayleigh_mode_of(in_place: MechanismInPlace) -> RayleighMode:
     """Return the first mode by Rayleigh's method of the bodies of a single block on the ground, in its direction."""
     definition, scene = in_place.definition, in_place.built.scene
-    if not isinstance(definition, SingleBlock) or scene is None:
+    stands = MECHANISM_KINDS[definition.kind].support == "free"
+    if not isinstance(definition, BlockMechanism) or not stands or scene is None:
         raise _missing_mode(
             in_place, "only a single-block of bodies that stand on the ground has a first mode of its own"
         )
-    names = definition.blocks[0]
+    names = definition.bodies
     moduli = [young_modulus(name, in_place) for name in names]
     solids = [solid for name in names if (solid := in_place.bodies[name].solid) is not None]
     foot = min(float(solid.vertices[:, 2].min()) for solid in solids)

@@ -351,7 +351,6 @@ def answers(
     base_elevation: float | None = None,
     lowest: float | None = None,
     building: Building | None = None,
-    options: CodeOptions | None = None,
     threads: int = 0,
 ) -> tuple[Check, ...]:
     """Return what the procedures say of a mechanism at the spectrum's peak ground acceleration.
@@ -369,7 +368,6 @@ def answers(
     base_elevation : height of the base of the mechanism above the ground [m]; None: as it is drawn over `lowest`
     lowest : elevation of the lowest body [m], which stands on the ground; None: the ground is at elevation 0
     building : the structure below the mechanism; None: not known
-    options : of the codes; None for their defaults
     threads : that share the time histories; 0 for all cores
 
     Returns
@@ -399,7 +397,7 @@ def answers(
         levels=(spectrum.pga,),
         procedures=tuple(dict.fromkeys(procedures)),
         offered=(),
-        options=options or CodeOptions(),
+        options=CodeOptions(),
         mechanisms=(mechanism,),
         equations={mechanism.name: "linearised" if mechanism.kind == "equivalent-block" else "exact"},
         amplified={mechanism.name: NOT_AMPLIFIED},

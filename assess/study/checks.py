@@ -215,11 +215,11 @@ def wall_of(mechanism: Mechanism, *, on_masonry: bool = False) -> Wall | None:
     the distance along the direction between the hinges of both branches, at the base or the crack; of a wall that rocks
     to one side only, the width of its outline just above.
     """
-    hinges = mechanism.positive.hinges
-    if mechanism.kind == "two-block":
-        size = _wall_across(mechanism, height=hinges[2][1] - hinges[0][1], at=1)
+    hinges, support = mechanism.positive.hinges, SUPPORTS[mechanism.kind]
+    if support == "spanning":
+        size = _wall_across(mechanism, height=hinges[-1][1] - hinges[0][1], at=1)
         return None if size is None else replace(size, gravity=gravity_of(mechanism, on_masonry=on_masonry))
-    if mechanism.kind != "single-block" or not mechanism.outlines[0]:
+    if support != "free" or not mechanism.outlines or not mechanism.outlines[0]:
         return None
     top = max(z for ring in mechanism.outlines[0] for _, z in ring)
     return _wall_across(mechanism, height=top - hinges[0][1], at=0)

@@ -1,33 +1,86 @@
-"""Every kind of mechanism is known wherever kinds are told apart by a table: what a new one still lacks, by file."""
+"""Kinds of mechanism, load and quantity are known wherever a table tells them apart: what a new one lacks, by file."""
 
 from __future__ import annotations
 
-from dataclasses import fields
+from dataclasses import dataclass, fields
 from pathlib import Path
+from typing import Any, ClassVar, cast
 
 import pytest
 
 import assess
+from assess.declaration import Number, Scatters, annotations_of, marks_of
+from assess.loads.load import LOADS
+from assess.mechanisms.assembly import MechanismKind
 from assess.mechanisms.kinds import MECHANISM_KINDS
 from assess.mechanisms.mechanism import BlockMechanism
-from assess.project.sections.mechanisms import FILE_KEYS, MECHANISM_TABLES
+from assess.mechanisms.restitution import ImpactRules
+from assess.project.sections.analysis import Sensitivity
+from assess.project.sections.mechanisms import MECHANISM_TABLES, table_of_kind
+from assess.project.units import KINDS as QUANTITIES
+from assess.results.verification import KINDS as VERIFIED_KINDS
+from assess.results.verification import USES
 from reports.chapters.mechanism_page import KINDS as NAMES
+from reports.chapters.verification import THEORY
+from reports.language.locale import UNITS
+from reports.project_values import KIND_DIMENSIONS
 from tests.properties.test_mechanisms import CASES
 
 ROOT = Path(__file__).parents[2]
 BY_PARAMETERS = {"equivalent-block"}  # by values, not of blocks
 
+every_load = pytest.mark.parametrize("kind", LOADS)
 every_kind = pytest.mark.parametrize("kind", MECHANISM_KINDS)
 
 
 @every_kind
 def test_tables_by_kind(kind: str) -> None:
     tables = (
-        ("FILE_KEYS of assess/project/sections/mechanisms.py", FILE_KEYS),
         ("KINDS of reports/chapters/mechanism_page.py", NAMES),
+        ("THEORY of reports/chapters/verification.py", THEORY),
+        ("USES of assess/results/verification.py", USES),
+        ("KINDS of assess/results/verification.py", VERIFIED_KINDS),
     )
     missing = [where for where, table in tables if kind not in table]
     assert not missing, f'add "{kind}" to {"; ".join(missing)}'
+
+
+@dataclass(frozen=True, kw_only=True)
+class Stated:
+    """A mechanism that is not of blocks."""
+
+    kind: ClassVar[str] = "stated"
+
+
+def test_a_kind_without_blocks_says_what_a_file_writes() -> None:
+    kind = MechanismKind(definition=Stated, build=dict, impacts=ImpactRules({}, {}), support="free")
+    with pytest.raises(LookupError, match="stated: not a mechanism of blocks; add its keys to FILE_KEYS"):
+        table_of_kind(kind)
+
+
+@every_load
+def test_a_load_is_known_to_the_annex(kind: str) -> None:
+    assert kind in USES, f'add "{kind}" to USES of assess/results/verification.py'
+
+
+@every_load
+def test_a_load_says_which_of_its_numbers_is_varied(kind: str) -> None:
+    key, parameter = LOADS[kind].varied
+    marks = list(marks_of(annotations_of(cast(Any, LOADS[kind]))[key]))
+    assert any(isinstance(mark, Scatters) for mark in marks), f"{key} of {kind} must be UNCERTAIN"
+    assert any(isinstance(mark, Number) and mark.dimension for mark in marks)
+    assert parameter in Sensitivity.model_fields
+
+
+@every_load
+@pytest.mark.parametrize("page", ["docs/reference/keys.md", "docs/overview.md"])
+def test_the_documents_name_the_load(kind: str, page: str) -> None:
+    assert kind in (ROOT / page).read_text(encoding="utf-8"), f"describe {kind} in {page}"
+
+
+def test_reports_show_every_kind_of_quantity() -> None:
+    assert {kind.name for kind in QUANTITIES.values()} == set(KIND_DIMENSIONS)
+    assert set(KIND_DIMENSIONS.values()) <= set(UNITS["SI"])
 
 
 @every_kind

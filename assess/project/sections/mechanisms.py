@@ -35,16 +35,15 @@ from assess.declaration import (
 )
 from assess.interfaces.contact import Interface
 from assess.loads.load import Place
+from assess.mechanisms.assembly import MechanismKind
 from assess.mechanisms.kinds import MECHANISM_KINDS
 from assess.mechanisms.mechanism import DRAWN_HINGES, BlockMechanism
 from assess.mechanisms.restitution import BY_FORMULA, RESTITUTION_NUMBER, RESTITUTIONS, Restitution, RestitutionRule
-from assess.mechanisms.two_block import CRACK_ELEVATION, CRACKS
 from assess.project.section import (
     A_POINT,
     DeclaredSection,
     ProjectSection,
     SoughtDirection,
-    quantity_schema,
     quote_names,
     table_of,
 )
@@ -67,25 +66,6 @@ BlockNames = Annotated[
 Blocks = Annotated[tuple[BlockNames, ...], BeforeValidator(_block_names)]
 
 
-def _crack(value: Any) -> float | str:
-    if isinstance(value, str) and value in CRACKS:
-        return value
-    if isinstance(value, str) and not any(character.isdigit() for character in value):
-        raise ValueError(CRACK_ELEVATION.form)
-    return key_value(value, KINDS["length"])
-
-
-CrackElevation = Annotated[
-    float | Literal["sorrentino", "minimum"],
-    BeforeValidator(_crack),
-    WithJsonSchema(
-        {
-            "anyOf": [quantity_schema("length"), {"enum": list(CRACKS)}],
-            "description": 'an elevation like "2.4 m", or "sorrentino", "minimum"',
-        }
-    ),
-    KINDS["length"],
-]
 HingeCoordinate = Annotated[Coordinate, UNCERTAIN_COORDINATE]
 UncertainPoint = Annotated[tuple[HingeCoordinate, ...], A_POINT, Field(min_length=2, max_length=3)]
 
@@ -320,11 +300,18 @@ class TwoBlockKeys(ChainKeys):
     blocks: Annotated[Blocks, Field(min_length=1, max_length=2)]
     hinges: ThreeHingesSection | None = None
     hinges_negative: ThreeHingesSection | None = None
-    crack: CrackElevation | None = None
+
+
+class ThreeBlockKeys(ChainKeys):
+    """What a project file says of three blocks in its own form."""
+
+    blocks: Annotated[Blocks, Field(min_length=1, max_length=3)]
+    hinges: FourHingesSection | None = None
+    hinges_negative: FourHingesSection | None = None
 
 
 class FourHingeKeys(ChainKeys):
-    """What a project file says of three blocks in its own form."""
+    """What a project file says of a frame or an arch in its own form."""
 
     blocks: Annotated[Blocks, Field(min_length=1, max_length=3)]
     hinges: ArchHingesValue
@@ -349,21 +336,27 @@ class EquivalentBlockKeys(ProjectSection):
     """what of the report's list of possible mechanisms it examines, like "gable\""""
 
 
-FILE_KEYS: dict[str, type[ProjectSection]] = {
-    "single-block": SingleBlockKeys,
-    "two-block": TwoBlockKeys,
-    "four-hinge": FourHingeKeys,
-    "equivalent-block": EquivalentBlockKeys,
-}
-"""The keys of each kind that a project file writes in a form of its own; all others are those of its definition."""
-MECHANISM_TABLES = {
-    name: table_of(
-        cast(Any, kind.definition),
-        ChainSection if issubclass(kind.definition, BlockMechanism) else DeclaredSection,
-        FILE_KEYS[name],
-    )
-    for name, kind in MECHANISM_KINDS.items()
-}
+BLOCK_KEYS: dict[int, type[ProjectSection]] = {1: SingleBlockKeys, 2: TwoBlockKeys, 3: ThreeBlockKeys}
+"""The keys that a project file writes in a form of its own, by the number of blocks of a mechanism."""
+FILE_KEYS: dict[str, type[ProjectSection]] = {"four-hinge": FourHingeKeys, "equivalent-block": EquivalentBlockKeys}
+"""The same of kinds that take other hinges, or are not of blocks."""
+
+
+def table_of_kind(kind: MechanismKind) -> type[DeclaredSection]:
+    """Return what reads the mechanisms of a kind: the keys of its definition, some in a form of the file's own.
+
+    Raises LookupError for a kind that is not of blocks and says nothing of its form.
+    """
+    of_blocks = issubclass(kind.definition, BlockMechanism)
+    keys = FILE_KEYS.get(kind.name)
+    if keys is None and of_blocks:
+        keys = BLOCK_KEYS[kind.definition.number_of_blocks]
+    if keys is None:
+        raise LookupError(f'{kind.name}: not a mechanism of blocks; add its keys to FILE_KEYS in "{__name__}"')
+    return table_of(cast(Any, kind.definition), ChainSection if of_blocks else DeclaredSection, keys)
+
+
+MECHANISM_TABLES = {name: table_of_kind(kind) for name, kind in MECHANISM_KINDS.items()}
 """What reads each kind of mechanism."""
 
 

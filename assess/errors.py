@@ -130,7 +130,13 @@ class Faults:
 
 
 def one_of_several(kind: type[Exception], lines: Sequence[str]) -> Exception:
-    """Return an error that says the first of several faults and how many more there are; these are its notes."""
+    """Return an error that says the first of several faults and how many more there are; these are its notes.
+
+    Parameters
+    ----------
+    kind : class of the error
+    lines : the faults, each a line
+    """
     first, *others = dict.fromkeys(lines)
     error = kind(first + _more(others))
     for other in others:

@@ -116,7 +116,7 @@ ASCE43_05_HISTORY = CodeProcedure(
     default_run=DefaultRun(),
     suite_rules="asce43-05",
     buildings=BUILDINGS,
-    building_clause="frequency of the building ± 15 %",
+    building_clause="ASCE 43-05",
 )
 
 

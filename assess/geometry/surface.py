@@ -161,7 +161,13 @@ def connected_groups_across(across: NDArray[np.int32]) -> IntArray:
 
 
 def volume(vertices: FloatArray, triangles: IntArray) -> float:
-    """Return the signed volume inside a surface [m3]; an open one is closed by cones to the middle of its box."""
+    """Return the signed volume inside a surface [m3]; an open one is closed by cones to the middle of its box.
+
+    Parameters
+    ----------
+    vertices : [n, 3] [m]
+    triangles : numbers of their vertices [m, 3]
+    """
     middle = _middle(vertices, triangles)
     return sum((float(D.sum()) for _, D in tetrahedra(vertices, triangles, middle)), start=0.0) / 6.0
 

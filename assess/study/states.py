@@ -7,7 +7,7 @@ assessed as the project itself is, and the worse of the two decides.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import partial, reduce
 from itertools import groupby
@@ -101,7 +101,45 @@ def find_overrides(
                 least = (value, found) if least is None or is_worse(*found, than=least[1]) else least
         if helps:
             overrides.append(_override(value, without))
+    for value, without in _hidden(study, tried, replaced, outcome):
+        replaced.append(value)
+        overrides.append(_override(value, without))
     return Overrides(tuple(overrides), tuple(replaced), () if least is None else (least[0],))
+
+
+def _hidden(
+    study: Study,
+    tried: Sequence[Replaceable],
+    replaced: Sequence[Replaceable],
+    outcome: Callable[[Callable[[], Study]], Outcome | None],
+) -> Iterator[_Way]:
+    """Yield the values that help either way, only where what is replaced does not stand: each hides the other.
+
+    A row of a table that helps makes no difference beside an ordinate that helps as much, and the reverse.
+    """
+    places = {value.key for value in replaced}
+    left = [value for value in tried if value.either_way and not value.source and value.key not in places]
+    if not replaced or not left or study.replaced is None:
+        return
+    replace_all = study.replaced
+
+    def outcomes(values: Sequence[Replaceable]) -> dict[str, Outcome]:
+        names = [each.name for each in study.mechanisms]
+        every = {name: outcome(lambda name=name: _alone(replace_all(values), name)) for name in names}  # type: ignore[misc]
+        return {name: found for name, found in every.items() if found is not None}
+
+    without_others = outcomes(replaced)
+    for key, of_one_key in groupby(left, key=lambda value: value.key):
+        for value in of_one_key:
+            without = outcomes((*replaced, value))
+            worse = any(
+                is_worse(*found, than=without_others[name], same=value.same)
+                for name, found in without.items()
+                if name in without_others
+            )
+            if worse and key not in places:
+                places.add(key)
+                yield value, without
 
 
 def _outcomes(value: Replaceable, outcome: Callable[[Callable[[], Study]], Outcome | None]) -> dict[str, Outcome]:

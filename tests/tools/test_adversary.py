@@ -14,6 +14,7 @@ from tools.adversary.trials import (
     TOLD,
     Trial,
     answer,
+    geometry,
     is_told,
     outcome_of,
     pairs,
@@ -22,7 +23,7 @@ from tools.adversary.trials import (
     with_trial,
 )
 
-SHARES = {"trials": 150, "pairs": 60}
+SHARES = {"trials": 150, "pairs": 60, "geometry": 60}
 """Trials of the sample: some twenty seconds."""
 
 
@@ -52,6 +53,7 @@ def _drawn() -> dict[str, list[Trial]]:
     return {
         "trials": sample(singles, SHARES["trials"], seed=1),
         "pairs": pairs(singles, SHARES["pairs"], seed=1),
+        "geometry": sample(list(geometry()), SHARES["geometry"], seed=1),
     }
 
 

@@ -1,5 +1,6 @@
 """The worse of two states decides: the project as typed, and without the values that no source vouches for."""
 
+import copy
 from pathlib import Path
 from typing import Any
 
@@ -11,6 +12,8 @@ from assess.project.build import build
 from assess.project.project_file import load
 from assess.study.run import find_verdict, run_study
 from tests.support.projects import NTC, block, lines, project_toml, wall
+from tools.adversary.projects import PROJECTS
+from tools.adversary.trials import answer
 
 BUILDING = {"storeys": 2, "ground_elevation": 0.0, "use_class": "II"}
 HEIGHT = 7.4  # of the top of the wall, which is the highest body
@@ -174,3 +177,13 @@ def mode_of(folder: Path, period: float, *, shown: bool) -> Verdict:
     )
     (folder / "project.toml").write_text(text, encoding="utf-8")
     return find_verdict(build(load(folder)))
+
+
+def test_two_values_that_hide_each_other_are_both_replaced() -> None:
+    """The mild row and a weak S_X1 of ASCE 41-13: either alone lets the wall pass, so that neither alone is missed."""
+    tables = copy.deepcopy(PROJECTS["asce41-wall"])
+    tables["procedures"] = {"asce41-13": {"position": "one-storey", "s_x1": 0.001}}
+    found = answer(tables)
+    assert found is not None
+    assert found.outcome == Decision.FAIL
+    assert "procedures.asce41-13.position" in found.named

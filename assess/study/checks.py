@@ -219,7 +219,7 @@ def wall_of(mechanism: Mechanism, *, on_masonry: bool = False) -> Wall | None:
     if support == "spanning":
         size = _wall_across(mechanism, height=hinges[-1][1] - hinges[0][1], at=1)
         return None if size is None else replace(size, gravity=gravity_of(mechanism, on_masonry=on_masonry))
-    by_parameters = mechanism.direction is None  # its outline only illustrates them
+    by_parameters = mechanism.kind == "equivalent-block"  # its outline only illustrates them
     if support != "free" or by_parameters or not mechanism.outlines[0]:
         return None
     top = max(z for ring in mechanism.outlines[0] for _, z in ring)

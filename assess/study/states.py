@@ -124,8 +124,15 @@ def _hidden(
     replace_all = study.replaced
 
     def outcomes(values: Sequence[Replaceable]) -> dict[str, Outcome]:
-        names = [each.name for each in study.mechanisms]
-        every = {name: outcome(lambda name=name: _alone(replace_all(values), name)) for name in names}  # type: ignore[misc]
+        try:
+            there = replace_all(values)
+        except (AssessError, RecordError, SpectrumError):
+            return {}
+        standing = {each.name for each in there.mechanisms}
+        every = {
+            each.name: outcome(partial(_alone, there, each.name)) if each.name in standing else (Decision.FAIL, FALLING)
+            for each in study.mechanisms
+        }
         return {name: found for name, found in every.items() if found is not None}
 
     without_others = outcomes(replaced)

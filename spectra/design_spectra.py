@@ -40,6 +40,7 @@ GROUND = Evidence("defines", "either", "as stated", judged="soft ground lifts lo
 TOPOGRAPHY = Evidence("defines", "down", "as stated", judged="S_T grows from T1 to T4")
 RELIEF = Evidence("drawn", "down", "1, the top of the relief", safe=1.0)
 LEVEL = Evidence("chosen", "either", "both levels stand beside each other", judged="what is asked of a wall rises too")
+PHASE = Evidence("chosen", "up", '"use"; "works" is a condition', judged="it allows a shorter nominal life")
 DAMPED = Evidence("measured", "up", "5 %; above 10 % only measured, never above 30 %", safe=0.05)
 DAMPED_TABLE = Evidence("defines", "down", "as stated", judged="damped more, the same ordinates mean more at 5 %")
 
@@ -53,6 +54,7 @@ CornerAcceleration = Annotated[PositiveAcceleration, CORNER]
 CornerTime = Annotated[PositiveTime, CORNER]
 PeakRatio = Annotated[PositiveRatio, PEAK]
 LimitState = Literal["SLO", "SLD", "SLV", "SLC"]
+LEAST_LIFE = 10.0  # nominal life of what is not a phase of construction [years] (NTC 2018, 2.4.1)
 DEFAULT_STATE: LimitState = "SLV"
 AT_LEAST_TWO = Several(2, form="give rows of return_period, a_g, f_0 and t_c_star")
 
@@ -234,7 +236,7 @@ class NtcSpectrum(DesignSpectrum):
     elsewhere: ClassVar = {
         "limit_state": "write it in [site]",
         **dict.fromkeys(
-            ("nominal_life", "use_class"),
+            ("nominal_life", "use_class", "phase"),
             "goes with hazard = [{ return_period, a_g, f_0, t_c_star }, …]; remove it, or a_g, f_0 and t_c_star",
         ),
     }
@@ -293,6 +295,8 @@ class NtcHazardSpectrum(DesignSpectrum):
     """rows { return_period, a_g, f_0, t_c_star }, rising in return period"""
     nominal_life: Annotated[NominalLife, Evidence("defines", "down", "50 years, that of ordinary works")]
     """nominal life V_N, like 50: in years"""
+    phase: Annotated[Literal["use", "works"], PHASE] = "use"
+    """"works" for a nominal life of 5 to 10 years, that of a phase of construction"""
     use_class: Annotated[
         Literal["I", "II", "III", "IV"] | None, Evidence("defines", "down", "that of the use of the building")
     ] = None
@@ -305,6 +309,15 @@ class NtcHazardSpectrum(DesignSpectrum):
     """topographic category"""
     relief_position: Annotated[RatioToOne, RELIEF] = 1.0
     """1 at the top of the relief, 0 at its foot"""
+
+    def faults(self) -> Iterator[Fault]:
+        """Yield the keys that do not go together."""
+        if self.nominal_life < LEAST_LIFE and self.phase != "works":
+            yield (
+                "nominal_life",
+                f"below {LEAST_LIFE:g} years only in a phase of construction (NTC 2.4.1); write "
+                f'phase = "works", or {LEAST_LIFE:g} years and more',
+            )
 
     def horizontal(self, *, pga: float | None = None) -> Spectrum:
         """Return the spectrum of §3.2.3.2.1 at the limit state."""

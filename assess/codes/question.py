@@ -11,13 +11,13 @@ from typing import Literal
 from assess.codes.bases import Acceptance, Basis, IndexKind, LimitState, LimitStateRole, Method
 from assess.codes.check import Check, Family, Outcome, Reason
 from assess.codes.procedures import PROCEDURES
-from assess.messages.message import Message, Value, distinct, message
+from assess.messages.message import Message, Quantity, Value, distinct, message
 from assess.short_repr import ShortRepr
 from spectra.ntc import EXCEEDANCE
 
 SOURCES = "report.sources"
 """The key of a missing source; a table whose own keys are keys of the file."""
-Works = Literal["none", "repair", "improvement", "upgrading"]
+Works = Literal["none", "local", "improvement", "upgrading", "repair"]
 
 
 @dataclass(frozen=True, repr=False)
@@ -247,8 +247,8 @@ def _unchanged(question: Question) -> TargetOrMissing:
     return FULL, ()
 
 
-def _repaired(question: Question) -> TargetOrMissing:
-    return None, (missing_input("verdict.works", message("missing-works"), 'works = "none"'),)
+def _of_local_works(question: Question) -> TargetOrMissing:
+    return _compared(question, message("missing-works"))
 
 
 def _improved(question: Question) -> TargetOrMissing:
@@ -259,9 +259,20 @@ def _improved(question: Question) -> TargetOrMissing:
         return None, (missing_input("building.school", message("missing-school"), "school = true"),)
     if question.use_class == "IV" or (question.use_class == "III" and question.school):
         return IMPROVED, ()
+    if question.use_class == "I":
+        return _compared(question, message("missing-target-of-class-I"))
     if question.index_before is None:
         return None, (missing_input("verdict.index_before", message("missing-index-before"), "index_before = 0.40"),)
     return question.index_before + RAISED, ()
+
+
+def _compared(question: Question, why: Message) -> TargetOrMissing:
+    """Return no target where the clause states no threshold: the indices before and after are for the engineer."""
+    before = question.index_before
+    if before is None:
+        return None, (missing_input("verdict.index_before", why, "index_before = 0.40"),)
+    compared = message("compared-with-index-before", {"before": Quantity(before, "ratio", 3)})
+    return None, (missing_input("verdict.works", compared, reasons=(why,)),)
 
 
 def _upgraded(question: Question) -> TargetOrMissing:
@@ -270,7 +281,8 @@ def _upgraded(question: Question) -> TargetOrMissing:
 
 _OF_WORKS: Mapping[str, Callable[[Question], TargetOrMissing]] = {
     "none": _unchanged,
-    "repair": _repaired,
+    "local": _of_local_works,
+    "repair": _of_local_works,
     "improvement": _improved,
     "upgrading": _upgraded,
 }

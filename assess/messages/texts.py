@@ -210,8 +210,12 @@ TEXTS: Mapping[str, str] = {
     "missing-target": "the share of the new building standard to be reached, 34, 67 or 100, has no default",
     "missing-rigid-whole": "{what}: it is taken as one rigid block, as a whole building would be; draw the parts that "
     "move as bodies of their own, or name who vouches that these move as one",
-    "missing-works": "a local repair has no threshold (NTC 8.4.1): compare the index before and after; write "
-    '"none" for a target',
+    "missing-works": "the index before the works: local works have no threshold, but are not to lower it, and where "
+    "they are against local collapses its increase is to be evaluated (NTC 8.4.1)",
+    "missing-target-of-class-I": "the index before the works, to compare it with that after: of an improvement in "
+    "class I no threshold is stated (NTC 8.4.2)",
+    "compared-with-index-before": "no threshold is stated (NTC 8.4.1, 8.4.2): the increase from an index of {before} "
+    "is for the engineer to judge",
     "missing-class-of-improvement": "the class of use, on which the target of an improvement depends (NTC 8.4.2)",
     "missing-class-of-hazard": "the class of use, on which the return period of the action depends; provisional: the "
     "action is that of class {taken}, the severest",
@@ -239,6 +243,9 @@ TEXTS: Mapping[str, str] = {
     "either": "{first} or {second}",
     "class-not-given": "a pass is valid for use classes I to III; class IV also requires {states}: give [building] "
     "use_class",
+    "global-check": "a pass is valid for local mechanisms: an improvement or upgrading is shown for the whole "
+    "building, whose global check is another (NTC 8.4.2, 8.4.3)",
+    "phase-of-works": "a pass is valid only for a phase of works that lasts no more than {life} (NTC 2.4.1)",
     "pga-lowered": "a pass is valid for site.pga = {given}, which replaces {own} from the parameters of the spectrum",
     "top-held": "a pass is valid only if the top of {mechanism} is held: as it begins to move, its support takes "
     "{force}",

@@ -11,7 +11,7 @@ from pathlib import Path
 
 from scipy.constants import g
 
-from assess.codes.bases import BASES, BY_SITE, Basis, stated_basis
+from assess.codes.bases import BASES, BY_SITE, Basis, IndexKind, stated_basis
 from assess.codes.check import Premise
 from assess.codes.context import FreePeriod, SiteHazard
 from assess.codes.italian_limit_states import ItalianOptions
@@ -31,7 +31,7 @@ from assess.study.fragility_runs import measure
 from assess.study.study import FragilityQuestion, deciding_limit_states
 from records.reading import relative_path
 from spectra import ntc
-from spectra.design_spectra import Nzs1170Spectrum
+from spectra.design_spectra import LEAST_LIFE, Nzs1170Spectrum
 from spectra.spectrum import Spectrum
 
 PROVISIONAL_CLASS = "IV"  # where the class of use is not given: that of the longest return periods
@@ -132,7 +132,7 @@ def facts_of(
 ) -> Mapping[str, VerdictFacts]:
     """Return by mechanism the inputs that a pass needs and that are missing, and the conditions of a pass."""
     premises = {premise for method in methods_of(question) for premise in PROCEDURES[method].premises}
-    holds = lowered_pga_conditions(content, spectrum)
+    holds = (*lowered_pga_conditions(content, spectrum), *conditions_of_works(content, question))
     importance = _missing_importance(content) if NZSEE2017_FACE_LOADED.name in methods_of(question) else ()
     lacking = tuple(importance)
     return {
@@ -176,6 +176,17 @@ def lowered_pga_conditions(content: sections.Content, spectrum: Spectrum | None)
     own = Quantity(site.pga / spectrum.factor / g, "ground acceleration", 3)
     values = {"given": Quantity(site.pga / g, "ground acceleration", 3), "own": own}
     return (message("pga-lowered", values, severity=Severity.WARNING),)
+
+
+def conditions_of_works(content: sections.Content, question: Question) -> Iterator[Message]:
+    """Yield the conditions of a pass of works on the whole building, and of those of a phase of construction."""
+    zeta = question.basis is not None and question.basis.index == IndexKind.ZETA_E
+    if zeta and question.works in ("improvement", "upgrading"):
+        yield message("global-check", severity=Severity.WARNING)
+    hazard = None if content.site is None else content.site.hazard
+    if hazard is not None and hazard.nominal_life < LEAST_LIFE:
+        life = Quantity(hazard.nominal_life, "return period", 3)
+        yield message("phase-of-works", {"life": life}, severity=Severity.WARNING)
 
 
 def _missing_masonry(content: sections.Content, name: str) -> Iterator[Missing]:

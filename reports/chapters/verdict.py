@@ -61,7 +61,8 @@ ESSENTIAL: Mapping[str, Phrase] = {
 """The parameters of the spectrum that page 1 shows."""
 
 WORKS: Mapping[str, Phrase] = {
-    "repair": say("local repair"),
+    "local": say("local works"),
+    "repair": say("local works"),
     "improvement": say("improvement"),
     "upgrading": say("upgrading"),
 }

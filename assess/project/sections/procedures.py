@@ -91,12 +91,13 @@ class VerdictSection(ProjectSection, title="VerdictSection"):
     """limit state that decides for the whole building, like "SLV"; the default of the basis if absent"""
     procedures: Annotated[ProcedureNames | None, METHODS] = None
     """methods that may decide, also those that the basis accepts only if named; all it accepts unnamed if absent"""
-    works: Annotated[Literal["none", "repair", "improvement", "upgrading"], WORKS] = "none"
-    """kind of work, which sets the target of the Italian index: "none" (1.0), "repair", "improvement", "upgrading\""""
+    works: Annotated[Literal["none", "local", "improvement", "upgrading", "repair"], WORKS] = "none"
+    """kind of work, which sets the target of the Italian index: "none" (1.0), "local" (none; old spelling "repair"),
+    "improvement", "upgrading\""""
     upgrading: Annotated[Literal["a", "b", "c", "d", "e"] | None, UPGRADING] = None
     """case of NTC 8.4.3: "c" and "e" have the target 0.80, the others 1.0"""
     index_before: Annotated[PositiveRatio | None, INDEX_BEFORE] = None
-    """index before the works, which an improvement raises by 0.10"""
+    """index before the works, which an improvement raises by 0.10, and which local works do not lower"""
     target_nbs: Annotated[Literal[34, 67, 100] | None, TARGET_NBS] = None
     """share of the new building standard to be reached in per cent, 34, 67 or 100; no default"""
     rule: Annotated[Literal["all", "any"] | None, RULE] = None

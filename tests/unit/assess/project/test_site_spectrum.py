@@ -10,6 +10,7 @@ from assess.codes.context import StatedFirstMode
 from assess.errors import ProjectError
 from assess.project.build import build
 from assess.project.project_file import resolve
+from assess.project.question import conditions_of_works, question_of
 from assess.project.site_and_structure import site_in, site_of, spectrum_of, vertical_of
 from assess.study.ground_motion import spectrum_result
 from spectra.errors import SpectrumError
@@ -325,6 +326,31 @@ def test_a_building_that_cannot_be_is_refused_with_both_numbers(tmp_path, more, 
     text = project_toml(site={"spectrum": NTC}, building={"height": 9.0, **more})
     with pytest.raises(ProjectError, match=re.escape(words)):
         load_project(tmp_path, text)
+
+
+@pytest.mark.parametrize(
+    ("life", "phase", "accepted"), [(5, "works", True), (9.9, "works", True), (9.9, "use", False), (10, "use", True)]
+)
+def test_a_nominal_life_of_five_to_ten_years_is_of_a_phase_of_works(tmp_path, life, phase, accepted):
+    """NTC 2018, 2.4.1."""
+    hazard = [{"return_period": years, "a_g": 1.0, "f_0": 2.5, "t_c_star": 0.3} for years in (30, 2475)]
+    spectrum = {"code": "ntc2018", "hazard": hazard, "nominal_life": life, "soil": "A", "use_class": "II"}
+    text = project_toml(site={"spectrum": {**spectrum, "phase": phase}})
+    if not accepted:
+        with pytest.raises(ProjectError, match=re.escape("nominal_life: 9.9: below 10 years only")):
+            load_project(tmp_path, text)
+        return
+    of = load_project(tmp_path, text).content
+    keys = [each.key for each in conditions_of_works(of, question_of(of, site_pga=1.0))]
+    assert keys == (["phase-of-works"] if phase == "works" else [])
+
+
+@pytest.mark.parametrize("works", ["none", "local", "improvement", "upgrading"])
+def test_works_on_the_whole_building_pass_on_condition_of_the_global_check(tmp_path, works):
+    """NTC 2018, 8.4.2 and 8.4.3."""
+    of = load_project(tmp_path, project_toml(site={"spectrum": NTC}, verdict={"works": works})).content
+    keys = [each.key for each in conditions_of_works(of, question_of(of, site_pga=1.0))]
+    assert keys == (["global-check"] if works in ("improvement", "upgrading") else [])
 
 
 def test_a_nominal_life_below_five_years_is_refused(tmp_path):

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 
 from assess.codes.bases import BASES, BY_SITE, stated_basis
 from assess.codes.check import Outcome
-from assess.codes.question import Action, Missing, Question
+from assess.codes.question import Action, Missing, Question, target_of
 from assess.codes.verdict import Decision
 from tests.support.answered import SITE, check, decide, question
 
@@ -108,7 +110,10 @@ def test_ntc2018_sld_decides_too_in_class_iv(use_class, sld, outcome):
     [
         ("none", {}, 0.99, NO),
         ("none", {}, 1.0, YES),
-        ("repair", {}, 2.0, OPEN),
+        ("local", {}, 2.0, OPEN),
+        ("local", {"index_before": 0.4}, 2.0, OPEN),
+        ("repair", {"index_before": 0.4}, 2.0, OPEN),
+        ("improvement", {"use_class": "I", "index_before": 0.4}, 2.0, OPEN),
         ("improvement", {"use_class": None}, 2.0, OPEN),
         ("improvement", {"use_class": "IV"}, 0.60, YES),
         ("improvement", {"use_class": "IV"}, 0.59, NO),
@@ -129,6 +134,17 @@ def test_ntc2018_targets_of_works(works, more, index, outcome):
     checks = [check(NONLINEAR, said, ratio=1.0 / index), check(LINEAR, PASS, state="SLD")]
     found = verdict_of("ntc2018", checks, periods=True, works=works, **{"use_class": "II", **more})
     assert found.outcome == outcome
+
+
+@pytest.mark.parametrize(("works", "more"), [("local", {}), ("repair", {}), ("improvement", {"use_class": "I"})])
+def test_works_without_a_threshold_ask_for_the_index_before_and_have_no_target(works, more):
+    """NTC 8.4.1, and 8.4.2 in class I."""
+    asked = question("ntc2018", works=works, **{"use_class": "II", **more})
+    target, (missing,) = target_of(asked, asked.basis)
+    assert (target, missing.key, missing.toml) == (None, "verdict.index_before", "index_before = 0.40")
+    target, (missing,) = target_of(replace(asked, index_before=0.4), asked.basis)
+    assert (target, missing.key) == (None, "verdict.works")
+    assert "0.4" in missing.text
 
 
 def test_below_the_full_target_a_check_that_may_not_pass_is_not_answered():

@@ -32,7 +32,7 @@ from records.formats.header import NO_OVERRIDES, HeaderOverrides
 from records.reading import read_with_overrides, relative_path
 from records.record import Record
 from records.selection import ScaleTo, samples_sha256, target_mark
-from records.synthetic import ArtificialRecords
+from records.synthetic import ArtificialRecords, seed_of_target
 from spectra.spectrum import Spectrum
 
 LOCK_NAME = "records.lock.toml"
@@ -241,7 +241,9 @@ def suite_text(
     return _lock_text(
         LockedTarget(code=mark.code, pga_g=round(mark.pga / g, DIGITS), sha256=mark.sha256),
         _locked_choice(fitting, scale_to, further_factor),
-        artificial=None if recipe is None else _locked_artificial(*recipe, [m for m in motions if m.record.artificial]),
+        artificial=None
+        if recipe is None
+        else _locked_artificial(*recipe, [m for m in motions if m.record.artificial], spectrum),
         records=records,
     )
 
@@ -383,11 +385,11 @@ def _locked_choice(fitting: Fitting, scale_to: ScaleTo, further_factor: float) -
 
 
 def _locked_artificial(
-    made: ArtificialRecords, band: tuple[float, float], motions: Sequence[ScaledRecord]
+    made: ArtificialRecords, band: tuple[float, float], motions: Sequence[ScaledRecord], spectrum: Spectrum
 ) -> LockedArtificial:
     return LockedArtificial(
         count=made.count,
-        seed=made.seed,
+        seed=seed_of_target(spectrum, duration=made.duration) if made.seed is None else made.seed,
         duration_s=made.duration,
         periods_s=band,
         scale_factor=motions[0].scaling.factor,

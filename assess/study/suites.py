@@ -695,7 +695,8 @@ def _remake(text: Term | Message, review: SuiteReview) -> Remedy | None:
     if to_make is None:
         return None
     improved = _improve_artificial(to_make, review)
-    line = f'synthetic = {{ count = {improved.count}, seed = {improved.seed}, duration = "{improved.duration:g} s" }}'
+    seed = "" if improved.seed is None else f"seed = {improved.seed}, "
+    line = f'synthetic = {{ count = {improved.count}, {seed}duration = "{improved.duration:g} s" }}'
     return Remedy("records.synthetic", text, line)
 
 

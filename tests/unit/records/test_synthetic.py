@@ -1,6 +1,8 @@
 """Artificial records: what they promise of spectrum, peak, baseline, envelope and seed."""
 
+import hashlib
 from collections.abc import Iterator
+from dataclasses import replace
 from itertools import pairwise
 
 import numpy as np
@@ -12,7 +14,8 @@ from records import synthetic
 from records.errors import RecordError
 from records.record import Record
 from records.response import response_spectrum
-from records.synthetic import artificial_records, end_weights, envelope, with_peak
+from records.selection import target_mark
+from records.synthetic import artificial_records, end_weights, envelope, seed_of_target, with_peak
 from spectra.asce7 import design_spectrum
 from spectra.table import table_spectrum
 from tests.support.artificial import make_artificial
@@ -85,6 +88,19 @@ def test_the_seed_settles_everything_and_the_count_nothing(seven: tuple[Record, 
     for record in seven:
         assert abs(np.corrcoef(record.acceleration, other.acceleration)[0, 1]) < 0.3
     assert [record.id for record in seven] == [f"artificial-{k}" for k in range(1, 8)]
+
+
+def test_a_seed_that_nobody_states_is_the_hash_of_shape_and_duration() -> None:
+    """By sha256sum of the shape's SHA-256, a blank and the duration: the first eight hexadecimal digits."""
+    text = f"{target_mark(TARGET).sha256} 25".encode()
+    seed = int.from_bytes(hashlib.sha256(text).digest()[:4], "big")
+    assert seed_of_target(TARGET, duration=25.0) == seed
+    (made,), (stated,) = (artificial_records(TARGET, count=1, seed=each) for each in (None, seed))
+    np.testing.assert_array_equal(made.acceleration, stated.acceleration)
+    assert f"seed {seed}, number 1" in made.processing_history[0].text
+    assert seed_of_target(replace(TARGET, factor=2.0), duration=25.0) == seed
+    other = design_spectrum(s_ds=0.1667 * g, s_d1=0.06 * g, t_l=6.0)
+    assert len({seed, seed_of_target(TARGET, duration=24.0), seed_of_target(other, duration=25.0)}) == 3
 
 
 def test_threads_change_nothing(seven: tuple[Record, ...]) -> None:

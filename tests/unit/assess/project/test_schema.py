@@ -135,7 +135,7 @@ def test_resolved_tells_given_from_default(tmp_path: Path) -> None:
     assert pairs["mechanisms.wall.restitution.negative"] == (0.9, True)
     assert pairs["mechanisms.other.restitution.negative"] == (None, False)
     assert pairs["building.period"] == (pytest.approx(0.4), False)
-    assert pairs["records.synthetic.seed"] == (1, False)
+    assert pairs["records.synthetic.seed"] == (None, False)
     assert pairs["analysis.levels"] == ([pytest.approx(0.1 * g), pytest.approx(0.2 * g)], True)
 
 

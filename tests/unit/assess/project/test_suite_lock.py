@@ -176,6 +176,16 @@ def test_artificial_records_are_made_again_and_compared(folder: Path) -> None:
         study_of(folder, project(locked))
 
 
+def test_the_lock_of_artificial_records_has_the_seed_that_followed_from_the_target(folder: Path) -> None:
+    records = 'synthetic = { count = 2, duration = "20 s" }'
+    before = results_of(folder, project(records))
+    path = lock(folder, records)
+    (seed,) = re.findall(r"^seed = (\d+)$", path.read_text(), re.MULTILINE)
+    assert f"seed {seed}, number 1" in str(before.records[0].processing[0])
+    after = results_of(folder, project(f'lock = "{LOCK_NAME}"'))
+    assert [one.spectrum for one in after.records] == [one.spectrum for one in before.records]
+
+
 def test_files_are_read_once_in_a_process(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     lock(folder)
     read = Mock(wraps=record_set.read_with_overrides)

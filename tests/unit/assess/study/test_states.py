@@ -46,6 +46,35 @@ def verdict_of(
     return found
 
 
+def by_seed(folder: Path, seed: int | None, *, sourced: bool = False) -> Verdict:
+    """Return the verdict by histories on a wall that seven artificial records shake."""
+    text = project_toml(
+        site={"spectrum": {"code": "asce7-16", "s_ds": "0.5 g", "s_d1": "0.2 g", "t_l": "8 s"}, "limit_state": "DBE"},
+        verdict={"basis": "asce43-05", "procedures": ["asce43-05-history"]},
+        report={"sources": {"records.synthetic.seed": "measured: prescribed by the client"}} if sourced else None,
+        analysis={"procedures": ["asce43-05-history"], "levels": ["0.3 g", "0.4 g"]},
+        records={"synthetic": {"count": 7, "duration": "20 s", **({} if seed is None else {"seed": seed})}},
+        bodies={"wall": wall(0.6, 3.0, 2.0)},
+        mechanisms={"wall": lines(block(direction=[1, 0, 0]))},
+    )
+    (folder / "project.toml").write_text(text, encoding="utf-8")
+    found = run_study(build(load(folder)), jobs=1).verdict
+    assert found is not None
+    return found
+
+
+def test_of_a_typed_seed_both_suites_run_and_the_worse_decides(tmp_path: Path) -> None:
+    (untyped,) = by_seed(tmp_path, None).mechanisms
+    for seed in (1, 2):
+        (typed,) = by_seed(tmp_path, seed, sourced=True).mechanisms
+        both = by_seed(tmp_path, seed)
+        (decides,) = both.mechanisms
+        assert None not in (untyped.margin, typed.margin, decides.margin)
+        assert typed.margin != untyped.margin
+        assert both.other_state is not None
+        assert decides.margin <= min(typed.margin, untyped.margin) * 1.01  # type: ignore[operator, type-var]
+
+
 def tie(**more: Any) -> str:
     """Return a tie at the top of the wall that lasts up to collapse."""
     given = {

@@ -26,7 +26,7 @@ RestitutionRule = Literal["thesis", "housner", "sorrentino", "momentum"]
 RESTITUTIONS: tuple[str, ...] = get_args(RestitutionRule)
 
 RestitutionChoice = float | RestitutionRule | None
-"""A number, a rule by its name, or None: "momentum" if a load moves with the mechanism, else the rule of the thesis."""
+"""A number, a rule by its name, or None for the default of the kind."""
 
 
 RESTITUTION_NUMBER = Number(
@@ -50,7 +50,8 @@ class Restitution:
     """Velocity after over velocity before the impact that ends a rotation [-], or a rule; None for the default."""
 
     positive: Annotated[RestitutionChoice, RESTITUTION_NUMBER, UNCERTAIN_RESTITUTION, BY_FORMULA] = None
-    """momentum where a load moves with the mechanism, else the thesis' rule for the kind"""
+    """if absent, momentum where a load moves with the mechanism, else the thesis' rule for the kind; of two blocks its
+    rule times what the loads change by momentum"""
     negative: Annotated[RestitutionChoice, RESTITUTION_NUMBER, UNCERTAIN_RESTITUTION, BY_FORMULA] = None
     """the same for the impact that ends negative rotation"""
 
@@ -85,15 +86,18 @@ class ImpactRules:
     """The rules of restitution that a kind of mechanism offers, by name; "thesis" is the default.
 
     two_sided : from the chains before and after the impact; one_sided : from the chain that rebounds
+    unnamed : of two-sided rocking, where the project names no rule; None for `default_rule`
     """
 
     two_sided: Mapping[RestitutionRule, ImpactRule]
     one_sided: Mapping[RestitutionRule, ReboundRule]
+    unnamed: ImpactRule | None = None
 
 
 HOUSNER = (Term("Housner 1963, thesis eq. 3.44"),)
 MOMENTUM = (Term("momentum kept over the mechanism"),)
 ABOUT_BASE = (Term("angular momentum about the new base hinge, Sorrentino et al. 2008, thesis eq. 3.46"),)
+WITH_LOADS = Term("times momentum with the loads over momentum without")
 OF_SLENDER_BLOCK = Term("3.45 of a slender block, as none is published for a chain")
 GIVEN = (Term("given"),)
 WORST_OF_THREE = Term("histories take the worst of 0.5, 1 and 1.5 times it")
@@ -137,11 +141,16 @@ def find_restitution(
         )
     if starting is None:
         return rules.one_sided[choice or "thesis"](ending)
-    rule = choice or default_rule(ending, starting, rules=rules)
-    kept = rules.two_sided[rule](ending, starting)
+    if choice is None and rules.unnamed is not None:
+        impact = rules.unnamed
+    else:
+        impact = rules.two_sided[choice or default_rule(ending, starting, rules=rules)]
+    kept = impact(ending, starting)
     _require_no_gain(kept, ending=ending, starting=starting, name=name)
-    kept = replace(kept, source=kept.source + _compare_rules(rule, kept, ending=ending, starting=starting, rules=rules))
-    return _stopped_at_impact(kept) if kept.value < 0.0 else _with_warning(kept, ending=ending, starting=starting)
+    kept = replace(kept, source=kept.source + _compare_rules(kept, ending=ending, starting=starting, rules=rules))
+    if kept.value < 0.0:
+        return _stopped_at_impact(kept)
+    return _with_warning(kept, impact, ending=ending, starting=starting)
 
 
 def default_rule(ending: Chain, starting: Chain, *, rules: ImpactRules) -> RestitutionRule:
@@ -169,6 +178,25 @@ def conserve_about_base(ending: Chain, starting: Chain) -> RestitutionCoefficien
     old, new = velocity_field(ending), velocity_field(starting)
     x, z = starting.hinges[0]
     return RestitutionCoefficient(_angular_momentum(old, -x, z) / _angular_momentum(new, x, z), ABOUT_BASE)
+
+
+def conserve_with_loads(ending: Chain, starting: Chain) -> RestitutionCoefficient:
+    """Return 3.46 of the bare blocks times momentum with the loads over momentum without, or momentum if it is larger.
+
+    A load that vanishes changes nothing then, where momentum takes several times the energy that 3.46 does. Momentum
+    is kept alone where 3.46 would add energy, and where a loaded mechanism stops by it.
+    """
+    bare = _without_masses(ending), _without_masses(starting)
+    by_momentum, plain = conserve_momentum(ending, starting), conserve_momentum(*bare)
+    found = conserve_about_base(*bare)
+    if _moving_masses(ending, starting):
+        if by_momentum.value <= 0.0 or plain.value <= 0.0:
+            return by_momentum
+        share = by_momentum.value / plain.value
+        found = RestitutionCoefficient(found.value * share, (*ABOUT_BASE, WITH_LOADS))
+    if found.value < by_momentum.value or _adds_energy(found, ending=ending, starting=starting):
+        return by_momentum
+    return found
 
 
 def housner_rule(ending: Chain, starting: Chain) -> RestitutionCoefficient:
@@ -278,18 +306,19 @@ def velocity_field(chain: Chain, *, sliding: bool = False) -> VelocityField:
 
 
 def _compare_rules(
-    rule: RestitutionRule, kept: RestitutionCoefficient, *, ending: Chain, starting: Chain, rules: ImpactRules
+    kept: RestitutionCoefficient, *, ending: Chain, starting: Chain, rules: ImpactRules
 ) -> tuple[Message, ...]:
     """Return what the other rule gives, and loads that slide on their seats; nothing if the value is the same."""
-    other: RestitutionRule = "thesis" if rule == "momentum" else "momentum"
+    other: RestitutionRule = "thesis" if kept.source == MOMENTUM else "momentum"
     value = rules.two_sided[other](ending, starting).value
     messages: tuple[Message, ...] = ()
     if abs(value - kept.value) > SAME:
         messages = (message("restitution-other", {"rule": other, "value": Quantity(value, "ratio", 3)}),)
-    if rule != "momentum" or not _moving_masses(ending, starting):
+    if not _moving_masses(ending, starting) or not (kept.source == MOMENTUM or WITH_LOADS in kept.source):
         return messages
     new = velocity_field(starting, sliding=True)
     slid = -_kinetic_product(velocity_field(ending, sliding=True), new) / _inertia_at_rest(new)
+    slid *= kept.value / conserve_momentum(ending, starting).value
     if abs(slid - kept.value) <= NOTABLE:
         return messages
     return (*messages, message("restitution-sliding", {"value": Quantity(slid, "ratio", 3)}))
@@ -315,14 +344,16 @@ def _stopped_at_impact(kept: RestitutionCoefficient) -> RestitutionCoefficient:
     return replace(kept, value=0.0, warning=stops, stopped=kept.value)
 
 
-def _with_warning(kept: RestitutionCoefficient, *, ending: Chain, starting: Chain) -> RestitutionCoefficient:
-    """Add a warning to a coefficient above 1, or well above that of the blocks without their loads."""
+def _with_warning(
+    kept: RestitutionCoefficient, impact: ImpactRule, *, ending: Chain, starting: Chain
+) -> RestitutionCoefficient:
+    """Add a warning to a coefficient above 1, or well above that of the blocks without their loads by the same rule."""
     if kept.value > 1.0:
         return replace(kept, warning=_above_one_warning(kept, ending=ending, starting=starting))
     loads = _moving_masses(ending, starting)
     if not loads:
         return kept
-    plain = conserve_momentum(*(_without_masses(chain) for chain in (ending, starting))).value
+    plain = impact(_without_masses(ending), _without_masses(starting)).value
     if kept.value <= plain + NOTABLE:
         return kept
     values: dict[str, Value] = {"value": Quantity(kept.value, figures=3), "plain": Quantity(plain, figures=3)}

@@ -39,6 +39,7 @@ from assess.mechanisms.restitution import (
     chain_rebound,
     conserve_about_base,
     conserve_momentum,
+    conserve_with_loads,
 )
 from assess.messages.message import Message, Quantity, distinct, warning, whole_number
 
@@ -167,6 +168,7 @@ TWO_BLOCK = MechanismKind(
     impacts=ImpactRules(
         two_sided={"thesis": conserve_about_base, "sorrentino": conserve_about_base, "momentum": conserve_momentum},
         one_sided={"thesis": chain_rebound},
+        unnamed=conserve_with_loads,
     ),
     support="spanning",
     direction_sought=True,

@@ -153,7 +153,8 @@ class RestitutionSection(ProjectSection):
     """Velocity after over velocity before the impact that ends a rotation, for each direction."""
 
     positive: Annotated[RestitutionValue | None, BY_FORMULA] = None
-    """momentum where a load moves with the mechanism, else the thesis' rule for the kind"""
+    """if absent, momentum where a load moves with the mechanism, else the thesis' rule for the kind; of two blocks its
+    rule times what the loads change by momentum"""
     negative: Annotated[RestitutionValue | None, BY_FORMULA] = None
     """the same for the impact that ends negative rotation"""
 

@@ -112,6 +112,11 @@ def seed_of_target(spectrum: Spectrum, *, duration: float) -> int:
     Of many seeds one makes a lenient suite, so none is chosen. The target counts by its shape, that a PGA may be swept,
     and neither the number of records nor the band counts: with more records, or another mechanism, those that were
     there stay alike.
+
+    Parameters
+    ----------
+    spectrum : target
+    duration : length of each record [s]
     """
     text = f"{target_mark(spectrum).sha256} {duration:.6g}"
     return int(hashlib.sha256(text.encode()).hexdigest()[:8], 16)

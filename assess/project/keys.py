@@ -30,6 +30,7 @@ from assess.project.section import (
     KeyPath,
     ProjectSection,
     UncertainNumber,
+    field_marks,
     key_text,
     look_up,
     value_text,
@@ -51,12 +52,6 @@ Setting = Mapping[KeyPath, Any]
 
 WITHOUT_UNCERTAIN_NUMBERS = ("analysis", "report", "format")
 """Tables without numbers that may scatter."""
-
-MAY_BE_UNCERTAIN = (
-    "sizes of boxes, lengths of profiles, hinges, densities, moduli and strengths of materials, friction, stiffness, "
-    "strength and sizes of joints, masses and forces of loads and ties, restitution, p and uplift of equivalent "
-    "blocks, and the building's period"
-)
 
 
 @dataclass(frozen=True)
@@ -538,7 +533,7 @@ def _uncertain_value(
 ) -> UncertainValue:
     key, entry = key_text(path), by_key.get(".".join(map(str, path)))
     if entry is None or entry.uncertain is None:
-        raise ProjectError(f"{key}: must be one number; only these may be {{ mean, cov }}: {MAY_BE_UNCERTAIN}")
+        raise ProjectError(f"{key}: must be one number; only these may be {{ mean, cov }}: {_uncertain_keys()}")
     mean = _si_mean(content, path)
     if not isinstance(mean, float) or mean == 0.0 or not isfinite(mean):
         raise ProjectError(f"{key}.mean: {value_text(number.mean)}: no number to scatter about; write it without cov")
@@ -551,6 +546,18 @@ def _uncertain_value(
     unit = kind.symbol.replace("no unit", "-")
     given = UncertainInput(key, unit, mean, cov, distribution, number.group or key)
     return UncertainValue(path, given, -inf if limits.crosses_zero else 0.0, limits.most / abs(mean))
+
+
+def _uncertain_keys() -> str:
+    """Write the keys whose numbers may scatter, by the innermost table that holds them."""
+    from assess.project.evidence import every_key
+
+    names: dict[str, dict[str, None]] = {}
+    for key in every_key():
+        if any(isinstance(mark, Scatters) for mark in field_marks(key.field)):
+            *tables, name = [step.removesuffix("[]") for step in key.path.split(".") if step != "NAME"]
+            names.setdefault(tables[-1], {})[name] = None
+    return "; ".join(f"{', '.join(each)} of {table}" for table, each in names.items())
 
 
 def _si_mean(content: Content, path: KeyPath) -> Any:

@@ -31,6 +31,25 @@ BOUNDS = {
     "most": (le, "must be {:.6g} or less"),
 }
 """The bounds of a number: what it must be to each of them, and the words where it is not."""
+RANGES: dict[str, tuple[float, float]] = {
+    "length": (1e-9, 1e8),
+    "mass": (1e-6, 1e12),
+    "time": (1e-6, 1e6),
+    "duration": (1e-3, 1e7),
+    "speed": (1e-3, 1e5),
+    "acceleration": (1e-9, 1e4),
+    "force": (1e-6, 1e13),
+    "stress": (1e-3, 1e13),
+    "stiffness": (1e-3, 1e17),
+    "density": (1e-3, 1e5),
+    "mass per area": (1e-6, 1e7),
+    "inertia": (1e-12, 1e18),
+    "angle": (1e-9, 1e3),
+    "frequency": (1e-6, 1e6),
+    "rate": (1e-3, 1e3),
+    "ratio": (1e-12, 1e18),
+}
+"""What numbers of each dimension may be beside 0 [SI; of a duration years]: no structure or site lies beyond."""
 LEVEL = 1e-9  # of a direction: one that rises by less is horizontal
 
 
@@ -81,6 +100,8 @@ class Number(Mark):
             return ""
         if not all(isfinite(each) or (self.infinite and each > 0.0) for each in several):
             return "not a finite number"
+        if reason := next(filter(None, map(self._beyond_range, several)), ""):
+            return reason
         if several is value:
             return ""
         for bound, (holds, words) in BOUNDS.items():
@@ -88,6 +109,12 @@ class Number(Mark):
             if limit is not None and not holds(value, limit):
                 return self.beyond or words.format(limit)
         return ""
+
+    def _beyond_range(self, value: float) -> str:
+        least, most = RANGES.get(self.dimension, (0.0, inf))
+        if not value or value == inf or (self.rounded and abs(value) < least) or least <= abs(value) <= most:
+            return ""
+        return f"outside {least:g} to {most:g}, beyond which there is no structure or site"
 
 
 @dataclass(frozen=True)
@@ -118,7 +145,7 @@ class IsDirection(Mark):
 class IsHorizontal(Mark):
     """A horizontal direction [x, y, 0], of any length but none."""
 
-    form: str = 'give (x, y, 0), "weakest" or "sweep"'
+    form: str = 'not a direction; write [1, 0, 0] for +x, [0, -1, 0] for -y, or "sweep" for the weakest'
 
     def fault(self, value: Any) -> str:
         """Return what is wrong with a vector; empty if it is horizontal, and of a word."""
@@ -293,6 +320,7 @@ Angle = Annotated[float, Number("angle")]
 OUT_OF_UPRIGHT = "not between -90 deg and 90 deg; measure the crack from the horizontal"
 Inclination = Annotated[float, Number("angle", above=-pi / 2, below=pi / 2, beyond=OUT_OF_UPRIGHT)]
 Ratio = Annotated[float, Number("ratio")]
+Component = Annotated[float, Number("ratio", rounded=True)]
 PositiveRatio = Annotated[float, Number("ratio", above=0)]
 NotNegativeRatio = Annotated[float, Number("ratio", least=0)]
 RatioToOne = Annotated[float, Number("ratio", least=0, most=1)]
@@ -309,7 +337,7 @@ Uplift = Annotated[float, Number("ratio", above=0, below=pi / 2)]
 Count = Annotated[int, Number(least=1)]
 Name = Annotated[str, IsName()]
 StatedPlace = Annotated[tuple[Coordinate, ...], IsPlace()]
-StatedDirection = Annotated[tuple[Ratio, ...], IsDirection()]
+StatedDirection = Annotated[tuple[Component, ...], IsDirection()]
 
 UNCERTAIN = Scatters()
 UNCERTAIN_COORDINATE = Scatters(crosses_zero=True)

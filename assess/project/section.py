@@ -362,7 +362,7 @@ def _quantity(value: Any, number: Number) -> float:
     if number.infinite and (value == math.inf or (isinstance(value, str) and value.strip().lower() in INFINITE)):
         return math.inf
     kind = KINDS[number.dimension]
-    return 0.0 if number.rounded and isinstance(value, float) and abs(value) < kind.least else key_value(value, kind)
+    return 0.0 if number.rounded and isinstance(value, float) and abs(value) < kind.range[0] else key_value(value, kind)
 
 
 def _bounds(number: Number) -> Any:
@@ -506,7 +506,7 @@ Direction = Annotated[tuple[Ratio, Ratio, Ratio], AfterValidator(partial(_faultl
 
 def _sweep(text: str) -> str:
     if text != "sweep":
-        raise ValueError('not a direction; write [1, 0, 0] for +x, [0, -1, 0] for -y, or "sweep" for the weakest')
+        raise ValueError(IsHorizontal.form)
     return text
 
 

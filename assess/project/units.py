@@ -23,6 +23,7 @@ from typing import Any, Literal
 
 from scipy.constants import g
 
+from assess.declaration import RANGES
 from assess.errors import ProjectError
 
 
@@ -41,14 +42,15 @@ SMALLEST, LARGEST = 1e-12, 1e18  # in SI: no size, mass, force or stress of a st
 class QuantityKind:
     """What a key measures.
 
+    range : of what keys may give beside 0 [SI]
     name : in words; unit : SI, as pint reads it; symbol : SI, as the project file writes it; example : with its unit
     only : the units allowed where their dimension does not settle it, empty for all of the right dimension
     never : units refused although their dimension is right
     weight : the unit of the weight of it, as pint reads it, which is divided by standard gravity; "" for none
     weighing : an example of that
-    least, most : the range of what keys may give beside 0, in SI: no structure or site lies beyond
     """
 
+    range: tuple[float, float]
     name: str
     unit: str
     symbol: str
@@ -57,46 +59,44 @@ class QuantityKind:
     never: frozenset[str] = frozenset()
     weight: str = ""
     weighing: str = ""
-    least: float = 1e-12
-    most: float = 1e18
 
 
 KINDS: dict[str, QuantityKind] = {
-    "length": QuantityKind("length", "meter", "m", "1.25 m", least=1e-9, most=1e8),
-    "mass": QuantityKind("mass", "kilogram", "kg", "1200 kg", least=1e-6, most=1e12),
-    "time": QuantityKind("time", "second", "s", "6 s", least=1e-6, most=1e6),
+    "length": QuantityKind(RANGES["length"], "length", "meter", "m", "1.25 m"),
+    "mass": QuantityKind(RANGES["mass"], "mass", "kilogram", "kg", "1200 kg"),
+    "time": QuantityKind(RANGES["time"], "time", "second", "s", "6 s"),
     "duration": QuantityKind(
-        "duration", "year", "years", "50 years", only=frozenset({"year"}), least=1e-3, most=1e7
+        RANGES["duration"], "duration", "year", "years", "50 years", only=frozenset({"year"})
     ),  # of hazards and buildings
-    "speed": QuantityKind("speed", "meter/second", "m/s", "400 m/s", least=1e-3, most=1e5),
-    "acceleration": QuantityKind("acceleration", "meter/second**2", "m/s^2", "0.10 g", least=1e-9, most=1e4),
-    "force": QuantityKind("force", "newton", "N", "10 kN", least=1e-6, most=1e13),
-    "stress": QuantityKind("stress", "pascal", "Pa", "1.0 MPa", least=1e-3, most=1e13),
-    "stiffness": QuantityKind("stiffness per area", "pascal/meter", "Pa/m", "10 GPa/m", least=1e-3, most=1e17),
+    "speed": QuantityKind(RANGES["speed"], "speed", "meter/second", "m/s", "400 m/s"),
+    "acceleration": QuantityKind(RANGES["acceleration"], "acceleration", "meter/second**2", "m/s^2", "0.10 g"),
+    "force": QuantityKind(RANGES["force"], "force", "newton", "N", "10 kN"),
+    "stress": QuantityKind(RANGES["stress"], "stress", "pascal", "Pa", "1.0 MPa"),
+    "stiffness": QuantityKind(RANGES["stiffness"], "stiffness per area", "pascal/meter", "Pa/m", "10 GPa/m"),
     "density": QuantityKind(
+        RANGES["density"],
         "density",
         "kilogram/meter**3",
         "kg/m^3",
         "2240 kg/m^3",
         weight="newton/meter**3",
         weighing="20 kN/m^3",
-        least=1e-3,
-        most=1e5,
     ),
-    "mass per area": QuantityKind("mass per area", "kilogram/meter**2", "kg/m^2", "80 kg/m^2", least=1e-6, most=1e7),
-    "inertia": QuantityKind("moment of inertia", "kilogram*meter**2", "kg*m^2", "5200 kg*m^2", least=1e-12, most=1e18),
-    "angle": QuantityKind("angle", "radian", "rad", "30 deg", only=_ANGLES, least=1e-9, most=1e3),
-    "frequency": QuantityKind("frequency", "1/second", "Hz", "2.5 Hz", never=_TURNS, least=1e-6, most=1e6),
+    "mass per area": QuantityKind(RANGES["mass per area"], "mass per area", "kilogram/meter**2", "kg/m^2", "80 kg/m^2"),
+    "inertia": QuantityKind(RANGES["inertia"], "moment of inertia", "kilogram*meter**2", "kg*m^2", "5200 kg*m^2"),
+    "angle": QuantityKind(RANGES["angle"], "angle", "radian", "rad", "30 deg", only=_ANGLES),
+    "frequency": QuantityKind(RANGES["frequency"], "frequency", "1/second", "Hz", "2.5 Hz", never=_TURNS),
     "rate": QuantityKind(
+        RANGES["rate"],
         "rate",
         "1/second",
         "1/s",
         "1.60 1/s",
         never=frozenset({"hertz", "turn", "revolution", "cycle"}),
-        least=1e-3,
-        most=1e3,
     ),
-    "ratio": QuantityKind("ratio", "dimensionless", "no unit", "0.05", only=frozenset({"percent", "permille"})),
+    "ratio": QuantityKind(
+        RANGES["ratio"], "ratio", "dimensionless", "no unit", "0.05", only=frozenset({"percent", "permille"})
+    ),
 }
 
 
@@ -123,11 +123,12 @@ def si_value(value: Any, kind: QuantityKind) -> float:
 def key_value(value: Any, kind: QuantityKind) -> float:
     """Return the SI value of a key of the project file, within the range of its kind; else raise QuantityError."""
     number = si_value(value, kind)
-    if number and not kind.least <= abs(number) <= kind.most:
+    least, most = kind.range
+    if number and not least <= abs(number) <= most:
         what, unit = (
             (f"{number:.3g}", "") if kind.name == "ratio" else (f"{number:.3g} {kind.symbol}", f" {kind.symbol}")
         )
-        raise QuantityError(f"{what} is outside {kind.least:g} to {kind.most:g}{unit}; {_remedy(kind)}")
+        raise QuantityError(f"{what} is outside {least:g} to {most:g}{unit}; {_remedy(kind)}")
     return number
 
 

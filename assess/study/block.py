@@ -20,6 +20,7 @@ from assess.codes.histories import SuiteResponse
 from assess.codes.italian_limit_states import FACTORS_BY_LEVEL
 from assess.codes.procedures import KNOWLEDGE_CODES, PROCEDURES, CodeOptions, uses_histories
 from assess.codes.question import Action, Question
+from assess.declaration import IsHorizontal
 from assess.dynamics.packing import Equation
 from assess.errors import MechanismError, ProcedureError
 from assess.geometry.cut import Scene
@@ -485,7 +486,7 @@ def _direction(direction: Any) -> Any:
     try:
         return tuple(map(float, direction))
     except (TypeError, ValueError):
-        raise MechanismError(f'direction = {direction!r:.60}: give (x, y, 0), "weakest" or "sweep"') from None
+        raise MechanismError(f"direction = {direction!r:.60}: {IsHorizontal.form}") from None
 
 
 def _restitution(restitution: Any) -> Restitution:

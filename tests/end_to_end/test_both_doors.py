@@ -309,6 +309,22 @@ def test_a_load_is_refused_with_what_each_door_takes(sound, fault, key, said, tm
         assert f": {said}" in refusal
 
 
+@pytest.mark.parametrize(
+    ("sound", "fault", "key"),
+    [(MASS, {"mass": 1e15}, "mass"), (FLOOR, {"tolerance": 1e-10}, "tolerance"), (TIE, {"strength": 1e-7}, "strength")],
+)
+def test_a_number_of_no_structure_is_refused(sound, fault, key, tmp_path):
+    """Beyond the range of its dimension; each door writes the number and its unit in its own way."""
+    for refusal in refusals([sound | fault], {}, tmp_path):
+        assert refusal.startswith(f"loads[1].{key}")
+        assert "outside 1e-" in refusal
+
+
+def test_a_word_that_is_no_direction_is_refused_for_one_reason(tmp_path):
+    by_file, by_python = refusals([], {"direction": "x"}, tmp_path)
+    assert by_file.partition(": not")[2] == by_python.partition(": not")[2] != ""
+
+
 @pytest.mark.parametrize(("loads", "mechanism"), RIGHT)
 def test_what_is_right_is_taken_by_both(loads, mechanism, tmp_path):
     assert refusals(loads, mechanism, tmp_path) == ("", "")

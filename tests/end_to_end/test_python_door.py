@@ -249,7 +249,7 @@ def test_loads_of_an_arch_that_would_not_count_are_refused():
     ("given", "text"),
     [
         ({"uplift": 3.0}, "uplift = 3: must be less than 1.5708"),
-        ({"p": 1e4}, "which no mechanism has"),
+        ({"p": 1e4}, "p = 10000: outside 0.001 to 1000"),
         ({"radius": -1.0}, "greater than 0"),
     ],
 )
@@ -379,8 +379,8 @@ SIZES = {"thickness": 0.6, "length": 4.0, "height": 4.5, "density": 2000.0}
         ({"cut": "2"}, "cut = '2': give an elevation"),
         ({"cut": True}, "cut = True: give an elevation"),
         ({"cut": assess.CutAngle("a", 0.1)}, "cut.point = 'a': give \\(number, number, number\\)"),
-        ({"direction": 1}, r"direction = 1: give \(x, y, 0\)"),
-        ({"direction": ("a", "b", "c")}, r"give \(x, y, 0\)"),
+        ({"direction": 1}, r"direction = 1: not a direction"),
+        ({"direction": ("a", "b", "c")}, r"not a direction"),
         ({"loads": assess.MassLoad(mass=1.0, at=(0.0, 1.0))}, "give a list of loads"),
         ({"loads": ["tie"]}, "a MassLoad or"),
         ({"loads": [assess.MassLoad(mass="3", at=(0.0, 1.0))]}, r"loads\[1\].mass = '3': give a number"),

@@ -227,6 +227,7 @@ class Safe(Enum):
     """What a run does in place of taking a value that no source vouches for."""
 
     STATED = "as stated"
+    FIRST = "of a choice the value that helps least"
     ABSENT = "the key left out: what the code or the drawing gives"
     WITHOUT = "the table left out that holds the key: a tie, a force"
     WEAKEST = "the weakest that can be computed, where that is clearly weaker: a direction, a crack"
@@ -239,22 +240,28 @@ class Drawn:
     name: str
 
 
+Order = tuple[str | int, ...]
+"""The values of a choice, from the one that helps a wall least to the one that helps it most."""
+NO_THEN_YES: Order = (False, True)
+
+
 @dataclass(frozen=True)
 class Evidence(Mark):
     """Who vouches for an input, and which way it helps the wall.
 
     kind : by whom its value comes about
-    helps : whether more of it makes the wall safer (for a choice: whether it does), less safe, either, or neither
+    helps : whether more of it makes the wall safer, less safe, either, or neither; of a choice whose values can be
+        ordered, all of them, from the one that helps least to the one that helps most
     instead : what counts where no source vouches for it
     judged : why this kind and this sense, where that is a judgement
     safe : what a run takes in its place where no source vouches for it: a value [SI], or one that is found
     """
 
     kind: Literal["defines", "drawn", "chosen", "loads", "code", "measured", "action", "clamped", "free"]
-    helps: Literal["up", "down", "either", "none"]
+    helps: Literal["up", "down", "either", "none"] | Order
     instead: str
     judged: str = ""
-    safe: float | str | bool | Drawn | Safe = Safe.STATED
+    safe: float | Drawn | Safe = Safe.STATED
 
 
 ITS_KIND = Evidence(

@@ -33,14 +33,16 @@ from spectra.spectrum import Spectrum
 from spectra.table import read_table, table_spectrum
 
 THE_CODE = Evidence("defines", "either", "the code that the basis of the verdict names")
+USE_CLASSES = ("IV", "III", "II", "I")
+"""The classes of use from the one with the longest return periods."""
 HAZARD = Evidence("defines", "down", "as stated")
 CORNER = Evidence("defines", "down", "as stated", judged="it lifts long periods, which overturn a wall")
 PEAK = Evidence("defines", "either", "as stated", judged="the level branch rises with it, and the soil factor falls")
 GROUND = Evidence("defines", "either", "as stated", judged="soft ground lifts long periods, and strong motion little")
-TOPOGRAPHY = Evidence("defines", "down", "as stated", judged="S_T grows from T1 to T4")
+TOPOGRAPHY = Evidence("defines", ("T4", "T3", "T2", "T1"), "as stated", judged="S_T grows from T1 to T4")
 RELIEF = Evidence("drawn", "down", "1, the top of the relief", safe=1.0)
 LEVEL = Evidence("chosen", "either", "both levels stand beside each other", judged="what is asked of a wall rises too")
-PHASE = Evidence("chosen", "up", '"use"; "works" is a condition', judged="it allows a shorter nominal life")
+PHASE = Evidence("chosen", ("use", "works"), '"use"; "works" is a condition', judged="it allows a shorter nominal life")
 DAMPED = Evidence("measured", "up", "5 %; above 10 % only measured, never above 30 %", safe=0.05)
 DAMPED_TABLE = Evidence("defines", "down", "as stated", judged="damped more, the same ordinates mean more at 5 %")
 
@@ -298,7 +300,7 @@ class NtcHazardSpectrum(DesignSpectrum):
     phase: Annotated[Literal["use", "works"], PHASE] = "use"
     """"works" for a nominal life of 5 to 10 years, that of a phase of construction"""
     use_class: Annotated[
-        Literal["I", "II", "III", "IV"] | None, Evidence("defines", "down", "that of the use of the building")
+        Literal["I", "II", "III", "IV"] | None, Evidence("defines", USE_CLASSES, "that of the use of the building")
     ] = None
     """class of use "I" to "IV"; that of [building] if absent"""
     limit_state: Annotated[LimitState | None, Evidence("defines", "either", "as [site] limit_state")] = None

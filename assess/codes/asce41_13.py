@@ -61,7 +61,7 @@ POSITION = Evidence(
 )
 MASONRY = Evidence(
     "measured",
-    "up",
+    ("rubble", "coursed"),
     'absent: "coursed" is a condition of a pass',
     judged='"coursed" takes a condition from a pass, "rubble" leaves the wall without an answer',
     safe=Safe.ABSENT,
@@ -76,7 +76,7 @@ class Asce41Options:
     """row of Table 11-5: "one-storey", "first-storey", "top-storey" or "other"; if absent by [building], elevation"""
     masonry: Annotated[Masonry | None, MASONRY] = None
     """"coursed", or "rubble", which the table is not for; if absent a pass holds on condition that it is coursed"""
-    seismicity: Annotated[Seismicity, Evidence("code", "down", '"high"', safe="high")] = "high"
+    seismicity: Annotated[Seismicity, Evidence("code", ("high", "moderate"), '"high"', safe=Safe.FIRST)] = "high"
     """level of seismicity, on which the limit of parapets hangs: "high", h/t 1.5, or "moderate", 2.5"""
     s_x1: Annotated[PositiveAcceleration | None, ORDINATE] = None
     """S_X1 at the site's own peak ground acceleration; if absent the spectrum at 1 s; needed where that is a table"""

@@ -20,6 +20,7 @@ import numpy as np
 from scipy.constants import g
 
 from assess.declaration import (
+    NO_THEN_YES,
     UNCERTAIN,
     Evidence,
     Fault,
@@ -154,9 +155,7 @@ class TieLoad:
     """the way it pulls: [x, y, z], or [along the direction, up]; or give anchor"""
     anchor: Annotated[StatedPlace | None, ITS_WAY] = None
     """the fixed end: [x, y, z], or [distance along the direction, elevation]"""
-    both: Annotated[bool, Evidence("measured", "up", "false: slack on the branch where it shortens", safe=False)] = (
-        False
-    )
+    both: Annotated[bool, Evidence("measured", NO_THEN_YES, "false: slack where it shortens", safe=Safe.FIRST)] = False
     """true: taut on both branches"""
     until: Annotated[StatedUntil | None, ITS_END] = None
     """"collapse" if it is shown to be there up to collapse; or the displacement of its point at which it breaks; if
@@ -199,7 +198,11 @@ class OverburdenLoad:
     through: Annotated[
         Through,
         Evidence(
-            "measured", "up", "fixed", judged="a load that moves to the edge that closes rights the wall", safe="fixed"
+            "measured",
+            ("fixed", "joint"),
+            "fixed",
+            judged="a load that moves to the edge that closes rights the wall",
+            safe=Safe.FIRST,
         ),
     ] = None
     """"joint": it presses where the top does, from mid-thickness to the edge as the wall turns (rigid: at hinge C);
@@ -248,9 +251,9 @@ class BodyLoad:
     """of a roof or vault along its thrust; from its bounding box if absent"""
     rise: Annotated[PositiveLength | None, Evidence("drawn", "up", "from its bounding box", safe=Safe.ABSENT)] = None
     """of the ridge or crown above the springing; from the bounding box if absent"""
-    tied: Annotated[bool | None, FileDefault(False), Evidence("loads", "up", "false: its thrust acts", safe=False)] = (
-        None
-    )
+    tied: Annotated[
+        bool | None, FileDefault(False), Evidence("loads", NO_THEN_YES, "false: its thrust acts", safe=Safe.FIRST)
+    ] = None
     """true: ties or tie-beams take the thrust"""
     vault: Annotated[
         Literal["barrel", "quadripartite"] | None, Evidence("drawn", "either", "as the faces of the mesh show")

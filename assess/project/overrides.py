@@ -139,10 +139,13 @@ def _setting(
         drawn = find(content, solids)
         helps = drawn is not None and (given > same * drawn if evidence.helps == "up" else given < same * drawn)
         return {path: drawn} if helps else None
-    if isinstance(safe, float) and isinstance(given, float):
+    if isinstance(safe, float):
         helps = given > safe if evidence.helps == "up" else given < safe
         return {path: safe} if helps else None
-    return None if given == safe else {path: safe}
+    if safe is Safe.FIRST:
+        least = evidence.helps[0]
+        return None if given == least else {path: least}
+    return {path: safe}
 
 
 def _settings_between(path: KeyPath, content: sections.Content) -> tuple[Setting, ...]:

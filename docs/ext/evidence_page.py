@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import json
 from itertools import groupby
 from types import NoneType
 from typing import Annotated, Any, Literal, get_args, get_origin
 
+from assess.declaration import Evidence
 from assess.project.evidence import Key, every_key
 from docs.ext.key_page import TITLES
 from docs.ext.key_values import PLAIN, default_words
@@ -16,10 +18,9 @@ BOUNDS = {"above": "above", "least": "at least", "below": "below", "most": "at m
 HEAD = """# What each key rests on
 
 Every value of a [project file](project-file.md) has a class, which says by whom it comes about, and a sense, which way
-more of it makes the wall look safer: up, down, either way, or none. Of a choice the sense is that of making it. The
-class says what becomes of a value that helps and that no source in `[report.sources]` vouches for
-([the two states](verdict.md#the-two-states)); not all rows are applied yet: choices, directions and cracks stand as
-typed.
+more of it makes the wall look safer: up, down, either way, or none. Of a choice whose values can be ordered all stand
+here, from the one that helps least to the one that helps most. The class says what becomes of a value that helps and
+that no source in `[report.sources]` vouches for ([the two states](verdict.md#the-two-states)).
 
 | class | what it holds | rule |
 |---|---|---|
@@ -61,9 +62,16 @@ def _row(key: Key, *, above: Key | None) -> str:
     if evidence is not None:
         judged = "as above" if above is not None and above.evidence == evidence else evidence.judged
         why = f" (judged: {judged})" if evidence.judged else ""
-        said = [evidence.kind, evidence.helps, escape(evidence.instead + why)]
+        said = [evidence.kind, _helps(evidence), escape(evidence.instead + why)]
     cells = (f"`{key.path}`{forms}", _value(key), default_words(key.field), *said)
     return "| " + " | ".join(map(cell, cells)) + " |"
+
+
+def _helps(evidence: Evidence) -> str:
+    """Return the sense of a key, or the values of a choice in their order."""
+    if isinstance(evidence.helps, str):
+        return evidence.helps
+    return ", ".join(f"`{json.dumps(each)}`" for each in evidence.helps)
 
 
 def _value(key: Key) -> str:

@@ -489,7 +489,10 @@ STUDIED_LEVELS = Evidence("free", "none", "nothing", judged="the action of the s
 FURTHER_PROCEDURES = Evidence("free", "none", "nothing", judged="the methods that decide run whatever stands here")
 EQUATION = Evidence("chosen", "either", '"exact", "linearised" of equivalent blocks; the other stands beside it')
 SCAN = Evidence(
-    "clamped", "down", "true", judged="without it no lower PGA is seen to be worse, which is then a condition of a pass"
+    "clamped",
+    (True, False),
+    "true",
+    judged="without it no lower PGA is seen to be worse, which is then a condition of a pass",
 )
 
 

@@ -46,7 +46,10 @@ TENSION = Evidence(
     "the worse of 0 and what is stated",
     judged="no procedure counts on it; eq. 3.27 places a crack by it, which may be the weaker or the stronger place",
 )
-DISINTEGRATION = Evidence("measured", "up", '"possible", by which no Italian procedure passes')
+Disintegration = Annotated[
+    Literal["excluded", "possible"] | None,
+    Evidence("measured", ("possible", "excluded"), '"possible", by which no Italian procedure passes'),
+]
 FRICTION = Evidence("measured", "up", "absent: whether anything slides is not answered")
 GIVEN = Evidence("defines", "either", "as stated")
 SIZE = Evidence("defines", "either", "as drawn, the tolerance of the survey either way")
@@ -82,7 +85,7 @@ class MaterialSection(ProjectSection):
     """strength in compression, like "1.0 MPa\""""
     tensile_strength: Annotated[NotNegativeStress, UNCERTAIN, TENSION] | None = None
     """strength of the mortar in tension"""
-    disintegration: Annotated[Literal["excluded", "possible"] | None, DISINTEGRATION] = None
+    disintegration: Disintegration = None
     """whether the masonry may fall apart: "excluded" (by survey, quality index or test) or "possible\""""
     friction: Annotated[NotNegativeRatio, UNCERTAIN, FRICTION] | None = None
     """coefficient of friction"""
@@ -155,7 +158,7 @@ class DirectBody(ProjectSection):
     """centre of mass [x, z]"""
     inertia: Annotated[PositiveInertia, UNCERTAIN, INERTIA]
     """moment of inertia about the centroid, like "5200 kg*m^2\""""
-    disintegration: Annotated[Literal["excluded", "possible"] | None, DISINTEGRATION] = None
+    disintegration: Disintegration = None
     """whether its masonry may fall apart: "excluded" (by survey, quality index or test) or "possible\""""
 
 

@@ -37,7 +37,7 @@ from records.compliance import CodeName
 from records.selection import CandidateFilters
 from records.synthetic import SUITE_SIZE, ArtificialRecords
 from spectra import ntc
-from spectra.design_spectra import SPECTRA, NtcHazardSpectrum, way_of
+from spectra.design_spectra import SPECTRA, USE_CLASSES, NtcHazardSpectrum, way_of
 
 LIMIT_STATES = tuple(ntc.EXCEEDANCE)  # of a hazard over return periods
 if TYPE_CHECKING:
@@ -110,7 +110,7 @@ GROUND_ELEVATION = Evidence(
 )
 USE_CLASS = Evidence(
     "defines",
-    "down",
+    USE_CLASSES,
     "absent: a failing SLD makes ntc2018 incomplete",
     judged="a lower class has shorter return periods, and no SLD that decides",
 )

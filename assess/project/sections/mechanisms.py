@@ -47,7 +47,7 @@ from assess.project.section import (
     quote_names,
     table_of,
 )
-from assess.project.sections.bodies_and_loads import LoadSection
+from assess.project.sections.bodies_and_loads import Disintegration, LoadSection
 from assess.project.units import KINDS, key_value
 from assess.project.values import CHECKLIST, ItemKeys, unique
 
@@ -326,10 +326,7 @@ class EquivalentBlockKeys(ProjectSection):
     restitution: Annotated[RestitutionSection, ONE_FOR_BOTH, UNCERTAIN_RESTITUTION] = Field(
         default_factory=RestitutionSection
     )
-    disintegration: Annotated[
-        Literal["excluded", "possible"] | None,
-        Evidence("measured", "up", "possible: procedures that need sound masonry do not answer"),
-    ] = None
+    disintegration: Disintegration = None
     """whether its masonry may fall apart: "excluded" (by survey, quality index or test) or "possible\""""
     amplification: AmplificationSection = Field(default_factory=NoAmplification)
     """{ method = "srss" | "modal-filter" | "ec8" | "nzs1170.5" | …, height, … }: the motion's way up to its base"""

@@ -64,17 +64,22 @@ METHODS = Evidence(
 )
 WORKS = Evidence(
     "chosen",
-    "up",
+    ("none", "upgrading", "improvement", "local", "repair"),
     '"none"; its target stands beside',
-    judged="no kind of work has a higher target than the 1.0 of a building without any",
+    judged="targets fall from 1.0 over 0.80 and 0.10 above the index before to none",
 )
-UPGRADING = Evidence("chosen", "up", "a target of 1.0 stands beside", judged="cases c and e have the target 0.80")
+UPGRADING = Evidence(
+    "chosen", ("a", "b", "d", "c", "e"), "a target of 1.0 stands beside", judged="cases c and e have the target 0.80"
+)
 INDEX_BEFORE = Evidence(
     "measured", "down", "absent: an improvement is incomplete", judged="the target of an improvement is 0.10 above it"
 )
-TARGET_NBS = Evidence("chosen", "down", "absent: incomplete; the grade stands beside")
+TARGET_NBS = Evidence("chosen", (100, 67, 34), "absent: incomplete; the grade stands beside")
 RULE = Evidence(
-    "chosen", "up", '"all"; "any" is a condition', judged="one of several methods holds sooner than all of them"
+    "chosen",
+    ("all", "any"),
+    '"all"; "any" is a condition',
+    judged="one of several methods holds sooner than all of them",
 )
 SURVEY_TOLERANCE = Evidence(
     "clamped", "down", "20 mm, where less", judged="with a smaller one fewer answers are at the limit"
@@ -135,7 +140,7 @@ class VerdictSection(ProjectSection, title="VerdictSection"):
 KnowledgeLevel = Literal["LC1", "LC2", "LC3"]
 
 
-KNOWLEDGE = Evidence("measured", "up", "LC1", safe="LC1")
+KNOWLEDGE = Evidence("measured", ("LC1", "LC2", "LC3"), "LC1", safe=Safe.FIRST)
 CONFIDENCE_FACTOR = Evidence(
     "code", "down", "that of the knowledge level; one below it is for comparison", safe=Safe.ABSENT
 )

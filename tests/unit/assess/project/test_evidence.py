@@ -1,10 +1,13 @@
 """Every key of a project file says who vouches for it, in its table, in the list of keys and in the schema."""
 
+import json
 from collections.abc import Iterator
 from dataclasses import asdict
 from math import pi
-from typing import Any
+from types import NoneType, UnionType
+from typing import Annotated, Any, Literal, Union, get_args, get_origin
 
+from assess.declaration import Safe
 from assess.project.evidence import every_key
 from assess.project.project_file import json_schema
 from assess.project.section import EVIDENCE
@@ -28,6 +31,37 @@ def test_a_key_that_helps_no_wall_is_free_or_says_why() -> None:
             assert key.evidence.kind == "free" or key.evidence.judged, name
 
 
+def test_a_choice_that_can_help_a_wall_has_its_values_in_order() -> None:
+    """Of a choice "more" means nothing: it helps by one of its values against another."""
+    for name, key in KEYS.items():
+        choices = _choices(key.field.annotation)
+        if key.evidence is not None and choices is not None:
+            order = key.evidence.helps
+            if isinstance(order, str):
+                assert order in ("either", "none"), f"{name}: list its values from the one that helps least"
+            else:
+                assert sorted(map(str, order)) == sorted(map(str, choices)), name
+
+
+def test_only_a_choice_in_order_has_a_first_value() -> None:
+    for name, key in KEYS.items():
+        if key.evidence is not None and key.evidence.safe is Safe.FIRST:
+            assert not isinstance(key.evidence.helps, str), name
+
+
+def _choices(annotation: Any) -> tuple[Any, ...] | None:
+    """Return the values of a choice; None for what may be anything else too."""
+    origin, parts = get_origin(annotation), get_args(annotation)
+    if origin is Literal:
+        return parts
+    if annotation is bool:
+        return (False, True)
+    if origin is Annotated:
+        return _choices(parts[0])
+    held = [part for part in parts if part is not NoneType]
+    return _choices(held[0]) if origin in (Union, UnionType) and len(held) == 1 else None
+
+
 def test_a_key_is_listed_with_its_place_form_dimension_bounds_and_default() -> None:
     thickness = KEYS["bodies.NAME.box.thickness"]
     assert (thickness.dimension, thickness.bounds, thickness.required) == ("length", {"above": 0.0}, True)
@@ -46,8 +80,8 @@ def test_a_key_is_listed_with_its_place_form_dimension_bounds_and_default() -> N
 
 def test_the_schema_has_the_evidence_of_each_key_and_no_other() -> None:
     schema = json_schema()
-    listed = {_written(asdict(key.evidence)) for key in KEYS.values() if key.evidence is not None}
-    assert {_written(each) for each in _found(schema)} == listed
+    listed = {_written_text(asdict(key.evidence)) for key in KEYS.values() if key.evidence is not None}
+    assert {_written_text(each) for each in _found(schema)} == listed
     density = schema["$defs"]["MaterialSection"]["properties"]["density"]
     assert density.pop(EVIDENCE)["kind"] == "defines"
     assert EVIDENCE not in str(density)
@@ -66,5 +100,5 @@ def _found(node: Any) -> Iterator[dict[str, str]]:
             yield from _found(each)
 
 
-def _written(evidence: dict[str, str]) -> frozenset[tuple[str, str]]:
-    return frozenset((name, text) for name, text in evidence.items() if text and name != "safe")
+def _written_text(evidence: dict[str, Any]) -> str:
+    return json.dumps({name: text for name, text in evidence.items() if text and name != "safe"}, sort_keys=True)

@@ -6,7 +6,7 @@ The only door to manifold3d.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import combinations, groupby
 from math import inf
 from typing import Any
@@ -15,7 +15,7 @@ import numpy as np
 from scipy.spatial import KDTree
 
 from assess.errors import GeometryError
-from assess.geometry.solid import THINNEST, Solid
+from assess.geometry.solid import THINNEST, Solid, polyhedron
 from assess.geometry.surface import Surface, merge_vertices, volume
 from assess.messages.message import Message, Quantity, warning
 from spectra.arrays import BoolArray, FloatArray
@@ -126,24 +126,44 @@ def shortest_distance(first: Solid, second: Solid, *, limit: float = inf) -> flo
     return found if found < looked else reach
 
 
+def count_once(solids: Sequence[Solid]) -> tuple[Solid, ...]:
+    """Return bodies that move as one so that what they share belongs to the first of them alone, whatever its density.
+
+    A body that lies wholly in those before it is left out. Bodies whose boxes do not overlap are not compared.
+
+    Parameters
+    ----------
+    solids : the bodies, each with its own density
+
+    Raises
+    ------
+    GeometryError : bodies overlap and the surface of one is not that of a solid
+    """
+    kept: list[Solid] = []
+    for solid in solids:
+        met = [other for other in kept if _share_space(other, solid)]
+        remainder = _without(solid, met) if met else solid
+        kept += [] if remainder is None else [remainder]
+    return tuple(kept)
+
+
 OVERLAP_WARNED = 5e-3  # of the smaller body's volume: bodies that share less are taken to touch
 SAME_PLACE = 0.1  # of the smaller body's volume: a body that shares more with a block is another state of it
 
 
-def overlap_warnings(bodies: Sequence[Solid], *, where: str = "") -> Iterator[Message]:
-    """Warn of each pair of bodies that overlap, so that their common volume is weighed twice.
+def overlap_warnings(bodies: Sequence[Solid], *, united: bool = False) -> Iterator[Message]:
+    """Warn of each pair of bodies that overlap.
 
     Parameters
     ----------
     bodies : any number
-    where : what the warnings concern
+    united : whether they form one block, in which the common volume counts once (`count_once`), else in both
     """
     for one, other in combinations(bodies, 2):
         shared = intersect(one, other)
         if shared is not None and shared.share > OVERLAP_WARNED:
             yield warning(
-                "overlap",
-                where,
+                "overlap-counted-once" if united else "overlap",
                 one=one.name,
                 other=other.name,
                 volume=Quantity(shared.volume, "volume", 3),
@@ -165,6 +185,32 @@ def shared_volume(block: Sequence[Solid], other: Solid) -> tuple[float, float]:
     """
     shared = [each for solid in block if (each := intersect(solid, other)) is not None]
     return max((each.share for each in shared), default=0.0), sum(each.volume for each in shared)
+
+
+NEGLIGIBLE_OVERLAP = 1e-6  # of a body's size, and of the smaller volume: bodies that share less touch
+
+
+def _share_space(one: Solid, other: Solid) -> bool:
+    """Return whether two bodies share more than the rounding of a drawing."""
+    size = min(float(np.ptp(solid.vertices, axis=0).max()) for solid in (one, other))
+    if _bounds_gap(one, other) > -NEGLIGIBLE_OVERLAP * size:
+        return False
+    shared = intersect(one, other)
+    return shared is not None and shared.share > NEGLIGIBLE_OVERLAP
+
+
+def _without(solid: Solid, others: Sequence[Solid]) -> Solid | None:
+    """Return a body less others, with its density; None where nothing is left."""
+    from manifold3d import Manifold, OpType
+
+    origin = (solid.vertices.min(axis=0) + solid.vertices.max(axis=0)) / 2.0
+    whole, *taken = (_manifold_of_solid(each, origin) for each in (solid, *others))
+    rest = Manifold.batch_boolean([whole, *taken], OpType.Subtract)
+    if float(rest.volume()) <= NEGLIGIBLE_OVERLAP * float(whole.volume()):
+        return None
+    vertices, triangles = _surface(rest)
+    density = solid.mass / float(whole.volume())
+    return replace(polyhedron(vertices + origin, triangles, density=density, name=solid.name), history=solid.history)
 
 
 def _bounds_gap(first: Solid, second: Solid) -> float:

@@ -41,8 +41,10 @@ GEOMETRY_TEXTS: Mapping[str, str] = {
     "there; move the mesh closer to the origin before exporting it",
     "overlap": 'bodies "{one}" and "{other}" overlap by {volume}, {share} of the smaller one; the overlap counts in '
     "the weight of both: cut one back",
-    "gap": 'bodies "{one}" and "{other}" do not touch: they are {distance} apart; since they form one block, they '
-    "are treated as joined",
+    "overlap-counted-once": 'bodies "{one}" and "{other}" overlap by {volume}, {share} of the smaller one; as they '
+    'move as one, the overlap counts once, as masonry of "{one}", which `blocks` names first',
+    "gap": 'bodies "{one}" and "{other}" do not touch: they are {distance} apart, although they form one block: close '
+    "the gap, or add the body that joins them to the block",
     "blocks-apart": "block {second} is in the air: its body nearest to block {first}, with which it has a hinge, is "
     '"{other}", {distance} from "{one}": close the gap, or check hinges and blocks',
     "blocks-overlap": "blocks {first} and {second} overlap by {mass}, {share} of the lighter one, although they move "

@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from assess.mechanisms.single_block import EquivalentBlock, SingleBlock
     from assess.mechanisms.two_block import TwoBlock
     from assess.model.assembly import Built, mechanism_of
-    from assess.model.bodies import Bodies, Body, Material, PointValues, gaps_of, overlaps_of
+    from assess.model.bodies import Bodies, Body, Material, PointValues
     from assess.model.walls import Crack, crack
 
 __all__ = [
@@ -32,9 +32,7 @@ __all__ = [
     "SingleBlock",
     "TwoBlock",
     "crack",
-    "gaps_of",
     "mechanism_of",
-    "overlaps_of",
 ]
 
 _HOMES = {
@@ -45,7 +43,7 @@ _HOMES = {
     "assess.mechanisms.single_block": ("EquivalentBlock", "SingleBlock"),
     "assess.mechanisms.two_block": ("TwoBlock",),
     "assess.model.assembly": ("Built", "mechanism_of"),
-    "assess.model.bodies": ("Bodies", "Body", "Material", "PointValues", "gaps_of", "overlaps_of"),
+    "assess.model.bodies": ("Bodies", "Body", "Material", "PointValues"),
     "assess.model.walls": ("Crack", "crack"),
 }
 __getattr__, __dir__ = late_names(__name__, _HOMES)

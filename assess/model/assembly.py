@@ -24,7 +24,15 @@ from assess.mechanisms.mechanism import BlockMechanism, Mechanism
 from assess.mechanisms.restitution import RestitutionChoice
 from assess.mechanisms.two_block import TwoBlock
 from assess.messages.message import Message, Quantity, distinct, warning
-from assess.model.bodies import Bodies, Material, contradictions_of_blocks, materials_of, pieces_of, scene_of
+from assess.model.bodies import (
+    Bodies,
+    Material,
+    contradictions_in_blocks,
+    contradictions_of_blocks,
+    materials_of,
+    pieces_of,
+    scene_of,
+)
 from assess.model.joint_planes import DOWN, UP, JointPlane, MotionPlane, Vector, faces_of, find_joint_plane
 from assess.model.loading import loads_of
 from assess.model.walls import Crack, blocks_at, crack_of, require_as_found
@@ -59,7 +67,8 @@ def on_rigid_hinges(name: str, definition: BlockMechanism, bodies: Bodies) -> Me
     except CrackError as error:
         raise MechanismError(f'mechanism "{name}": {error}') from None
     warnings = mechanism.warnings if crack is None else (*crack.warnings, *mechanism.warnings)
-    wrong = contradictions_of_blocks(members) if len(definition.blocks) > 1 else ()
+    wrong = [*contradictions_in_blocks(definition, bodies)]
+    wrong += contradictions_of_blocks(members) if len(definition.blocks) > 1 else ()
     return replace(mechanism, warnings=(*warnings, *load_set.warnings, *wrong)), members
 
 

@@ -1,6 +1,7 @@
 """The bodies of a building and their masonry, and the blocks of a mechanism that are cut from them.
 
-Blocks are seen in the plane of motion; bodies of a mechanism that touch nowhere, or share space, get a warning.
+Blocks are seen in the plane of motion. What the bodies of one block share counts once; bodies of a block that touch
+nowhere, and blocks that share space, get a warning.
 """
 
 from __future__ import annotations
@@ -18,7 +19,7 @@ from numpy.typing import ArrayLike
 from assess.errors import GeometryError
 from assess.geometry import mesh as meshes
 from assess.geometry import solid as solids
-from assess.geometry.boolean import intersect, overlap_warnings, shortest_distance
+from assess.geometry.boolean import count_once, intersect, overlap_warnings, shortest_distance
 from assess.geometry.contact import CONTACT_TOLERANCE
 from assess.geometry.cut import Division, Piece, Plane, Scene, divide, inclined_plane, level_plane
 from assess.geometry.mesh import read_selected_meshes
@@ -32,7 +33,6 @@ from assess.geometry.planar import (
 )
 from assess.geometry.solid import Solid
 from assess.geometry.surface import connected_groups, volume
-from assess.mechanisms.kinds import Definition
 from assess.mechanisms.mechanism import BlockMechanism, CutAngle, CutPlane
 from assess.messages.message import Message, Quantity, Value, warning, whole_number
 
@@ -255,21 +255,20 @@ Gap = dict[str, Value]
 """The values of a warning of two bodies that lie apart."""
 
 
-def gaps_of(definitions: Mapping[str, Definition], bodies: Bodies) -> Iterator[Message]:
-    """Warn of each gap in a block of several bodies, and between blocks that a hinge joins.
+def solids_of_block(block: Sequence[str], bodies: Bodies) -> tuple[Solid, ...]:
+    """Return the solids of the bodies of a block, so that what they share belongs to the first of them alone."""
+    return count_once(_known_solids(block, bodies))
+
+
+def contradictions_in_blocks(definition: BlockMechanism, bodies: Bodies) -> Iterator[Message]:
+    """Warn of bodies of one block that overlap, where their common volume counts once, and of a gap between them.
 
     Bodies are compared whole, even if a cut leaves their base behind.
-
-    Parameters
-    ----------
-    definitions : mechanisms by name
-    bodies : of the building, by name
     """
-    for name, definition in definitions.items():
-        chained = definition.blocks if isinstance(definition, BlockMechanism) else ()
-        blocks = [_block_solids(block, bodies) for block in chained]
-        where = f"mechanisms.{name}"
-        yield from (warning("gap", where, **each) for block in blocks for each in gaps_in_block(block))
+    for block in definition.blocks:
+        if len(block) > 1:
+            yield from overlap_warnings(_known_solids(block, bodies), united=True)
+            yield from (warning("gap", **each) for each in gaps_in_block(_block_solids(block, bodies)))
 
 
 def gaps_in_block(block: Sequence[Solid]) -> Iterator[Gap]:
@@ -293,20 +292,6 @@ def gaps_at_hinge(one: Sequence[Solid], other: Sequence[Solid]) -> Iterator[Gap]
         return
     distances = [shortest_distance(*pair) for pair in pairs]
     yield _gap_values(*pairs[int(np.argmin(distances))], min(distances))
-
-
-def overlaps_of(definitions: Mapping[str, Definition], bodies: Bodies) -> Iterator[Message]:
-    """Warn of each two bodies of a mechanism's blocks that overlap.
-
-    Parameters
-    ----------
-    definitions : mechanisms by name
-    bodies : of the building, by name
-    """
-    for name, definition in definitions.items():
-        names = dict.fromkeys(definition.bodies if isinstance(definition, BlockMechanism) else ())
-        known = [solid for body in names if (solid := bodies[body].solid) is not None]
-        yield from overlap_warnings(known, where=f"mechanisms.{name}")
 
 
 BLOCKS_OVERLAP = 0.01  # of the mass of the lighter block: what moves apart may share no more
@@ -345,8 +330,9 @@ def _masonry(density: float | Material, name: str) -> Material:
 
 def _uncut_block(block: Sequence[str], direction: Sequence[float], bodies: Bodies) -> Piece:
     """Return the bodies of a block uncut."""
-    standing = tuple(solid for body in block if (solid := bodies[body].solid) is not None)
-    seen = [bodies[body].in_plane(direction) for body in block]
+    standing = solids_of_block(block, bodies)
+    seen = [planar_body(solid, direction=direction) for solid in standing]
+    seen += [bodies[body].in_plane(direction) for body in block if bodies[body].solid is None]
     return Piece(join_bodies(seen), standing, lowest_corners(standing) if standing else None)
 
 
@@ -364,24 +350,26 @@ def _crosses_plane(block: Sequence[str], plane: Plane, bodies: Bodies) -> bool:
     return any(bool(((points - plane.point) @ plane.normal < 0.0).any()) for points in corners)
 
 
-def _solids_to_cut(name: str, block: Sequence[str], bodies: Bodies) -> list[Solid]:
+def _solids_to_cut(name: str, block: Sequence[str], bodies: Bodies) -> tuple[Solid, ...]:
     """Return the solids of a block; raise GeometryError for a body without geometry."""
-    found = []
     for body in block:
-        solid = bodies[body].solid
-        if solid is None:
+        if bodies[body].solid is None:
             raise GeometryError(
                 f'mechanism "{name}": body "{body}" has no geometry to cut; give it a mesh, box or profile, or remove '
                 "the cut and give the values of what lies above"
             )
-        found.append(solid)
-    return found
+    return solids_of_block(block, bodies)
+
+
+def _known_solids(block: Sequence[str], bodies: Bodies) -> list[Solid]:
+    """Return the solids of the bodies of a block that have geometry, each whole."""
+    return [solid for body in dict.fromkeys(block) if (solid := bodies[body].solid) is not None]
 
 
 def _block_solids(block: Sequence[str], bodies: Bodies) -> list[Solid]:
     """Return the solids of a block; none if a body has no geometry, as its extent is not known."""
-    found = [solid for body in block if (solid := bodies[body].solid) is not None]
-    return found if len(found) == len(block) else []
+    found = _known_solids(block, bodies)
+    return found if len(found) == len(set(block)) else []
 
 
 def _in_contact(one: Solid, other: Solid) -> bool:

@@ -45,7 +45,7 @@ from assess.mechanisms.oscillators import collapse_branch
 from assess.mechanisms.restitution import Restitution
 from assess.messages.message import Message, Quantity, Severity, Term, Value, format_key, message, warning
 from assess.model.assembly import Built, mechanism_of, on_rigid_hinges
-from assess.model.bodies import Bodies, cut_of
+from assess.model.bodies import Bodies, cut_of, solids_of_block
 from assess.model.loading import loads_of
 from assess.oscillator import displacement, multiplier
 from spectra.arrays import FloatArray
@@ -521,16 +521,13 @@ def _sweep_directions(name: str, definition: BlockMechanism, bodies: Bodies) -> 
 
 def _solids_of_blocks(name: str, definition: BlockMechanism, bodies: Bodies) -> tuple[Solid, ...]:
     """Return the solids of all blocks; raise MechanismError for a body without geometry, which has one plane only."""
-    found = []
-    for body in (body for block in definition.blocks for body in block):
-        solid = bodies[body].solid
-        if solid is None:
+    for body in definition.bodies:
+        if bodies[body].solid is None:
             raise MechanismError(
                 f'mechanism "{name}": direction = "sweep", but body "{body}" has no geometry; give it a mesh, box or '
                 "profile, or give the direction"
             )
-        found.append(solid)
-    return tuple(found)
+    return tuple(solid for block in definition.blocks for solid in solids_of_block(block, bodies))
 
 
 def _swept_angles(normals: FloatArray) -> tuple[float, ...]:

@@ -17,14 +17,9 @@ from assess.geometry.mesh import size_warning
 from assess.geometry.solid import Solid
 from assess.mechanisms.mechanism import Mechanism
 from assess.messages.message import Message, Quantity, locate, note, warning
-from assess.model.bodies import gaps_of, overlaps_of
 from assess.project import sections
 from assess.project.question import (
     procedures_of,
-)
-from assess.project.site_and_structure import (
-    bodies_of,
-    definitions_of,
 )
 from assess.study.mechanism_results import load_messages
 from assess.study.study import (
@@ -50,9 +45,6 @@ def project_messages(
     for name, solid in solids.items():
         if solid is not None:
             yield from _body_messages(name, solid, content.bodies[name])
-    definitions, bodies = definitions_of(content), bodies_of(content, solids)
-    yield from overlaps_of(definitions, bodies)
-    yield from gaps_of(definitions, bodies)
     for mechanism in mechanisms:
         yield from locate(mechanism.warnings, f"mechanisms.{mechanism.name}")
         yield from load_messages(mechanism)

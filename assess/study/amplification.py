@@ -33,7 +33,7 @@ from assess.mechanisms.kinds import MECHANISM_KINDS, Definition
 from assess.mechanisms.mechanism import BlockMechanism, Mechanism, height_of_support
 from assess.messages.message import Message, Quantity, Term, Value, message, note, warning, whole_number
 from assess.model.assembly import Built
-from assess.model.bodies import Bodies
+from assess.model.bodies import Bodies, solids_of_block
 from spectra.errors import SpectrumError
 from spectra.floor import (
     ec8_resonant_part_factor,
@@ -438,9 +438,8 @@ def _rayleigh_mode_of(in_place: MechanismInPlace) -> RayleighMode:
         raise _missing_mode(
             in_place, "only a single-block of bodies that stand on the ground has a first mode of its own"
         )
-    names = definition.bodies
-    moduli = [young_modulus(name, in_place) for name in names]
-    solids = [solid for name in names if (solid := in_place.bodies[name].solid) is not None]
+    solids = [solid for block in definition.blocks for solid in solids_of_block(block, in_place.bodies)]
+    moduli = [young_modulus(solid.name, in_place) for solid in solids]
     foot = min(float(solid.vertices[:, 2].min()) for solid in solids)
     ground = in_place.ground.elevation or 0.0
     if abs(foot - ground) > NEAR_GROUND:

@@ -33,7 +33,7 @@ from assess.mechanisms.restitution import Restitution, RestitutionChoice
 from assess.mechanisms.single_block import EquivalentBlock, SingleBlock
 from assess.mechanisms.two_block import TwoBlock
 from assess.messages.message import Message, locate
-from assess.model.bodies import Bodies, Body, gaps_of, overlaps_of, solids_of
+from assess.model.bodies import Bodies, Body, solids_of
 from assess.model.check import check_definition, with_floats
 from assess.model.directions import mechanism_in_direction
 from assess.oscillator import Oscillator
@@ -151,13 +151,7 @@ class Block:
     @cached_property
     def messages(self) -> tuple[Message, ...]:
         """What the engineer should know before using it: gaps, overlaps, doubtful loads and hinges."""
-        where, definitions = f"mechanisms.{self.name}", {self.name: self.definition}
-        return (
-            *overlaps_of(definitions, self.bodies),
-            *gaps_of(definitions, self.bodies),
-            *locate(self.mechanism.warnings, where),
-            *self.mechanism.messages,
-        )
+        return (*locate(self.mechanism.warnings, f"mechanisms.{self.name}"), *self.mechanism.messages)
 
     @cached_property
     def _parameters(self) -> tuple[RockingParameters, RockingParameters | None]:

@@ -94,6 +94,7 @@ CONTRADICTIONS: Mapping[str, str] = {
     "load-share-unsure": ".loads",
     "blocks-overlap": ".blocks",
     "blocks-apart": ".blocks",
+    "gap": ".blocks",
 }
 """Warnings that a drawing contradicts itself or can be read in two ways, each with the key that it concerns.
 

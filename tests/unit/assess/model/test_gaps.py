@@ -24,7 +24,8 @@ TWO_BLOCKS = 'kind = "two-block"\nblocks = ["a", "b"]'
 def test_bodies_of_one_block_that_touch_nowhere_are_told(tmp_path):
     (text,) = gaps(tmp_path, [0, 3.5, 0], ONE_BLOCK)
     assert text == (
-        'bodies "a" and "b" do not touch: they are 0.5 m apart; since they form one block, they are treated as joined'
+        'bodies "a" and "b" do not touch: they are 0.5 m apart, although they form one block: close the gap, or add '
+        "the body that joins them to the block"
     )
     assert gaps(tmp_path, [0, 3, 0], ONE_BLOCK) == []
     assert gaps(tmp_path, [0, 3.009, 0], ONE_BLOCK) == []  # as thick as a joint

@@ -9,7 +9,9 @@ import pytest
 import shapely
 
 from assess.errors import GeometryError, ProjectError
+from assess.geometry.boolean import count_once
 from assess.geometry.solid import join, profile
+from assess.loads.load import PointMass
 from assess.messages.message import Message
 from assess.project.build import build
 from assess.project.project_file import load, resolve
@@ -38,7 +40,7 @@ def study(folder: Path, bodies: str, *, blocks: str = '["w"]', more: str = "", d
 
 def of_bodies(made: Study) -> list[Message]:
     """The warnings on bodies."""
-    return [notice for notice in made.messages if notice.where.startswith("bodies.") or notice.key == "overlap"]
+    return [notice for notice in made.messages if notice.where.startswith("bodies.") or "overlap" in notice.key]
 
 
 def test_a_mended_mesh_is_told_in_the_results(tmp_path: Path) -> None:
@@ -101,16 +103,73 @@ def test_several_bodies_of_several_densities(tmp_path: Path) -> None:
     np.testing.assert_allclose(made.mechanisms[0].positive.hinges[0], (0.7, 0.0), rtol=1e-12, atol=1e-12)
 
 
-@pytest.mark.parametrize(("x", "told"), [(0.4, "0.8 m3, 25 %"), (0.0, "3.2 m3, 100 %"), (0.5, None)])
-def test_overlapping_bodies_are_told_by_name_and_volume(tmp_path: Path, x: float, told: str | None) -> None:
+def planar_block(made: Study) -> tuple[float, float, float, float]:
+    """The mass, centroid and moment of inertia of the one block that moves."""
+    (block,) = made.mechanisms[0].positive.blocks
+    return (block.mass, *block.centroid, block.inertia)
+
+
+@pytest.mark.parametrize(("x", "told"), [(0.4, "0.8 m3, 25 %"), (0.5, None)])
+def test_what_bodies_of_one_block_share_counts_once(tmp_path: Path, x: float, told: str | None) -> None:
+    """A pier in a wall, 0.4 x 4 x 2 m: by hand the wall whole and what stands out of it."""
     bodies = box_toml("w", (0.6, 4, 4.5), material="stone") + box_toml("v", (0.4, 4, 2), (x, 0, 0), material="rubble")
-    warnings = of_bodies(study(tmp_path, bodies, blocks='["w", "v"]'))
+    made = study(tmp_path, bodies, blocks='["w", "v"]')
+    out = x + 0.2 - 0.3  # of the pier beyond the face of the wall
+    wall, pier = 2400 * 0.6 * 4 * 4.5, 1800 * out * 4 * 2.0
+    centre_x, centre_z = pier * (0.3 + out / 2) / (wall + pier), (wall * 2.25 + pier * 1.0) / (wall + pier)
+    own = wall * (0.6**2 + 4.5**2) / 12 + pier * (out**2 + 2.0**2) / 12
+    moved = wall * (centre_x**2 + (2.25 - centre_z) ** 2)
+    moved += pier * ((0.3 + out / 2 - centre_x) ** 2 + (1.0 - centre_z) ** 2)
+    np.testing.assert_allclose(planar_block(made), (wall + pier, centre_x, centre_z, own + moved), rtol=1e-9, atol=0.0)
+    warnings = of_bodies(made)
     if told is None:
         assert warnings == []
         return
     (notice,) = warnings
-    assert (notice.key, notice.where) == ("overlap", "mechanisms.m")
+    assert (notice.key, notice.where) == ("overlap-counted-once", "mechanisms.m")
     assert notice.text.startswith(f'bodies "w" and "v" overlap by {told} of the smaller')
+    assert 'once, as masonry of "w"' in notice.text
+    turned = planar_block(study(tmp_path, bodies, blocks='["v", "w"]'))
+    assert turned[0] == pytest.approx(2400 * (0.6 * 4 * 4.5 - 0.8) + 1800 * 0.4 * 4 * 2.0, rel=1e-9)
+
+
+def test_the_walls_of_a_corner_are_one_l(tmp_path: Path) -> None:
+    """Two walls that cross at their corner, as IFC draws them, move as the L drawn in one piece."""
+    legs = box_toml("w", (0.6, 4, 4.5), (0, 0, 0), material="stone")
+    legs += box_toml("v", (3, 0.6, 4.5), (1.2, 1.7, 0), material="stone")
+    third = box_toml("u", (0.6, 0.6, 4.5), (0, 1.7, 0), material="stone")  # drawn once more, wholly within both
+    piece = box_toml("w", (0.6, 4, 4.5), (0, 0, 0), material="stone")
+    piece += box_toml("v", (2.4, 0.6, 4.5), (1.5, 1.7, 0), material="stone")
+    for cut in ("", "cut = 1.0\n"):
+        drawn = planar_block(study(tmp_path, legs, blocks='["w", "v"]', more=cut))
+        np.testing.assert_allclose(
+            drawn, planar_block(study(tmp_path, piece, blocks='["w", "v"]', more=cut)), rtol=1e-9, atol=0.0
+        )
+        whole = study(tmp_path, legs + third, blocks='["w", "u", "v"]', more=cut)
+        np.testing.assert_allclose(planar_block(whole), drawn, rtol=1e-9, atol=0.0)
+
+
+def test_a_body_within_its_block_carries_no_load_beside_it(tmp_path: Path) -> None:
+    """A beam over the wall bears on it alone, also where a block within the wall is drawn and reaches its top."""
+    wall = box_toml("w", (0.6, 4, 4.5), material="stone") + box_toml("f", (3, 1, 0.2), (1.2, 0, 4.5), material="stone")
+    wall += box_toml("p", (0.4, 1, 3), (2.5, 0, 1.5), material="stone")
+    inner = box_toml("u", (0.2, 1, 4.5), material="stone")
+    load = '[[mechanisms.m.loads]]\nkind = "body"\nbody = "f"\nrole = "floor"\n'
+    (alone,) = study(tmp_path, wall, more=load).mechanisms[0].positive.loads
+    (beside,) = study(tmp_path, wall + inner, blocks='["w", "u"]', more=load).mechanisms[0].positive.loads
+    assert isinstance(alone, PointMass)
+    assert isinstance(beside, PointMass)
+    assert beside.mass == pytest.approx(alone.mass, rel=1e-9)
+    assert beside.at == pytest.approx(alone.at, rel=1e-9)
+
+
+def test_bodies_that_only_touch_are_not_compared(monkeypatch: pytest.MonkeyPatch) -> None:
+    def never(*_: object, **__: object) -> None:
+        raise AssertionError("no boolean operation where the boxes share no volume")
+
+    monkeypatch.setattr("assess.geometry.boolean._manifold", never)
+    touching = (solid_box(), solid_box(base=(1, 0, 0)), solid_box(base=(0, 0, 1)))
+    assert all(one is other for one, other in zip(count_once(touching), touching, strict=True))
 
 
 CHAINS = {
@@ -123,7 +182,7 @@ hinges_negative = { A = [-0.3, 0], B = [0.3, 4.3], C = [4.3, 4.3], D = [3.7, 0] 
 }
 
 
-@pytest.mark.parametrize(("kind", "width", "pairs"), [("two-block", 0.6, ["w v"]), ("four-hinge", 4.6, ["w v", "v u"])])
+@pytest.mark.parametrize(("kind", "width", "pairs"), [("two-block", 0.6, ["1 2"]), ("four-hinge", 4.6, ["1 2", "2 3"])])
 @pytest.mark.parametrize("deep", [0.2, 0.0])
 def test_blocks_of_one_chain_that_overlap_are_told(
     tmp_path: Path, kind: str, width: float, pairs: list[str], deep: float
@@ -134,10 +193,11 @@ def test_blocks_of_one_chain_that_overlap_are_told(
     bodies = "".join(box_toml(*each, material="stone") for each in boxes)
     chain = f'[mechanisms.m]\nkind = "{kind}"\nblocks = [{CHAINS[kind]}'
     warnings = of_bodies(study_of(tmp_path, HEAD + bodies + chain))
-    told = [(each.key, each.where, each.text.split(" one;")[0]) for each in warnings]
-    shared = f"0.48 m3, {100 * deep * 0.6 * 4 / min(0.6 * 4 * 4.5, width * 4 * 1.2):.3g} % of the smaller"
-    named = ['bodies "{}" and "{}"'.format(*pair.split()) for pair in pairs if deep]
-    assert told == [("overlap", "mechanisms.m", f"{names} overlap by {shared}") for names in named]
+    told = [(each.key, each.where, each.text.split(" one,")[0]) for each in warnings]
+    share = 100 * deep * 0.6 * 4 / min(0.6 * 4 * 4.5, width * 4 * 1.2)
+    shared = f"1150 kg, {share:.3g} % of the lighter"
+    named = ["blocks {} and {}".format(*pair.split()) for pair in pairs if deep]
+    assert told == [("blocks-overlap", "mechanisms.m", f"{names} overlap by {shared}") for names in named]
 
 
 HOLLOW = [[-1, 0], [-0.4, 0], [-0.4, 1.5], [0.6, 1.5], [0.6, 0], [1, 0], [1, 6], [-1, 6]]

@@ -73,3 +73,14 @@ def test_blocks_that_overlap_or_hang_in_the_air_leave_the_verdict_incomplete(tmp
     two = block("low", "high", kind="two-block", direction=[1, 0, 0])
     found, _ = facts(tmp_path, two, bodies=bodies, building=BUILDING | {"height": "3.1 m"})
     assert ("mechanisms.wall.blocks" in found) == missing
+
+
+@pytest.mark.parametrize(("aside", "missing"), [(5.0, False), (5.009, False), (5.02, True), (4.0, False)])
+def test_a_gap_within_a_block_leaves_the_verdict_incomplete_and_an_overlap_does_not(tmp_path, aside, missing):
+    """Two walls 5 m long in a row, as one block; a joint is 1 cm thick."""
+    bodies = {
+        "one": wall(0.4, 5.0, 3.0, material="m"),
+        "other": wall(0.4, 5.0, 3.0, material="m", base=[0.0, aside, 0.0]),
+    }
+    found, _ = facts(tmp_path, block(["one", "other"], direction=[1, 0, 0]), bodies=bodies)
+    assert ("mechanisms.wall.blocks" in found) == missing

@@ -91,6 +91,11 @@ COMBINATION = "ASCE 4, 100-40 rule"
 FLOOR_KEY = "procedures.asce43-05.floor_vertical_ratio"
 
 ALLOWABLE = Evidence("chosen", "up", "absent: sliding is for information", safe=Safe.ABSENT)
+FLOOR_SPECTRUM_KEY = "procedures.asce43-05.floor_spectrum"
+FLOOR_SPECTRUM = Evidence(
+    "chosen", ("circolare-7-2019",), "absent: a pass by it is not answered", judged="a condition names it"
+)
+OF_CIRCOLARE = "Circolare 7/2019, C7.2.5, first mode"  # `clause` of a floor spectrum of another country's code
 FLOOR_RATIO = Evidence("code", "down", "absent: not answered on a floor", safe=Safe.ABSENT)
 
 
@@ -103,6 +108,8 @@ class Asce4305Options:
     floor_vertical_ratio: Annotated[NotNegativeRatio | None, FLOOR_RATIO] = None
     """vertical over horizontal spectral acceleration of the floor below a mechanism above the ground, by its vertical
     floor spectrum; if absent a check above the ground may fail and cannot pass"""
+    floor_spectrum: Annotated[Literal["circolare-7-2019"] | None, FLOOR_SPECTRUM] = None
+    """"circolare-7-2019": the Italian floor spectrum, C7.2.5, may decide A.2 where no histories give the floor's own"""
 
 
 def assess_spectrum(oscillator: Oscillator, context: Context, *, options: Asce4305Options) -> tuple[Check, ...]:
@@ -114,7 +121,9 @@ def assess_spectrum(oscillator: Oscillator, context: Context, *, options: Asce43
         return clause_reading(branch, shaken, f_v=f_v)
 
     return tuple(
-        _without_vertical_floor(_with_second_component(check, shaken), context, options)
+        _by_floor_of_other_code(
+            _without_vertical_floor(_with_second_component(check, shaken), context, options), context, options
+        )
         for check in _spectrum_checks(oscillator, shaken, reading, own=oscillator)
     )
 
@@ -526,8 +535,24 @@ def _without_vertical_floor(check: Check, context: Context, options: Asce4305Opt
     unknown = check.input_at == "mechanism base" and lacks_vertical_floor(context, options)
     if check.verdict != Outcome.PASS or not unknown:
         return check
-    values = {"key": FLOOR_KEY, "toml": "floor_vertical_ratio = 1.0"}
-    why = message(Reason.VERTICAL_UNKNOWN, values, severity=Severity.NOTE, where=FLOOR_KEY)
+    return _unanswered(check, Reason.VERTICAL_UNKNOWN, key=FLOOR_KEY, line="floor_vertical_ratio = 1.0")
+
+
+def _by_floor_of_other_code(check: Check, context: Context, options: Asce4305Options) -> Check:
+    """Return the check of a floor; one that passes by another code's floor spectrum needs that to be named."""
+    floor = context.floor_spectrum if check.input_at == "mechanism base" else None
+    if check.verdict != Outcome.PASS or floor is None or floor.clause != OF_CIRCOLARE:
+        return check
+    if options.floor_spectrum is None:
+        line = 'floor_spectrum = "circolare-7-2019"'
+        return _unanswered(check, Reason.FLOOR_SPECTRUM_UNNAMED, key=FLOOR_SPECTRUM_KEY, line=line)
+    condition = message("floor-spectrum-of-other-code", {"clause": floor.clause}, severity=Severity.WARNING)
+    return replace(check, conditions=(*check.conditions, condition))
+
+
+def _unanswered(check: Check, reason: Reason, *, key: str, line: str) -> Check:
+    """Return a check that passes as not answered, for want of a key; line: of the project file, to begin with."""
+    why = message(reason, {"key": key, "toml": line}, severity=Severity.NOTE, where=key)
     return replace(check, verdict=Outcome.NOT_ANSWERED, provisional=Outcome.PASS, may_pass=False, reason=why)
 
 

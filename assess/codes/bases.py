@@ -57,6 +57,7 @@ class LimitState:
     ranks : methods in order of refinement, the most refined first; those of one rank must all pass
     role : whether it is one that may be chosen
     classes : classes of use in which it decides besides the chosen one
+    years : return period of its action, where the code fixes it for all buildings [years]; else None
     """
 
     name: str
@@ -65,6 +66,7 @@ class LimitState:
     ranks: tuple[tuple[Method, ...], ...]
     role: LimitStateRole = LimitStateRole.CHOSEN
     classes: tuple[str, ...] = ()
+    years: float | None = None
 
 
 @dataclass(frozen=True)
@@ -170,8 +172,8 @@ ASCE41_13 = Basis(
     edition="ASCE/SEI 41-13",
     index=IndexKind.DEMAND_CAPACITY,
     states=(
-        LimitState("LS", "life safety, collapse prevention", ("BSE-1E", "LS"), SLENDERNESS_TABLE),
-        LimitState("CP", "life safety, collapse prevention", ("BSE-2E", "CP"), SLENDERNESS_TABLE),
+        LimitState("LS", "life safety, collapse prevention", ("BSE-1E", "LS"), SLENDERNESS_TABLE, years=225.0),
+        LimitState("CP", "life safety, collapse prevention", ("BSE-2E", "CP"), SLENDERNESS_TABLE, years=975.0),
     ),
     default="",
     clauses=(("permissible h/t at S_X1 of the declared hazard level", "Table 11-5"),),
@@ -212,7 +214,7 @@ EC8 = Basis(
     name="ec8",
     edition="EN 1998-1:2004, 4.3.5",
     index=IndexKind.DEMAND_CAPACITY,
-    states=(LimitState("ULS", "element", ("ULS", "NCR"), ((Method("ec8-element"),),)),),
+    states=(LimitState("ULS", "element", ("ULS", "NCR"), ((Method("ec8-element"),),), years=475.0),),
     default="ULS",
     clauses=(("static force on a non-structural element", "4.3.5.2 (4.24), (4.25)"),),
     uncompared=("q_a and gamma_a of the element are from memory; national annexes may change them",),

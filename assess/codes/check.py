@@ -179,6 +179,7 @@ class Reason(StrEnum):
     GROUND_MOTION = "ground-motion-at-height"
     SCALAR_MOTION = "scalar-motion-at-height"
     VERTICAL_UNKNOWN = "vertical-motion-unknown"
+    FLOOR_SPECTRUM_UNNAMED = "floor-spectrum-unnamed"
     UNHELD = "unheld"
     GROUND_UNKNOWN = "ground-unknown"
     GROUND_CONTRADICTED = "ground-contradicted"

@@ -52,6 +52,7 @@ ELEMENTS: dict[WallSupport, str] = {
     "spanning": "held at base and top, as walls and facades",
     "hinged": "chain of hinges, not in Table 4.4: the smallest value",
 }
+TIED, TYPED = "held at or above its centre of mass by a lasting tie, as braced chimneys and gables", "as stated"
 RESONANCE = 1.0  # T_a / T_1 where building or element are not known: the worst
 BENDING: dict[WallSupport, float] = {"free": 6.2, "spanning": 2.2}  # 2 pi sqrt(12) / 1.875^2, and over pi^2
 YOUNG_MODULUS, DENSITY = 0.15e9, 2200.0  # Pa, kg/m3: a quarter of the least modulus of masonry, and its heaviest kind
@@ -59,7 +60,7 @@ BEAM = "first mode of a beam"
 
 
 BEHAVIOUR_FACTOR = Evidence(
-    "code", "up", "1.0 for what stands free, 2.0 for what spans or is held by the drawing", safe=Safe.ABSENT
+    "code", "up", "2.0 for what spans or a tie holds at or above its centre of mass, else 1.0", safe=Safe.ABSENT
 )
 IMPORTANCE = Evidence("code", "down", "1.0; 1.5 where life depends on it")
 
@@ -69,7 +70,8 @@ class Ec8Options:
     """Options of the check of non-structural elements of EN 1998-1, 4.3.5."""
 
     behaviour_factor: Annotated[float, Number("ratio", least=1, most=2), BEHAVIOUR_FACTOR] | None = None
-    """q_a of Table 4.4, 1 to 2; if absent 2.0 for walls that span, 1.0 for what stands free"""
+    """q_a of Table 4.4, 1 to 2; if absent 2.0 for walls that span and for what a lasting tie holds at or above its
+    centre of mass, 1.0 for what stands free"""
     importance_factor: Annotated[float, Number("ratio", least=1), IMPORTANCE] = 1.0
     """gamma_a of the element, no less than 1: 1.5 where life depends on it"""
     alpha_s: Annotated[PositiveAcceleration | None, ORDINATE] = None
@@ -118,12 +120,14 @@ class ElementDemand:
     force: float
 
 
-def element_demand(branch: Branch, context: Context, options: Ec8Options, level: float) -> ElementDemand:
+def element_demand(
+    branch: Branch, name: BranchName, context: Context, options: Ec8Options, level: float
+) -> ElementDemand:
     """Return the force of the clause on one branch.
 
     Parameters
     ----------
-    branch : the direction of rocking
+    branch, name : the direction of rocking
     context : site and building
     options : q_a, gamma_a and alpha S, where they are given
     level : PGA [m/s2]
@@ -134,12 +138,27 @@ def element_demand(branch: Branch, context: Context, options: Ec8Options, level:
     """
     ratio = period_ratio(branch, context)
     amplified = amplification(ratio, context)
-    q_a = BEHAVIOUR[context.support] if options.behaviour_factor is None else options.behaviour_factor
+    q_a = behaviour_factor(context, name) if options.behaviour_factor is None else options.behaviour_factor
     gamma_a = options.importance_factor
     surface = 1.0 if options.alpha_s is None else options.alpha_s / context.spectrum.pga
     alpha_s = surface * level / g
     force = force_over_weight(alpha_s * amplified, behaviour_factor=q_a, importance_factor=gamma_a)
     return ElementDemand(alpha_s, surface, ratio, amplified, q_a, gamma_a, force)
+
+
+def behaviour_factor(context: Context, name: BranchName) -> float:
+    """Return q_a of Table 4.4 by what holds the element as it is drawn [-].
+
+    Parameters
+    ----------
+    context : how the masonry is held
+    name : the direction of rocking: a tie may hold it in one alone
+
+    Returns
+    -------
+    float [-]
+    """
+    return BEHAVIOUR["spanning" if name in context.held else context.support]
 
 
 def joint_period(branch: Branch) -> float:
@@ -240,7 +259,7 @@ def uplift_pga(branch: Branch, amplified: float) -> float | None:
 
 
 def _check(branch: Branch, name: BranchName, context: Context, options: Ec8Options, level: float) -> Check:
-    demand, resistance = element_demand(branch, context, options, level), linear_multiplier(branch)
+    demand, resistance = element_demand(branch, name, context, options, level), linear_multiplier(branch)
     lifts, ratio = uplift_pga(branch, demand.surface * demand.amplified), demand.force / resistance
     verdict = Outcome.FAIL if ratio > 1.0 else Outcome.PASS
     return Check(
@@ -262,12 +281,19 @@ def _check(branch: Branch, name: BranchName, context: Context, options: Ec8Optio
         ),
         capacity_pga_g=level * resistance / demand.force / g,
         uplift_pga_g=None if lifts is None else lifts / g,
-        steps=_steps(branch, context, demand),
+        steps=_steps(branch, context, demand, held_by=_holding(name, context, options)),
         **caveats_of(CAVEAT, *EC8_ELEMENT.spectrum_caveats(context.spectrum.code)),
     )
 
 
-def _steps(branch: Branch, context: Context, demand: ElementDemand) -> tuple[Step, ...]:
+def _holding(name: BranchName, context: Context, options: Ec8Options) -> str:
+    """Return what q_a rests on, in words."""
+    if options.behaviour_factor is not None:
+        return TYPED
+    return TIED if name in context.held else ELEMENTS[context.support]
+
+
+def _steps(branch: Branch, context: Context, demand: ElementDemand, *, held_by: str) -> tuple[Step, ...]:
     resistance, raised = linear_multiplier(branch), height_ratio(context)
     S_a, rigid = demand.alpha_s * demand.amplified, demand.alpha_s * amplification(0.0, context)
     given = {"α S": demand.alpha_s, "z/H": raised, "T_a/T_1": demand.ratio}
@@ -280,7 +306,7 @@ def _steps(branch: Branch, context: Context, demand: ElementDemand) -> tuple[Ste
              given={"α S": demand.alpha_s, "z/H": raised}),
         step("S_a", "seismic coefficient", CLAUSE, "α S max(1, 3 (1 + z/H) / (1 + (1 − T_a/T_1)²) − 0.5)", S_a,
              given=given),
-        step("q_a", "behaviour factor", TABLE, "given", demand.q_a, remark=ELEMENTS[context.support]),
+        step("q_a", "behaviour factor", TABLE, "given", demand.q_a, remark=held_by),
         step("γ_a", "importance factor", "EN 1998-1, 4.3.5.3", "given", demand.gamma_a),
         step("F_a/W_a", "force over weight", FORCE, "S_a γ_a / q_a", demand.force, given=forced),
         multiplier_step("λ", "multiplier resisted by the weight", "statics", branch),

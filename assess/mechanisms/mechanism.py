@@ -44,7 +44,7 @@ from assess.mechanisms.directions import DirectionCandidate, DirectionSweep
 from assess.mechanisms.oscillators import ChainActions, Variants, find_variants, mechanism_actions, oscillator_at_start
 from assess.mechanisms.restitution import ImpactRules, Restitution
 from assess.messages.message import Message, Term
-from assess.oscillator import BRANCH_NAMES, LocalLimit, OpenSeat, Oscillator
+from assess.oscillator import BRANCH_NAMES, BranchName, LocalLimit, OpenSeat, Oscillator
 from spectra.arrays import FloatArray
 
 Sides = Literal["one", "two"]
@@ -315,13 +315,27 @@ def height_of_support(mechanism: Mechanism) -> float:
 
 
 def height_of_highest_tie(mechanism: Mechanism) -> float:
-    """Return the height of the highest tie that holds the mechanism above the base hinge [m]; 0 without ties.
+    """Return the height of the highest tie that holds the mechanism above the base hinge [m]; 0 without ties."""
+    return max(map(_height_of_highest_tie, mechanism.actions), default=0.0)
+
+
+def held_branches(mechanism: Mechanism) -> frozenset[BranchName]:
+    """Return the branches in which a tie holds a single block at or above its centre of mass."""
+    single = [one for one in mechanism.actions if len(one.chain.blocks) == 1]
+    return frozenset(
+        name
+        for name, one in zip(BRANCH_NAMES, single, strict=False)
+        if _height_of_highest_tie(one) >= one.chain.blocks[0].centroid[1] - one.chain.hinges[0][1]
+    )
+
+
+def _height_of_highest_tie(one: ChainActions) -> float:
+    """Return the height of the highest tie that holds a chain above its base hinge [m]; 0 without ties.
 
     A tie counts if it is shown to last or its end is given: it stiffens the curve up to there.
     """
     heights = [
         action.at[1] - one.chain.hinges[0][1]
-        for one in mechanism.actions
         for number, action in enumerate(one.actions)
         if isinstance(action, Tie)
         and one.resists_at(number, 0.0)

@@ -130,6 +130,8 @@ TEXTS: Mapping[str, str] = {
     "to that height by a single factor miss resonance, so a check may fail but cannot pass: {remedy}",
     "vertical-motion-unknown": "the vertical motion of the floor is not known: give {key}, vertical over horizontal "
     "spectral acceleration, by the vertical floor spectrum",
+    "floor-spectrum-unnamed": "the floor spectrum is that of another country's code, Circolare 7/2019, C7.2.5: name it "
+    "in {key}, or give histories through modal-filter",
     "ground-unknown": "the lowest body is {height} from elevation 0 and the ground level is not given: give "
     "[building] ground_elevation, or the mechanism's base_elevation",
     "ground-contradicted": "base_elevation = {given}, but the base is modelled {drawn} above the ground; that key "
@@ -225,6 +227,13 @@ TEXTS: Mapping[str, str] = {
     "Table 3.3)",
     "missing-return-period-of-level": "importance level {level} asks for ULS at {years} years, R = {needed}; the "
     "spectrum has R = {given}",
+    "missing-return-period": "the return period of the spectrum, which is given as a table",
+    "missing-damping-of-table": "the damping of the spectrum, which is given as a table",
+    "missing-return-period-of-state": "{state} asks for a return period of {years}; the spectrum is that of {given}",
+    "missing-return-period-of-class": "{state} in class of use {class} asks for a return period of {years} where the "
+    "nominal life is 50 years; the spectrum is that of {given}. Of another life give the hazard over return periods",
+    "missing-class-of-return-period": "the class of use, on which the return period of {state} depends: {years} in "
+    "class {taken}, and the spectrum is that of {given}",
     "missing-school": "whether the building is a school, for which class III asks 0.60 (NTC 8.4.2)",
     "missing-index-before": "the index before the works, which an improvement raises by at least 0.10 (NTC 8.4.2)",
     "missing-limit-state": "which limit state decides: {states}",
@@ -246,6 +255,9 @@ TEXTS: Mapping[str, str] = {
     "global-check": "a pass is valid for local mechanisms: an improvement or upgrading is shown for the whole "
     "building, whose global check is another (NTC 8.4.2, 8.4.3)",
     "phase-of-works": "a pass is valid only for a phase of works that lasts no more than {life} (NTC 2.4.1)",
+    "floor-spectrum-of-other-code": "a pass is by the floor spectrum of another country's code: {clause}",
+    "return-period-unstated": "a pass is valid only if the spectrum of the site is that of {state} with a return "
+    "period of {years} (class of use {class}, nominal life of 50 years): [site] return_period does not say so",
     "pga-lowered": "a pass is valid for site.pga = {given}, which replaces {own} from the parameters of the spectrum",
     "top-held": "a pass is valid only if the top of {mechanism} is held: as it begins to move, its support takes "
     "{force}",

@@ -12,7 +12,7 @@ from pathlib import Path
 from scipy.constants import g
 
 from assess.codes.bases import BASES, BY_SITE, Basis, IndexKind, stated_basis
-from assess.codes.check import Premise
+from assess.codes.check import TABLE_SPECTRUM, Premise
 from assess.codes.context import FreePeriod, SiteHazard
 from assess.codes.italian_limit_states import ItalianOptions
 from assess.codes.ntc2018_clauses import free_period
@@ -97,7 +97,8 @@ def action_of(content: sections.Content, basis: Basis | None, *, pga_g: float) -
         state, use_class = limit_state_of(content), use_class_of(content) or PROVISIONAL_CLASS
         life = ntc.reference_life(hazard.nominal_life, use_class=use_class)
         return Action(pga_g, state, ntc.return_period(state, reference_life=life), over_periods=True)
-    return Action(pga_g, own, getattr(content.site.spectrum, "return_period", None))
+    years = content.site.return_period
+    return Action(pga_g, own, getattr(content.site.spectrum, "return_period", None) if years is None else years)
 
 
 def limit_state_of(content: sections.Content) -> str:
@@ -132,9 +133,14 @@ def facts_of(
 ) -> Mapping[str, VerdictFacts]:
     """Return by mechanism the inputs that a pass needs and that are missing, and the conditions of a pass."""
     premises = {premise for method in methods_of(question) for premise in PROCEDURES[method].premises}
-    holds = (*lowered_pga_conditions(content, spectrum), *conditions_of_works(content, question))
+    years = _fixed_return_period(content, question)
+    holds = (
+        *lowered_pga_conditions(content, spectrum),
+        *conditions_of_works(content, question),
+        *_unstated_return_period(content, question, years),
+    )
     importance = _missing_importance(content) if NZSEE2017_FACE_LOADED.name in methods_of(question) else ()
-    lacking = tuple(importance)
+    lacking = (*importance, *_missing_of_table(content, question), *_too_short_return_period(content, question, years))
     return {
         name: (
             (
@@ -164,6 +170,76 @@ def _missing_importance(content: sections.Content) -> Iterator[Missing]:
         key, line = ("return_period", f"{years:.0f}") if way.r is None else ("r", f"{needed:.4g}")
         why = message("missing-return-period-of-level", {**asked, "given": given, "needed": least})
         yield missing_input(f"site.spectrum.{key}", why, f"{key} = {line}")
+
+
+ORDINARY_LIFE = 50.0  # years: nominal life of ordinary works (NTC 2018, 2.4.1), where the project gives none
+
+
+def _fixed_return_period(content: sections.Content, question: Question) -> float | None:
+    """Return the return period that the basis fixes for the site's single spectrum [years]; None where it fixes none.
+
+    By the Italian codes it follows from limit state and class of use, that of the longest where none is given.
+    """
+    basis, state = question.basis, question.action.limit_state
+    if basis is None or state is None or content.site is None or content.site.hazard is not None:
+        return None
+    if basis.index == IndexKind.ZETA_E:
+        if state not in ntc.EXCEEDANCE:
+            return None
+        life = ntc.reference_life(ORDINARY_LIFE, use_class=use_class_of(content) or PROVISIONAL_CLASS)
+        return ntc.return_period(state, reference_life=life)
+    if basis.index == IndexKind.NBS:
+        level = None if content.building is None else content.building.importance_level
+        return None if level is None else ULS_YEARS[level]
+    return next((each.years for each in basis.states if state in each.actions), None)
+
+
+def _missing_of_table(content: sections.Content, question: Question) -> Iterator[Missing]:
+    """Yield the return period and the damping of a spectrum given as a table, of which only the engineer knows."""
+    site, basis = content.site, question.basis
+    if site is None or basis is None or basis.name == "own" or site.spectrum.code != TABLE_SPECTRUM:
+        return
+    if site.return_period is None:
+        yield missing_input("site.return_period", message("missing-return-period"), "return_period = 475")
+    if not site.spectrum.has_key("damping"):
+        yield missing_input("site.spectrum.damping", message("missing-damping-of-table"), "damping = 0.05")
+
+
+def _too_short_return_period(content: sections.Content, question: Question, years: float | None) -> Iterator[Missing]:
+    """Yield a stated return period below the one that the basis fixes: the spectrum is not that of the limit state."""
+    stated = None if content.site is None else content.site.return_period
+    if years is None or stated is None or stated >= years * (1.0 - LIKE):
+        return
+    assert question.basis is not None
+    values: dict[str, Value] = {
+        "state": question.action.limit_state or "",
+        "years": Quantity(years, "return period", 3),
+        "given": Quantity(stated, "return period", 3),
+    }
+    if question.basis.index != IndexKind.ZETA_E:
+        why = message("missing-return-period-of-state", values)
+        yield missing_input("site.return_period", why, f"return_period = {years:.0f}")
+    elif (use_class := use_class_of(content)) is None:
+        values["taken"] = PROVISIONAL_CLASS
+        yield missing_input("building.use_class", message("missing-class-of-return-period", values), 'use_class = "II"')
+    else:
+        why = message("missing-return-period-of-class", {**values, "class": use_class})
+        yield missing_input("site.return_period", why, f"return_period = {years:.0f}")
+
+
+def _unstated_return_period(content: sections.Content, question: Question, years: float | None) -> Iterator[Message]:
+    """Yield the condition that a single spectrum, stated for a limit state alone, is that of its return period."""
+    site, basis = content.site, question.basis
+    italian = basis is not None and basis.index == IndexKind.ZETA_E
+    if years is None or site is None or not italian or site.return_period is not None:
+        return
+    if site.spectrum.code != TABLE_SPECTRUM:
+        values: dict[str, Value] = {
+            "state": question.action.limit_state or "",
+            "years": Quantity(years, "return period", 3),
+            "class": use_class_of(content) or PROVISIONAL_CLASS,
+        }
+        yield message("return-period-unstated", values, severity=Severity.WARNING)
 
 
 def lowered_pga_conditions(content: sections.Content, spectrum: Spectrum | None) -> tuple[Message, ...]:

@@ -21,7 +21,7 @@ import numpy as np
 from scipy.constants import g
 
 from assess.amplification import BaseMotion, FirstMode, ModalFilter
-from assess.codes.asce43_05 import ASCE43_05_SPECTRUM
+from assess.codes.asce43_05 import ASCE43_05_SPECTRUM, OF_CIRCOLARE
 from assess.codes.check import Check, Outcome, Reason, reason_message
 from assess.codes.context import Building, Context, Gravity, Transfer, Wall, WallSupport
 from assess.codes.procedures import apply_procedure, with_options
@@ -32,7 +32,7 @@ from assess.loads.load import Force, Load, Point, PointMass, upward
 from assess.mechanisms.chain import Chain, virtual_work
 from assess.mechanisms.hinge_forces import chain_at_start, hinge_forces, incipient_motion
 from assess.mechanisms.kinds import MECHANISM_KINDS
-from assess.mechanisms.mechanism import Mechanism, height_of_support, limits, open_seats
+from assess.mechanisms.mechanism import Mechanism, height_of_support, held_branches, limits, open_seats
 from assess.messages.message import Message, Quantity, Severity, Value, message
 from assess.oscillator import BranchName, Oscillator
 from assess.results import MechanismResult
@@ -258,7 +258,6 @@ NEAR_MODE = np.linspace(0.85, 1.15, 61)  # of the building's period, where the p
 PERIOD_VARIATION = np.linspace(1.0 - BROADENING, 1.0 + BROADENING, 7)  # of the building, over its own
 MOST_DAMPING = 0.99  # of an oscillator that still swings
 OF_SUITE = "envelope of the response spectra of the suite at the mechanism's base, peaks widened by 15 %"
-OF_CIRCOLARE = "Circolare 7/2019, C7.2.5, first mode"
 DAMPING_OF_SUITE = "response of the motions themselves at that damping"
 DAMPING_OF_CIRCOLARE = "Circolare 7/2019, C7.2.6, with the rule for damping of the spectrum of the ground"
 
@@ -319,6 +318,7 @@ def _context_without_floor_spectrum(
         levels=study.levels,
         vertical_ratio=study.vertical_ratio,
         support=SUPPORTS[mechanism.kind],
+        held=held_branches(mechanism) if SUPPORTS[mechanism.kind] == "free" else frozenset(),
         carries_floors=carries_floors(mechanism),
         actions=tuple(load.name for load in mechanism.positive.loads if not isinstance(load, PointMass)),
         wall=wall_of(mechanism, on_masonry=study.on_masonry.get(mechanism.name, False)),

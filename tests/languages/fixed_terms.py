@@ -102,7 +102,7 @@ CONSTANTS: Mapping[str, tuple[str, ...]] = {
     "records/compliance/suite.py": ("CAVEAT",),
     "records/selection.py": ("STEPS",),
     "assess/codes/asce41_13.py": ("PLACES", "PERMITTED", "SEISMICITY"),
-    "assess/codes/en1998_1.py": ("ELEMENTS",),
+    "assess/codes/en1998_1.py": ("ELEMENTS", "TIED", "TYPED"),
     "assess/model/directions.py": ("OTHER_SIDE",),
 }
 """Constants that reach results by a way that is not followed."""

@@ -28,6 +28,7 @@ from assess.declaration import (
     PositiveLength,
     PositiveRatio,
     PositiveTime,
+    PositiveYears,
     Safe,
 )
 from assess.project.section import DeclaredSection, ProjectSection, error_at, plain_data, quote_names, table_of
@@ -37,7 +38,7 @@ from records.compliance import CodeName
 from records.selection import CandidateFilters
 from records.synthetic import SUITE_SIZE, ArtificialRecords
 from spectra import ntc
-from spectra.design_spectra import SPECTRA, USE_CLASSES, NtcHazardSpectrum, way_of
+from spectra.design_spectra import SPECTRA, USE_CLASSES, NtcHazardSpectrum, Nzs1170Spectrum, way_of
 
 LIMIT_STATES = tuple(ntc.EXCEEDANCE)  # of a hazard over return periods
 if TYPE_CHECKING:
@@ -53,6 +54,12 @@ SITE_PGA = Evidence(
     judged="the hazard defines the case, but a PGA below that of the spectrum scales the hazard of the code down",
 )
 ACTION_OF = Evidence("defines", "either", "absent: incomplete where the basis fixes one")
+RETURN_PERIOD = Evidence(
+    "defines",
+    "up",
+    "absent: incomplete for a table, a condition by the Italian codes",
+    judged="one that is shorter than that of the limit state leaves the verdict incomplete",
+)
 OF_VERTICAL = Evidence("code", "down", "1.0", safe=VERTICAL_RATIO)
 
 
@@ -65,6 +72,8 @@ class SiteSection(ProjectSection):
     """scales the spectrum's ordinates to this peak ground acceleration, corner periods fixed"""
     limit_state: Annotated[StrictStr | None, ACTION_OF] = None
     """what the site's own action stands for, like "SLV", "ULS" or "DBE", without a hazard over return periods"""
+    return_period: Annotated[PositiveYears | None, RETURN_PERIOD] = None
+    """return period of a single spectrum, like 475: in years; of `hazard` and of nzs1170.5 see [site.spectrum]"""
     vertical_ratio: Annotated[NotNegativeRatio, OF_VERTICAL] = VERTICAL_RATIO
     """vertical over horizontal spectral acceleration of the ground, for F_V and A_v of ASCE 43-05"""
 
@@ -77,6 +86,9 @@ class SiteSection(ProjectSection):
             raise error_at(
                 "limit_state", f"not one of the hazard over return periods; write one of {quote_names(LIMIT_STATES)}"
             )
+        way = self.spectrum.plain
+        if self.return_period is not None and isinstance(way, (NtcHazardSpectrum, Nzs1170Spectrum)):
+            raise error_at("return_period", f"that of code = {way.code} stands in [site.spectrum]; remove it here")
         return self
 
     @property

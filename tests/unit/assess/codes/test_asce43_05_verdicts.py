@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from scipy.constants import g
 
-from assess.codes.asce43_05 import Asce4305Options
+from assess.codes.asce43_05 import OF_CIRCOLARE, Asce4305Options
 from assess.codes.check import Reason
 from assess.codes.histories import SuiteResponse
 from assess.mechanisms.single_block import equivalent_block
@@ -62,8 +62,8 @@ def test_the_rule_of_histories(ratio, verdict, reason) -> None:
     assert (check.verdict, check.reason.key) == (verdict, reason)
 
 
-def spectrum_checks(rocker: Oscillator, *levels: float, floor_ratio: float | None = 0.0, **more):
-    options = Asce4305Options(floor_vertical_ratio=floor_ratio)
+def spectrum_checks(rocker: Oscillator, *levels: float, floor_ratio: float | None = 0.0, floor_by=None, **more):
+    options = Asce4305Options(floor_vertical_ratio=floor_ratio, floor_spectrum=floor_by)
     return checks_of("asce43-05-spectrum", rocker, context_at(SPECTRUM, levels, **more), options)
 
 
@@ -139,6 +139,25 @@ def test_on_a_floor_a_pass_needs_the_vertical_spectrum_of_the_floor() -> None:
     assert still.capacity_pga_g / shaken.capacity_pga_g == pytest.approx(1.00413, rel=1e-5)
     (beyond,) = spectrum_checks(WALL, 2.0 * g, floor_ratio=None, **upstairs)
     assert beyond.verdict == "fail"
+
+
+def test_another_country_s_floor_spectrum_decides_only_where_it_is_named_and_says_so() -> None:
+    upstairs = {"elevation": 5.0, "floor_spectrum": replace(SPECTRUM, clause=OF_CIRCOLARE)}
+    (unnamed,), (named,) = (
+        spectrum_checks(WALL, 0.02 * g, floor_by=by, **upstairs) for by in (None, "circolare-7-2019")
+    )
+    assert (unnamed.verdict, unnamed.provisional, unnamed.may_pass) == ("not-answered", "pass", False)
+    assert (unnamed.reason.key, unnamed.reason.where) == (
+        Reason.FLOOR_SPECTRUM_UNNAMED,
+        "procedures.asce43-05.floor_spectrum",
+    )
+    assert named.verdict == "pass"
+    assert "floor-spectrum-of-other-code" in [each.key for each in named.conditions]
+    assert named.capacity_pga_g == unnamed.capacity_pga_g
+    (beyond,) = spectrum_checks(WALL, 2.0 * g, **upstairs)
+    assert beyond.verdict == "fail"
+    (own,) = spectrum_checks(WALL, 0.02 * g, elevation=5.0, floor_spectrum=SPECTRUM)
+    assert "floor-spectrum-of-other-code" not in [each.key for each in own.conditions]
 
 
 @pytest.mark.parametrize(

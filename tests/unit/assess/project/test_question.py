@@ -19,7 +19,7 @@ from tests.support.mesh_files import obj
 from tests.support.projects import NTC, block, lines, project_toml, published, wall
 from tests.support.solids import cuboid
 
-SITE = {"limit_state": "SLV", "spectrum": NTC}
+SITE = {"limit_state": "SLV", "return_period": 949, "spectrum": NTC}
 EXCLUDED = 'disintegration = "excluded"'
 
 

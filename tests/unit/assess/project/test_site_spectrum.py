@@ -10,11 +10,11 @@ from assess.codes.context import StatedFirstMode
 from assess.errors import ProjectError
 from assess.project.build import build
 from assess.project.project_file import resolve
-from assess.project.question import conditions_of_works, question_of
+from assess.project.question import conditions_of_works, facts_of, question_of
 from assess.project.site_and_structure import site_in, site_of, spectrum_of, vertical_of
 from assess.study.ground_motion import spectrum_result
 from spectra.errors import SpectrumError
-from tests.support.projects import NTC, load_project, project_toml, published, replace_once, tables_toml
+from tests.support.projects import ASCE7, EC8, NTC, load_project, project_toml, published, replace_once, tables_toml
 
 ROWS = """hazard = [
   { return_period = 30, a_g = "0.05 g", f_0 = 2.4, t_c_star = "0.28 s" },
@@ -358,3 +358,88 @@ def test_a_nominal_life_below_five_years_is_refused(tmp_path):
     spectrum = {"code": "ntc2018", "hazard": hazard, "nominal_life": 4, "soil": "A"}
     with pytest.raises(ProjectError, match="nominal_life: 4: must be 5 years or more"):
         load_project(tmp_path, project_toml(site={"spectrum": spectrum}))
+
+
+CLASS_KEY, YEARS_KEY = "building.use_class", "site.return_period"
+SPECTRUM_OF = {"ntc2018": NTC, "dmi2008": NTC, "ec8": EC8, "asce41-13": ASCE7}
+
+
+def pass_needs(tmp_path, basis, site, building):
+    """Return the keys that a pass of the wall needs of the site's spectrum, and its conditions."""
+    text = project_toml(site=site, building={"height": 9.0, **building}, verdict={"basis": basis})
+    of = load_project(tmp_path, text).content
+    missing, conditions = facts_of(of, question_of(of, site_pga=1.0), ("wall",))["wall"]
+    keys = [each.key for each in missing if each.key.startswith(("site.", "building."))]
+    return keys, [each.key for each in conditions if each.key == "return-period-unstated"]
+
+
+@pytest.mark.parametrize(
+    ("basis", "state", "years", "use_class", "missing"),
+    [
+        # T_R = -V_R / ln(1 - P): 475 years at 10 % in 50, 949 in 100 (class IV), 332 in 35 (class I); 975 at 5 % in 50
+        ("ntc2018", "SLV", 475, "II", None),
+        ("ntc2018", "SLV", 470, "II", YEARS_KEY),
+        ("ntc2018", "SLV", 475, "III", YEARS_KEY),
+        ("ntc2018", "SLV", 712, "III", None),
+        ("ntc2018", "SLV", 333, "I", None),
+        ("ntc2018", "SLC", 475, "II", YEARS_KEY),
+        ("ntc2018", "SLC", 975, "II", None),
+        ("ntc2018", "SLV", 475, None, CLASS_KEY),
+        ("ntc2018", "SLV", 950, None, None),
+        ("dmi2008", "SLV", 100, "II", YEARS_KEY),
+        ("ec8", "ULS", 95, None, YEARS_KEY),
+        ("ec8", "ULS", 475, None, None),
+        ("asce41-13", "BSE-2E", 225, None, YEARS_KEY),
+        ("asce41-13", "BSE-1E", 225, None, None),
+    ],
+)
+def test_a_stated_return_period_is_held_against_limit_state_and_class(
+    tmp_path, basis, state, years, use_class, missing
+):
+    site = {"limit_state": state, "return_period": years, "spectrum": SPECTRUM_OF[basis]}
+    building = {} if use_class is None else {"use_class": use_class}
+    assert pass_needs(tmp_path, basis, site, building) == ([missing] if missing else [], [])
+
+
+@pytest.mark.parametrize(("basis", "state", "told"), [("ntc2018", "SLV", True), ("ec8", "ULS", False)])
+def test_a_return_period_that_is_not_stated_is_a_condition_of_the_italian_codes(tmp_path, basis, state, told):
+    """EN 1998-1 defines a_gR at 475 years; a_g, F_0 and T_C* of the NTC may be those of any."""
+    site = {"limit_state": state, "spectrum": SPECTRUM_OF[basis]}
+    assert pass_needs(tmp_path, basis, site, {"use_class": "II"}) == ([], ["return-period-unstated"] if told else [])
+
+
+@pytest.mark.parametrize(
+    ("basis", "more", "damping", "building", "keys"),
+    [
+        ("ntc2018", {}, {}, {"use_class": "II"}, [YEARS_KEY, "site.spectrum.damping"]),
+        ("ntc2018", {"return_period": 475}, {}, {"use_class": "II"}, ["site.spectrum.damping"]),
+        ("ntc2018", {"return_period": 475}, {"damping": 0.05}, {"use_class": "II"}, []),
+        ("ntc2018", {"return_period": 475}, {"damping": 0.05}, {"use_class": "IV"}, [YEARS_KEY]),
+        ("asce43-05", {}, {"damping": 0.05}, {}, [YEARS_KEY]),
+        ("nzsee2017", {"return_period": 500}, {"damping": 0.05}, {"importance_level": 3}, [YEARS_KEY]),
+        ("nzsee2017", {"return_period": 1000}, {"damping": 0.05}, {"importance_level": 3}, []),
+    ],
+)
+def test_a_table_says_its_return_period_and_damping(tmp_path, basis, more, damping, building, keys):
+    state = {"ntc2018": "SLV", "asce43-05": "DBE", "nzsee2017": "ULS"}[basis]
+    (tmp_path / "s.csv").write_text("period [s],acceleration [g]\n0,0.2\n4,0.2\n")
+    site = {"limit_state": state, **more, "spectrum": {"code": "table", "file": "s.csv", **damping}}
+    assert pass_needs(tmp_path, basis, site, building)[0] == keys
+
+
+@pytest.mark.parametrize(
+    "spectrum",
+    [
+        {"code": "nzs1170.5", "z": 0.1, "r": 1.0, "subsoil": "C"},
+        {
+            "code": "ntc2018",
+            "hazard": [{"return_period": years, "a_g": 1.0, "f_0": 2.5, "t_c_star": 0.3} for years in (30, 2475)],
+            "nominal_life": 50,
+            "soil": "A",
+        },
+    ],
+)
+def test_a_spectrum_that_has_its_return_period_takes_no_second_one(tmp_path, spectrum):
+    text = project_toml(site={"return_period": 475, "spectrum": spectrum})
+    with pytest.raises(ProjectError, match=f"site.return_period: 475: that of code = {spectrum['code']}"):
+        load_project(tmp_path, text)

@@ -5,10 +5,11 @@ from __future__ import annotations
 import pytest
 from scipy.constants import g
 
+from assess.mechanisms.mechanism import held_branches
 from assess.project.build import build
 from assess.project.project_file import load
 from assess.study.checks import decide
-from tests.support.projects import NTC, block, project_toml, wall
+from tests.support.projects import EC8, NTC, block, project_toml, wall
 
 TWO = block(kind="two-block", direction=[1, 0, 0])
 BUILDING = {"height": "3 m", "ground_elevation": 0.0, "use_class": "II", "storeys": 1}
@@ -84,3 +85,32 @@ def test_a_gap_within_a_block_leaves_the_verdict_incomplete_and_an_overlap_does_
     }
     found, _ = facts(tmp_path, block(["one", "other"], direction=[1, 0, 0]), bodies=bodies)
     assert ("mechanisms.wall.blocks" in found) == missing
+
+
+SHOWN = {"until": "collapse", "strength": "20 kN", "length": "4 m", "fracture_strain": 0.05}
+
+
+@pytest.mark.parametrize(
+    ("height", "more", "source", "held"),
+    [
+        (1.6, SHOWN, True, {"positive"}),
+        (1.5, SHOWN, True, {"positive"}),
+        (1.4, SHOWN, True, set()),  # below the centre of mass
+        (1.6, SHOWN, False, set()),
+        (1.6, {}, True, set()),
+    ],
+)
+def test_a_tie_holds_a_gable_at_or_above_its_centre_of_mass_in_one_direction(tmp_path, height, more, source, held):
+    """The centre of mass of a wall of 3 m is at 1.5 m; the tie pulls backwards, and is slack as the wall falls back."""
+    tie = {"kind": "tie", "force": "5 kN", "at": [-0.2, height], "anchor": [-4.0, height], **more}
+    text = project_toml(
+        site={"limit_state": "ULS", "spectrum": EC8},
+        materials={"m": {"density": DENSITY}},
+        bodies={"wall": wall(0.4, 5.0, 3.0, material="m")},
+        mechanisms={"wall": block(direction=[1, 0, 0], loads=[tie])},
+        report={"sources": {"mechanisms.wall.loads[1]": "measured: pull-out test"} if source else {}},
+    )
+    file = tmp_path / "project.toml"
+    file.write_text(text, encoding="utf-8")
+    (mechanism,) = build(load(file)).mechanisms
+    assert held_branches(mechanism) == held

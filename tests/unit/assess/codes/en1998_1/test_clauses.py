@@ -13,6 +13,7 @@ from assess.codes.context import Wall
 from assess.codes.en1998_1 import (
     BEHAVIOUR,
     amplification,
+    behaviour_factor,
     bending_period,
     force_over_weight,
     height_ratio,
@@ -126,6 +127,16 @@ def test_force_over_weight(S_a: float, q_a: float, gamma_a: float, force: float)
 def test_uplift_pga(branch, amplified: float, in_g: float | None) -> None:
     found = uplift_pga(branch, amplified)
     assert found == (None if in_g is None else pytest.approx(in_g * g, rel=1e-9))
+
+
+@pytest.mark.parametrize(
+    ("support", "held", "q_a"),
+    [("free", (), 1.0), ("free", ("positive",), 2.0), ("free", ("negative",), 1.0), ("spanning", (), 2.0)],
+)
+def test_the_behaviour_factor_goes_by_what_holds_the_element(support, held, q_a: float) -> None:
+    """Table 4.4: 1.0 for cantilevers, 2.0 for what is held at or above its centre of mass, in the direction held."""
+    context = replace(GROUND, support=support, held=frozenset(held))
+    assert behaviour_factor(context, "positive") == q_a
 
 
 @pytest.mark.parametrize(("support", "q_a"), [("free", 1.0), ("spanning", 2.0), ("hinged", 1.0)])

@@ -160,7 +160,7 @@ def overlap_warnings(bodies: Sequence[Solid], *, united: bool = False) -> Iterat
     united : whether they form one block, in which the common volume counts once (`count_once`), else in both
     """
     for one, other in combinations(bodies, 2):
-        shared = intersect(one, other)
+        shared = intersect(one, other) if _boxes_overlap(one, other) else None
         if shared is not None and shared.share > OVERLAP_WARNED:
             yield warning(
                 "overlap-counted-once" if united else "overlap",
@@ -192,11 +192,14 @@ NEGLIGIBLE_OVERLAP = 1e-6  # of a body's size, and of the smaller volume: bodies
 
 def _share_space(one: Solid, other: Solid) -> bool:
     """Return whether two bodies share more than the rounding of a drawing."""
-    size = min(float(np.ptp(solid.vertices, axis=0).max()) for solid in (one, other))
-    if _bounds_gap(one, other) > -NEGLIGIBLE_OVERLAP * size:
-        return False
-    shared = intersect(one, other)
+    shared = intersect(one, other) if _boxes_overlap(one, other) else None
     return shared is not None and shared.share > NEGLIGIBLE_OVERLAP
+
+
+def _boxes_overlap(one: Solid, other: Solid) -> bool:
+    """Return whether the boxes around two bodies share more than the rounding of a drawing."""
+    size = min(float(np.ptp(solid.vertices, axis=0).max()) for solid in (one, other))
+    return _bounds_gap(one, other) < -NEGLIGIBLE_OVERLAP * size
 
 
 def _without(solid: Solid, others: Sequence[Solid]) -> Solid | None:

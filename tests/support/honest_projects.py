@@ -193,7 +193,7 @@ HONEST: dict[str, Tables] = {
         _scaled(AMERICA, "0.8"),
         THIN,
         _two_block(**PRESSED),
-        procedures={"asce43-05": {"floor_vertical_ratio": 1.0}},
+        procedures={"asce43-05": {"floor_vertical_ratio": 1.0, "floor_spectrum": "circolare-7-2019"}},
         report={"sources": {"mechanisms.wall.loads[1]": SURVEY, "procedures.asce43-05.floor_vertical_ratio": DESIGN}},
         **SPECTRUM,
     ),

@@ -11,7 +11,8 @@ AssessError                what a user can mend; the command line prints its one
 ├── HazardError            a hazard curve that cannot be read, or whose rows do not fall as intensity rises
 ├── ResultsError           a results file that cannot be read
 └── OutputError            a folder that cannot be written: files of others, or changed since they were written
-    └── HeldError          another command is writing there
+    ├── HeldError          another command is writing there
+    └── FullDiskError      no space is left on the disk
 
 `records.errors.RecordError` and `spectra.errors.SpectrumError` stand beside them, because imports run one way.
 Anything else that reaches the command line is a bug (exit code 70).
@@ -78,6 +79,10 @@ class OutputError(AssessError):
 
 class HeldError(OutputError):
     """Another command is writing there."""
+
+
+class FullDiskError(OutputError):
+    """No space is left on the disk, or no more of it is granted to the user."""
 
 
 @contextmanager

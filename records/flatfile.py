@@ -8,10 +8,9 @@ A row describes a record by its NGA number, else by a file name that this row al
 
 from __future__ import annotations
 
-import csv
 import io
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -20,7 +19,7 @@ from assess.messages.message import Message, warning
 from records.candidates import Candidate
 from records.errors import RecordError
 from records.formats.samples import number
-from spectra.columns import ColumnError, decode
+from spectra.columns import ColumnError, csv_rows, decode
 
 if TYPE_CHECKING:
     from pandas import DataFrame
@@ -39,7 +38,7 @@ COLUMNS: Mapping[str, Sequence[str]] = {
 """Names of each column in lower case without blanks and punctuation, the preferred first; distances are in km."""
 DECIDING = ("event", "magnitude", "distance", "vs30")  # what records are selected by
 FILES = re.compile(r"(filename(horizontal\d|vertical)|(horizontal\d|vertical)accfilename)")
-SEQUENCE = r"\d{1,9}"
+SEQUENCE = "[0-9]{1,9}"
 UNKNOWN = -998.0
 UNKNOWN_WORDS = {"", "-", "--", "?", "na", "n/a", "nan", "none", "null", "unknown"}
 
@@ -93,19 +92,18 @@ def read_flatfile(path: Path) -> Flatfile:
     Raises RecordError, naming the file, if it cannot be read, has no column of sequence numbers, or no recording.
     """
     try:
-        rows = csv.reader(io.StringIO(decode(path.read_bytes(), where=str(path)), newline=""))
-        lines = enumerate(rows, start=1)
-        line, labels = next(((i, row) for i, row in lines if set(NUMBER) & set(map(_plain_label, row))), (0, []))
+        rows = csv_rows(io.StringIO(decode(path.read_bytes(), where=str(path)), newline=""))
+        line, labels = next(((i, row) for i, row in rows if set(NUMBER) & set(map(_plain_label, row))), (0, []))
         if not labels:
             raise RecordError(
                 f'{path}: no column "Record Sequence Number"; give a PEER NGA flatfile, saved as CSV with its header'
             )
         columns = _columns([_plain_label(label) for label in labels])
-        table = _table(rows, columns, first=line + 1, width=_width(labels))
+        table = _table(rows, columns, width=_width(labels))
     except OSError as error:
         raise RecordError(f"{path}: the flatfile cannot be read: {error.strerror}") from None
-    except (csv.Error, ColumnError) as error:
-        raise RecordError(f"{path}: not a table in CSV: {error}") from None
+    except ColumnError as error:
+        raise RecordError(str(error) if str(error).startswith(str(path)) else f"{path}: {error}") from None
     found = _recordings(table[table["numbered"] & table["fits"]], columns)
     if not found:
         raise RecordError(
@@ -179,8 +177,8 @@ def _columns(header: Sequence[str]) -> dict[str, list[int]]:
     return found | {"files": [i for i, name in enumerate(header) if FILES.fullmatch(name)]}
 
 
-def _table(rows: Iterator[list[str]], columns: Mapping[str, Sequence[int]], *, first: int, width: int) -> DataFrame:
-    """Keep the cells of the columns that are known, of the rows from line `first` on that are not blank.
+def _table(rows: Iterable[tuple[int, list[str]]], columns: Mapping[str, Sequence[int]], *, width: int) -> DataFrame:
+    """Keep the cells of the columns that are known, of the rows that are not blank.
 
     The index is the line, a column's label its place in the file; fits: whether the row is as wide as the header;
     size: how wide, in words; numbered: whether it has a sequence number. The rows are split by the standard library,
@@ -190,7 +188,7 @@ def _table(rows: Iterator[list[str]], columns: Mapping[str, Sequence[int]], *, f
 
     used = sorted({i for places in columns.values() for i in places})
     lines, cells = list[int](), list[tuple[object, ...]]()
-    for line, row in enumerate(rows, start=first):
+    for line, row in rows:
         if filled := _width(row):
             kept = (row[i].strip() if i < len(row) else "" for i in used)
             lines.append(line)

@@ -6,8 +6,9 @@ lines and lines that begin with # are skipped. Spectrum tables and record files 
 
 from __future__ import annotations
 
+import csv
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import chain, islice, takewhile
 from pathlib import Path
@@ -15,14 +16,14 @@ from pathlib import Path
 import numpy as np
 from scipy.constants import g
 
-from spectra.arrays import FloatArray
+from spectra.arrays import FloatArray, refuse_other_digits
 
 TIME_UNITS: Mapping[str, float] = {"s": 1.0, "ms": 1e-3}
 ACCELERATION_UNITS: Mapping[str, float] = {"m/s2": 1.0, "g": g, "cm/s2": 0.01, "gal": 0.01, "mm/s2": 1e-3}
 
 SEPARATORS = (";", "\t", ",")
 BRACKETS = re.compile(r"\[([^\]]*)\]|\(([^)]*)\)")
-DECIMAL_COMMA = re.compile(r"\d,\d")
+DECIMAL_COMMA = re.compile(r"[0-9],[0-9]")
 PIECE = 1_000_000  # characters
 BATCH = 50_000  # lines that are turned into numbers at once
 CONTROL = re.compile(r"[\x00-\x08\x0e-\x1f\x7f]")
@@ -95,6 +96,31 @@ def decode(data: bytes, *, where: str) -> str:
     return text
 
 
+def csv_rows(lines: Iterable[str], *, separator: str = ",") -> Iterator[tuple[int, list[str]]]:
+    """Yield the rows of a table in CSV, each with the number of the line on which it begins.
+
+    Parameters
+    ----------
+    lines : of the table; a row of which a cell is in quotes may go over several
+    separator : between cells
+
+    Raises
+    ------
+    ColumnError : the rules of quotes are broken, as by one that is never closed and swallows the rows below
+    """
+    reader, begins = csv.reader(lines, delimiter=separator, strict=True), 1
+    while True:
+        try:
+            cells = next(reader, None)
+        except csv.Error as error:
+            remedy = "close each quote that opens a cell, and double one that stands within it"
+            raise ColumnError(f"line {begins}: not a table in CSV ({error}); {remedy}") from None
+        if cells is None:
+            return
+        yield begins, cells
+        begins = reader.line_num + 1
+
+
 def separator_of(line: str) -> str | None:
     """Return the first of semicolon, tab and comma that `line` holds; None for blanks."""
     return next((mark for mark in SEPARATORS if mark in line.strip()), None)
@@ -117,7 +143,7 @@ def split(line: str, separator: str | None) -> list[str]:
 def is_row(fields: Sequence[str]) -> bool:
     """Return whether every field is a number."""
     try:
-        np.array(fields, dtype=np.float64)
+        _array(fields)
     except ValueError:
         return False
     return bool(fields)
@@ -193,7 +219,7 @@ def _numbers(rows: list[tuple[int, str]], separator: str | None, *, path: Path) 
             remedy = _decimal_comma_remedy(line) or "two are expected"
             raise ColumnError(f'{path}: line {number}: "{line.strip()[:40]}" has {len(row)} columns; {remedy}')
     try:
-        return np.array(fields, dtype=np.float64)
+        return _array(*fields)
     except ValueError:
         number, line = next(at for at, row in zip(rows, fields, strict=True) if not is_row(row))
         remedy = _decimal_comma_remedy(line) or "write one for each column, without units"
@@ -203,3 +229,10 @@ def _numbers(rows: list[tuple[int, str]], separator: str | None, *, path: Path) 
 def _decimal_comma_remedy(line: str) -> str:
     """Return what to do about a line with decimal commas; empty where there is none."""
     return "two are expected, and decimal commas only between semicolons" if DECIMAL_COMMA.search(line) else ""
+
+
+def _array(*rows: Sequence[str]) -> FloatArray:
+    """Return the numbers in rows of as many texts [n, k]."""
+    for text in chain.from_iterable(rows):
+        refuse_other_digits(text)
+    return np.array(rows, dtype=np.float64)

@@ -7,6 +7,7 @@ program; 128 plus the number of the signal that ended it.
 
 from __future__ import annotations
 
+import errno
 import gc
 import signal
 import sys
@@ -30,6 +31,7 @@ def main(arguments: list[str] | None = None) -> NoReturn:
     gc.set_threshold(MADE_BETWEEN_COLLECTIONS)
     log_to_stderr()
     try:
+        _refuse_other_digits(sys.argv[1:] if arguments is None else arguments)
         with raise_on_signals():
             from assess.cli.app import app
 
@@ -53,6 +55,21 @@ def main(arguments: list[str] | None = None) -> NoReturn:
     sys.exit(code or 0)
 
 
+def _refuse_other_digits(arguments: Sequence[str]) -> None:
+    """Raise AssessError for a number in other digits than 0 to 9, which would be read without a word."""
+    for each in arguments:
+        if any(c.isdecimal() and not c.isascii() for c in each) and _is_number(each):
+            raise AssessError(f'"{each:.40}": a number is written with the digits 0 to 9')
+
+
+def _is_number(text: str) -> bool:
+    try:
+        float(text)
+    except ValueError:
+        return False
+    return True
+
+
 def _with_notes(what: str, stop: BaseException) -> str:
     """Return what ended the command, and what then stands as far as it has said so."""
     return "; ".join((what, *getattr(stop, "__notes__", ())))
@@ -68,7 +85,9 @@ def _end(line: str, code: int, *, others: Sequence[str] = ()) -> NoReturn:
 
 def _file_error(error: OSError) -> str:
     where = f"{error.filename}: " if error.filename else ""
-    return f"{where}{error.strerror or error}; check the path, its permissions and the space on the disk"
+    if error.errno in (errno.ENOSPC, errno.EDQUOT):
+        return f"{where}no space is left on the disk; make room there"
+    return f"{where}{error.strerror or error}; check the path and its permissions"
 
 
 def _log() -> str:

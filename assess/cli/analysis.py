@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from assess.results import Results
 
 
+MOST_REASONS = 5  # that leave projects of a portfolio incomplete or broken
 FORMATS = ("nrml", "pelicun", "csv")
 """The keys of `EXPORT_FORMATS`, whose module takes a second to import."""
 
@@ -269,6 +270,12 @@ def _portfolio_text(found: Portfolio) -> str:
     ]
     number = len(found.rows)
     lines = [f"{number} project{'' if number == 1 else 's'}{': ' if parts else ''}{', '.join(parts)}"]
+    from assess.messages.message import count_noun
+
+    reasons = found.count_reasons()
+    lines += [f"  {count} x {reason}" for reason, count in reasons[:MOST_REASONS]]
+    if len(reasons) > MOST_REASONS:
+        lines.append(f"  and {count_noun(len(reasons) - MOST_REASONS, 'other reason')}, in the table")
     if found.table is None:
         lines.append(f"{found.left} of other shares are not done; the last share to end writes the ranked table")
     else:

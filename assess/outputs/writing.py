@@ -9,6 +9,7 @@ meanwhile. A stage without a journal was never finished, or is done with.
 
 from __future__ import annotations
 
+import errno
 import json
 import os
 import shutil
@@ -19,7 +20,7 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 from secrets import token_hex
 
-from assess.errors import OutputError
+from assess.errors import FullDiskError, OutputError
 from assess.messages.message import Message, note
 from assess.outputs.lock import LOCK, hold_lock, is_abandoned
 from assess.outputs.manifest import MANIFEST, RESULTS, Manifest, digest, link_above, read, state, stays_inside
@@ -74,7 +75,7 @@ def output_folder(
     OutputError
         At once, if the folder cannot be written or holds files that may not be replaced.
     """
-    with make_folder(folder), hold_lock(folder, command=command, patient=patient):
+    with make_folder(folder), tell_full_disk(folder), hold_lock(folder, command=command, patient=patient):
         _recover(folder, tell=tell)
         manifest = read(folder)
         refuse_obstacles(folder, manifest, owner, expected)
@@ -152,7 +153,8 @@ def make_folder(folder: Path) -> Iterator[None]:
         raise OutputError(f"{folder}: is a file; give a folder for the output")
     absent = [place for place in (folder, *folder.parents) if not place.exists()]
     try:
-        folder.mkdir(parents=True, exist_ok=True)
+        with tell_full_disk(folder):
+            folder.mkdir(parents=True, exist_ok=True)
     except OSError as error:
         raise OutputError(f"{folder}: cannot be made ({error.strerror}); give another folder") from None
     try:
@@ -242,18 +244,51 @@ def make_stage(place: Path, *, command: str) -> Iterator[Path]:
     """
     folder = place / f"{PREFIX}{token_hex(6)}"
     try:
-        _make_hidden_folder(folder)
-        with hold_lock(folder, command=command):
-            try:
-                (folder / MADE).mkdir()
-                yield folder
-            finally:
-                with defer_signals():
-                    _empty_stage(folder)
+        with tell_full_disk(place):
+            _make_hidden_folder(folder)
+            with hold_lock(folder, command=command):
+                try:
+                    (folder / MADE).mkdir()
+                    yield folder
+                finally:
+                    with defer_signals():
+                        _empty_stage(folder)
     finally:
         with defer_signals():
             if not (folder / JOURNAL).exists():
                 _remove_stage(folder)
+
+
+@contextmanager
+def tell_full_disk(place: Path) -> Iterator[None]:
+    """Turn what a full disk leads to within the block into one line.
+
+    Parameters
+    ----------
+    place : Path
+        Where is written, whole or not at all.
+
+    Raises
+    ------
+    FullDiskError
+        If an error within the block is that of a full disk, or came of one.
+    """
+    try:
+        yield
+    except OutputError:
+        raise
+    except Exception as error:
+        full = next((each for each in _with_causes(error) if is_full(each)), None)
+        if full is None:
+            raise
+        where = getattr(full, "filename", None) or place
+        kept = f"; what was begun in {place} is removed" if place.exists() else ""
+        raise FullDiskError(f"{where}: no space is left on the disk{kept}; make room, or write elsewhere") from None
+
+
+def is_full(error: BaseException) -> bool:
+    """Return whether an error is that of a disk without space, for anyone or for this user."""
+    return isinstance(error, OSError) and error.errno in (errno.ENOSPC, errno.EDQUOT)
 
 
 def remove_abandoned_stages(place: Path) -> None:
@@ -517,6 +552,8 @@ def _make_hidden_folder(folder: Path) -> None:
     try:
         folder.mkdir(mode=0o700)
     except OSError as error:
+        if is_full(error):
+            raise
         raise OutputError(
             f"{folder.parent}: nothing can be written there ({error.strerror}); give another place"
         ) from None
@@ -568,3 +605,10 @@ def _remove_stage(found: Path) -> None:
 def _files_in(folder: Path) -> list[str]:
     """Return every file below `folder`, as a sorted list of paths with slashes."""
     return sorted(path.relative_to(folder).as_posix() for path in folder.rglob("*") if not path.is_dir())
+
+
+def _with_causes(error: BaseException | None) -> Iterator[BaseException]:
+    """Yield an error, and those during which it came."""
+    while error is not None:
+        yield error
+        error = error.__cause__ or error.__context__

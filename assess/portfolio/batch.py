@@ -18,7 +18,7 @@ from contextlib import closing, contextmanager
 from dataclasses import asdict, dataclass
 from pathlib import Path
 
-from assess.errors import AssessError, OutputError
+from assess.errors import AssessError, FullDiskError, OutputError
 from assess.outputs import manifest
 from assess.outputs.lock import LOCK, hold_lock
 from assess.outputs.writing import make_folder, output_folder, refuse_obstacles
@@ -32,6 +32,7 @@ TABLE = "ranked.html"
 WANTED = (TABLE, "ranked.xlsx", "ranked.csv")
 WORST_CODES = (70, 2, 1, 3, 0)
 """Exit codes, the worst first."""
+_NUMBERS = re.compile(r"[0-9]+(\.[0-9]+)?")
 _SHARD = re.compile(r"([0-9]{1,6})/([0-9]{1,6})")
 LEDGER_PATTERNS = ("ledger.sqlite", "ledger-*-of-*.sqlite")
 """Patterns of the names of ledgers."""
@@ -106,6 +107,17 @@ class Portfolio:
         found = {row.exit_code for row in self.rows}
         return next((code for code in WORST_CODES if code in found), 0)
 
+    def count_reasons(self) -> Sequence[tuple[str, int]]:
+        """Return why projects are incomplete or broken, the most frequent first, and of how many each is the reason.
+
+        Reasons that differ in their numbers alone count as one, in the words of the first.
+        """
+        alike: dict[str, list[str]] = {}
+        for row in self.rows:
+            if row.reason:
+                alike.setdefault(_NUMBERS.sub("0", row.reason), []).append(row.reason)
+        return sorted(((each[0], len(each)) for each in alike.values()), key=lambda each: -each[1])
+
     def count(self) -> Mapping[str, int]:
         """Return how many are broken, and how many came to each outcome."""
         return Counter("broken" if row.status == "broken" else row.outcome or "no verdict" for row in self.rows)
@@ -157,10 +169,13 @@ def run_batch(
         twice = next(key for key, number in Counter(task.key for task in tasks).items() if number > 1)
         raise AssessError(f"{twice!r:.100}: the key of two projects; give each its own")
     mine = [job for key, job in jobs.items() if options.shard.holds(key)]
-    with _own_ledger(options) as ledger:
-        done = _rows_to_keep(jobs, mine, ledger, options, tell)
-        left = [job for job in mine if job.task.key not in done]
-        _compute(left, len(mine), runner, engine, ledger, progress)
+    try:
+        with _own_ledger(options) as ledger:
+            done = _rows_to_keep(jobs, mine, ledger, options, tell)
+            left = [job for job in mine if job.task.key not in done]
+            _compute(left, len(mine), runner, engine, ledger, progress)
+    except FullDiskError as error:
+        raise FullDiskError(f"{error}; what is done is kept, and --resume goes on with it") from None
     rows = _known_rows(jobs, options)
     own = tuple(rows[job.task.key] for job in mine)
     if len(rows) < len(jobs):
@@ -206,7 +221,7 @@ def open_ledger(path: Path) -> Iterator[Ledger]:
 
     Raises
     ------
-    OutputError : it cannot be written, is damaged, of a newer version, or no ledger
+    OutputError : it cannot be written, is damaged, of a newer version, or no ledger; FullDiskError : no space is left
     """
     if path.is_symlink() or path.is_dir():
         raise OutputError(f"{path}: is no file of its own; move it away, or give another folder with -o")
@@ -216,6 +231,8 @@ def open_ledger(path: Path) -> Iterator[Ledger]:
             connection.text_factory = bytes  # whatever stands in it, a row that is not ours stops nothing
             yield Ledger(connection, path)
     except sqlite3.Error as error:
+        if getattr(error, "sqlite_errorcode", None) == sqlite3.SQLITE_FULL:
+            raise FullDiskError(f"{path}: no space is left on the disk; make room, or write elsewhere") from None
         raise OutputError(
             f"{path}: the ledger cannot be used ({error}); if the folder cannot be written give another with -o, and "
             "if the file is damaged delete it: its projects are then computed again"

@@ -6,13 +6,12 @@ the hash of all that it reads: its file or row, and every file that it names.
 
 from __future__ import annotations
 
-import csv
 import hashlib
 import json
 import os
 import re
 import tomllib
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from copy import deepcopy
 from dataclasses import dataclass
 from difflib import get_close_matches
@@ -25,6 +24,7 @@ from typing import Any
 from assess.errors import ProjectError
 from assess.messages.message import format_key
 from assess.short_repr import ShortRepr
+from spectra.columns import ColumnError, csv_rows
 
 ID = "id"
 PROJECT_FILE = "project.toml"
@@ -148,10 +148,10 @@ def row_fault(task: Task, text: str) -> str:
 KeyPath = tuple[str | int, ...]
 TITLE = "title"
 COLUMN_HEADER = re.compile(r"(.*?)\s*(?:\[([^\[\]]*)\])?\s*", re.DOTALL)
-WHOLE_NUMBER = re.compile(r"[+-]?\d{1,18}")
-NUMBER = re.compile(r"[+-]?(\d{1,40}\.?\d{0,40}|\.\d{1,40})([eE][+-]?\d{1,3})?|[+-]?(inf|nan)")
-QUANTITY = re.compile(r"\s*[+-]?(\d|\.\d|inf\b)")
-QUANTITY_WITH_COMMA = re.compile(r"[+-]?\d+,\d+(\s*[^\s\d,;]\S*)?")
+WHOLE_NUMBER = re.compile(r"[+-]?[0-9]{1,18}")
+NUMBER = re.compile(r"[+-]?([0-9]{1,40}\.?[0-9]{0,40}|\.[0-9]{1,40})([eE][+-]?[0-9]{1,3})?|[+-]?(inf|nan)")
+QUANTITY = re.compile(r"\s*[+-]?([0-9]|\.[0-9]|inf\b)")
+QUANTITY_WITH_COMMA = re.compile(r"[+-]?[0-9]+,[0-9]+(\s*[^\s0-9,;]\S*)?")
 MOST_SHOWN = 60  # characters of a value in a message
 
 
@@ -246,12 +246,15 @@ def read_table(path: Path) -> Iterator[TableRow]:
                 raise ProjectError(f"{path}: line 1: no header; write the keys of the template there")
             separator = max(SEPARATORS, key=header.count)
             file.seek(0)
-            yield from _lines(csv.reader(file, delimiter=separator))
+            for begins, cells in csv_rows(file, separator=separator):
+                stripped = tuple(cell.strip() for cell in cells)
+                if any(stripped):
+                    yield TableRow(begins, stripped)
     except UnicodeDecodeError as error:
         byte = f"byte {error.object[error.start]:#04x}"
         raise ProjectError(f"{path}: {byte} is not UTF-8; save the table as CSV in UTF-8") from None
-    except csv.Error as error:
-        raise ProjectError(f"{path}: not a table as CSV ({error}); save it again from the spreadsheet") from None
+    except ColumnError as error:
+        raise ProjectError(f"{path}: {error}") from None
     except OSError as error:
         raise ProjectError(f"{path}: cannot be read ({error.strerror}); give a table as CSV") from None
 
@@ -392,6 +395,7 @@ def _check_number(line: TableRow, columns: Sequence[KeyColumn | None]) -> None:
 
 
 LONGEST_PATH = 1000  # characters of a text that may be a path
+GLTF_ENDING = ".gltf"
 LOCK_ENDING = ".toml"  # how a file of [records] ends that names files itself: the lock of a suite
 FilesHash = Callable[[Mapping[str, Any], Path], str]
 
@@ -406,8 +410,8 @@ def _files_hash() -> FilesHash:
     @lru_cache(maxsize=100_000)
     def named(text: str, folder: Path, of_records: bool) -> bytes:
         files = _files_named(text, folder, of_records=of_records)
-        locked = (each for file in files if of_records and file.suffix == LOCK_ENDING for each in _files_of_lock(file))
-        return b"".join(map(digest, (*files, *locked)))
+        named_there = (each for file in files for each in _files_within(file, of_records=of_records))
+        return b"".join(map(digest, (*files, *named_there)))
 
     def hash_of(tables: Mapping[str, Any], folder: Path) -> str:
         found = hashlib.sha256()
@@ -451,6 +455,15 @@ def _files_named(text: str, folder: Path, *, of_records: bool) -> list[Path]:
         below = (each for each in path.rglob("*") if not each.name.startswith("."))
         return sorted(each for each in below if each.is_file())
     return sorted(each for each in map(Path, glob(str(Path(escape(str(folder))) / text), recursive=True)))
+
+
+def _files_within(file: Path, *, of_records: bool) -> Iterable[Path]:
+    """Return the files that a file names: those of the lock of a suite, and those that hold the meshes of a glTF."""
+    if file.suffix.lower() == GLTF_ENDING:
+        from assess.geometry.formats.gltf import companions
+
+        return companions(file)
+    return _files_of_lock(file) if of_records and file.suffix == LOCK_ENDING else ()
 
 
 def _files_of_lock(lock: Path) -> list[Path]:
@@ -556,13 +569,3 @@ def _value_at(tables: Any, place: KeyPath) -> Any:
 def _is_quantity(value: Any) -> bool:
     """Whether a value of the template is a number with its unit, as text."""
     return isinstance(value, str) and QUANTITY.match(value) is not None
-
-
-def _lines(reader: Iterator[Sequence[str]]) -> Iterator[TableRow]:
-    """Yield the rows with the line on which each begins; one in quotes may go over several."""
-    begins = 1
-    for cells in reader:
-        stripped = tuple(cell.strip() for cell in cells)
-        if any(stripped):
-            yield TableRow(begins, stripped)
-        begins = reader.line_num + 1  # type: ignore[attr-defined]

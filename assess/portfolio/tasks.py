@@ -17,7 +17,7 @@ from time import perf_counter
 from typing import Literal
 
 from assess.codes.verdict import Answer, Decision, MechanismVerdict, Verdict
-from assess.errors import AssessError, HeldError
+from assess.errors import AssessError, FullDiskError, HeldError
 from assess.messages.message import Message, Severity
 from assess.portfolio.projects import Task
 from assess.results.provenance import describe_program
@@ -34,6 +34,7 @@ EXIT_CODES: Mapping[Decision, int] = {Decision.PASS: 0, Decision.FAIL: 1, Decisi
 WORST_FIRST = (Decision.FAIL, Decision.INCOMPLETE, Decision.PASS)
 """Outcomes in the order of a ranking; a project without any verdict stands with the incomplete ones."""
 LONGEST_REASON = 1000  # characters
+NO_VERDICT = "no verdict: nothing says what the project is held against; give it a site"
 LONGEST_NAME = 48  # characters of a key that are kept: paths have an end on Windows
 LOGS = "logs"
 
@@ -74,7 +75,7 @@ class ProjectRow:
     title : title of the project
     sha256 : of everything the task reads
     status : "done", or "broken" for a project that could not be assessed
-    reason : why it is broken, in one line; "" for one that is done
+    reason : why it is broken or incomplete, in one line; "" for one that passes or fails
     outcome : of the verdict; "" where there is none
     basis : what decides, such as "ntc2018"
     limit_state : the limit state that decides
@@ -148,11 +149,8 @@ def broken_row(job: Job, reason: str, exit_code: int) -> ProjectRow:
     exit_code : int
         2 for wrong input, 70 for a fault of the program or its machine.
     """
-    line = " ".join("".join(c if c.isprintable() else " " for c in reason).split())
-    if len(line) > LONGEST_REASON:
-        line = f"{line[: LONGEST_REASON - 1]}…"
     task = job.task
-    return ProjectRow(task.key, task.title, task.sha256, "broken", reason=line, exit_code=exit_code)
+    return ProjectRow(task.key, task.title, task.sha256, "broken", reason=_one_line(reason), exit_code=exit_code)
 
 
 def row_of_verdict(
@@ -174,7 +172,7 @@ def row_of_verdict(
     task = job.task
     warnings = sum(each.severity is Severity.WARNING for each in messages)
     if found is None:
-        row = ProjectRow(task.key, task.title, task.sha256, "done", report=report, results=results)
+        row = ProjectRow(task.key, task.title, task.sha256, "done", NO_VERDICT, report=report, results=results)
         return replace(row, warnings=warnings, exit_code=EXIT_CODES[Decision.INCOMPLETE])
     one = min(found.mechanisms, key=_mechanism_severity, default=None)
     answer = None if one is None else min(one.answers, key=_answer_severity, default=None)
@@ -183,6 +181,7 @@ def row_of_verdict(
         title=task.title,
         sha256=task.sha256,
         status="done",
+        reason=_reason(found, answer),
         outcome=found.outcome.value,
         basis=found.basis,
         limit_state="" if answer is None else answer.limit_state,
@@ -246,8 +245,8 @@ def _row_of_job(runner: Runner, job: Job) -> ProjectRow:
     """Return the row of a project; one that cannot be assessed is broken, with the reason in one line."""
     try:
         return runner(job)
-    except HeldError:
-        raise
+    except (HeldError, FullDiskError):
+        raise  # of the machine and not of the project
     except (AssessError, RecordError, SpectrumError) as error:
         return broken_row(job, str(error), INPUT_IS_WRONG)
     except MemoryError:
@@ -268,6 +267,20 @@ def _write_log(job: Job) -> str:
     except OSError as error:
         return f"not written, {error.strerror}"
     return name
+
+
+def _reason(found: Verdict, answer: Answer | None) -> str:
+    """Return why a verdict is incomplete, in one line: the inputs that it lacks, else its worst answer."""
+    if found.outcome is not Decision.INCOMPLETE:
+        return ""
+    if not found.missing:
+        return "" if answer is None else _one_line(str(answer.reason))
+    return _one_line("; ".join(f"{each.key}: {each.text}" for each in found.missing))
+
+
+def _one_line(text: str) -> str:
+    line = " ".join("".join(c if c.isprintable() else " " for c in text).split())
+    return line if len(line) <= LONGEST_REASON else f"{line[: LONGEST_REASON - 1]}…"
 
 
 def _mechanism_severity(one: MechanismVerdict) -> tuple[int, float, float]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from concurrent.futures import Executor
 from contextlib import suppress
 from dataclasses import dataclass, replace
@@ -30,6 +30,7 @@ from assess.model.directions import mechanism_as_given, mechanism_in_direction
 from assess.model.walls import stands_on_masonry
 from assess.project import sections
 from assess.project.input_messages import project_messages
+from assess.project.inputs import FileStates, inputs_of, note_states, refuse_changes
 from assess.project.keys import KeySweep, ProjectVariant, Setting, dependents, read_case
 from assess.project.overrides import replace_values, replaceables_of
 from assess.project.project_file import Project, resolve
@@ -37,7 +38,6 @@ from assess.project.question import (
     facts_of,
     fragility_question,
     free_periods_of,
-    hazard_files,
     knowledge_of,
     options_of,
     procedures_of,
@@ -45,7 +45,6 @@ from assess.project.question import (
     with_procedures_run,
 )
 from assess.project.record_set import (
-    files_of_lock,
     horizontal_records,
     lock_messages,
     locked_records,
@@ -53,7 +52,7 @@ from assess.project.record_set import (
     select_records,
     vertical_record_messages,
 )
-from assess.project.report import annex_files, annex_of, picture_files, report_matter_of, uses_of
+from assess.project.report import annex_of, report_matter_of, uses_of
 from assess.project.section import plain_data, value_text
 from assess.project.site_and_structure import (
     amplification_method_of,
@@ -71,10 +70,7 @@ from assess.project.site_and_structure import (
     structure_of,
 )
 from assess.project.variables import Cases, Variants, sampling_of, survey_of, uncertainty_messages, variables_of
-from assess.results import Input
-from assess.results.provenance import file_sha256
 from assess.results.run import FallingMechanism
-from assess.results.verification import AnnexResult
 from assess.study.amplification import MechanismInPlace, amplify
 from assess.study.study import (
     Fitting,
@@ -88,8 +84,6 @@ from assess.study.study import (
 from assess.study.suites import ALL_PERIODS, RecordSet, record_messages
 from records.errors import RecordError
 from records.pulses import pulse_shape
-from records.reading import relative_path
-from records.record import Record
 from spectra.spectrum import Spectrum
 
 Builder = Callable[[str, Definition, Bodies], Built]
@@ -99,12 +93,16 @@ CLAUSES_NEED = {"height", "storeys", "period", "damping"}  # of [building]
 
 @dataclass(frozen=True)
 class ProjectFiles:
-    """What the files of a project hold: models; bodies by name, None without geometry; the site's spectrum; records."""
+    """What the files of a project hold: models; bodies by name, None without geometry; the site's spectrum; records.
+
+    states : of the files, before the first was read
+    """
 
     models: MeshesBySelection
     solids: Mapping[str, Solid | None]
     spectrum: Spectrum | None
     named: RecordSet
+    states: FileStates
 
 
 @dataclass(frozen=True)
@@ -148,6 +146,7 @@ def _study_to_decide(project: Project, *, known: Known | None = None) -> Study:
         return study_of(project, known=known)
     study, files, messages = _deciding_study(project, known=known)
     study = _with_replaceables(study, project, files, read_again=_study_to_decide)
+    refuse_changes(files.states)
     return replace(study, messages=_input_messages(project, study, files, messages))
 
 
@@ -177,10 +176,12 @@ def study_of(project: Project, *, executor: Executor | None = None, known: Known
     variants = Variants(project, files.solids, partial(cases_of, project=project, files=files))
     annex, annex_messages = annex_of(project, uses_of(content, study))
     study = _with_replaceables(study, project, files, read_again=study_of)
+    inputs = tuple(inputs_of(project, files.named.records, annex))
+    refuse_changes(files.states)
     return replace(
         study,
         annex=annex,
-        inputs=tuple(_inputs_of(project, files.named.records, annex)),
+        inputs=inputs,
         fragility=fragility_question(content, study.hazard, folder=project.folder),
         report=report,
         resolved=with_procedures_run(resolve(project), content),
@@ -246,14 +247,6 @@ def levels_of(given: tuple[float, ...] | None, spectrum: Spectrum | None) -> tup
     return levels_with_site(tuple(sorted(given or ())), spectrum.pga)
 
 
-def record_files(section: sections.Records, paths: Iterable[Path]) -> tuple[Path, ...]:
-    """Return the files that the records come from; paths: those of the records in use."""
-    if section.lock is not None:
-        return files_of_lock(section.lock)
-    beside = [path for path in (section.flatfile, section.response) if path is not None]
-    return (*(section.files if section.selection is None else paths), *beside)
-
-
 def _files_of(project: Project, *, known: Known | None) -> tuple[ProjectFiles, tuple[Message, ...]]:
     """Read the files of a project, with messages on its records.
 
@@ -261,6 +254,7 @@ def _files_of(project: Project, *, known: Known | None) -> tuple[ProjectFiles, t
     records is raised at once, and with it what is wrong with the mechanisms of bodies without a fault.
     """
     content, faults = project.content, Faults(RecordError)
+    states = note_states(project) if known is None else known.files.states
     spectrum: Spectrum | None = None
     with faults.gather():
         site = site_in(content)
@@ -279,7 +273,7 @@ def _files_of(project: Project, *, known: Known | None) -> tuple[ProjectFiles, t
     if faults.any:
         _gather_mechanism_faults(content, solids, faults)
     faults.raise_all()
-    return ProjectFiles(models, solids, spectrum, named), messages
+    return ProjectFiles(models, solids, spectrum, named, states), messages
 
 
 def _gather_mechanism_faults(content: sections.Content, solids: Mapping[str, Solid | None], faults: Faults) -> None:
@@ -304,7 +298,7 @@ def _deciding_study(
     content = project.content
     files, messages = _files_of(project, known=known)
     study = _study_of_mechanisms(content, files, names=content.mechanisms, may_fall=True)
-    models, solids, spectrum, named = files.models, files.solids, files.spectrum, files.named
+    spectrum, named = files.spectrum, files.named
     selection = content.records.selection
     if selection is not None and spectrum is not None and study.mechanisms:
         named, messages = select_records(
@@ -316,7 +310,7 @@ def _deciding_study(
             executor=executor,
         )
     study = replace(study, records=named.records, fitting=named.fitting)
-    return study, ProjectFiles(models, solids, spectrum, named), messages
+    return study, replace(files, named=named), messages
 
 
 def _study_of_mechanisms(
@@ -452,7 +446,7 @@ def _files_of_case(content: sections.Content, project: Project, files: ProjectFi
         how = "selected by" if content.records.lock is None else "locked by"
         raise ProjectError(f"records: a sweep cannot vary what records are {how}; sweep another key")
     records = files.named if same else _all_records(content.records, project.folder, spectrum)[0]
-    return ProjectFiles(models, solids, spectrum, records)
+    return ProjectFiles(models, solids, spectrum, records, files.states)
 
 
 def _solid_in_case(
@@ -511,23 +505,3 @@ def _all_records(
         *vertical_record_messages(found.records),
         *record_messages(found.records),
     )
-
-
-def _inputs_of(project: Project, records: Sequence[Record], annex: AnnexResult | None) -> Iterator[Input]:
-    """Hash the project file and every file it names; if records are selected or locked, only those used.
-
-    Parameters
-    ----------
-    project : as read
-    records : in use
-    annex : of verification, whose files are hashed too; None if there is none
-    """
-    yield Input(project.path.name, project.sha256)
-    content = project.content
-    bodies = [body.mesh for body in content.bodies.values() if isinstance(body, sections.MeshBody)]
-    table = getattr(content.site.spectrum, "file", None) if content.site is not None else None
-    tables = [] if table is None else [table]
-    used = record_files(content.records, [project.folder / record.path for record in records])
-    named = [*hazard_files(content), *picture_files(content), *annex_files(project, annex)]
-    for path in dict.fromkeys([*bodies, *tables, *used, *named]):
-        yield Input(relative_path(path, project.folder), file_sha256(path))

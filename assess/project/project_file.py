@@ -65,7 +65,7 @@ from spectra.arrays import is_number
 T = TypeVar("T")
 FORMAT = 1
 FILE_NAME = "project.toml"
-_DECIMAL_COMMA = re.compile(r"=\s*([+-]?\d+,\d+)(?![.\d\]])")
+_DECIMAL_COMMA = re.compile(r"=\s*([+-]?[0-9]+,[0-9]+)(?![.0-9\]])")
 _UPGRADES: dict[int, Callable[[dict[str, Any]], dict[str, Any]]] = {}  # from format n to n + 1; there is only one yet
 
 

@@ -210,7 +210,7 @@ def hazard_over_periods(site: sections.SiteSection) -> SiteHazard | None:
     )
 
 
-NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d{1,3})?")
+NUMBER = re.compile(r"[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]{1,3})?")
 
 
 def read_site_options(options: Mapping[str, str], *, folder: Path) -> SiteSection:
@@ -251,7 +251,7 @@ def _number_or_text(text: str) -> float | int | str:
     """Return a number if the text is one, as TOML would have it without quotes, else the text."""
     if NUMBER.fullmatch(text) is None:
         return text
-    return int(text) if re.fullmatch(r"[+-]?\d+", text) else float(text)
+    return int(text) if re.fullmatch(r"[+-]?[0-9]+", text) else float(text)
 
 
 def _as_option(line: str) -> str:

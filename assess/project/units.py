@@ -133,11 +133,15 @@ def key_value(value: Any, kind: QuantityKind) -> float:
 
 
 LONGEST = 60  # characters
-NUMBER = r"[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d{1,3})?"
+NUMBER = r"[+-]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?"
 _NUMBER = re.compile(rf"\s*({NUMBER})\s*")
-_SEPARATED = re.compile(r"([+-]?)(\d*,\d+(?:(?:[.,'_]\d+)| \d{3})*|\d+(?:[.,'_]\d+| \d{3})+)(?![.\d/])")
-_GROUPED = re.compile(r"(\d{1,3}(?:,\d{3})+|\d{1,3}(?:\.\d{3})+|\d{1,3}(?:['_ ]\d{3})+)(?:[.,](\d+))?")
-_FEET_AND_INCHES = re.compile(r"'[\s-]*\d|(?:ft|feet|foot)[\s-]+\d")
+_SEPARATED = re.compile(
+    r"([+-]?)([0-9]*,[0-9]+(?:(?:[.,'_][0-9]+)| [0-9]{3})*|[0-9]+(?:[.,'_][0-9]+| [0-9]{3})+)(?![.0-9/])"
+)
+_GROUPED = re.compile(
+    r"([0-9]{1,3}(?:,[0-9]{3})+|[0-9]{1,3}(?:\.[0-9]{3})+|[0-9]{1,3}(?:['_ ][0-9]{3})+)(?:[.,]([0-9]+))?"
+)
+_FEET_AND_INCHES = re.compile(r"'[\s-]*[0-9]|(?:ft|feet|foot)[\s-]+[0-9]")
 _PLAIN = str.maketrans({
     "−": "-", "‐": "-", "‑": "-", "–": "-", "﹣": "-", "－": "-",  # minus signs, hyphens, an en dash
     "⋅": "·", "∙": "·", "×": "·", "∕": "/", "⁄": "/",
@@ -340,14 +344,14 @@ def _remedy(kind: QuantityKind) -> str:
 def _separated(text: str) -> str:
     """Say what is wrong with a number that has commas or separated thousands; empty if nothing is."""
     found = _SEPARATED.match(text)
-    if found is None or re.fullmatch(r"\d+\.\d+", found[2]):
+    if found is None or re.fullmatch(r"[0-9]+\.[0-9]+", found[2]):
         return ""
     sign, number, rest = found[1], found[2], text[found.end() :]
     grouped = _GROUPED.fullmatch(number)
     whole, point = (f"{sign}{digits}{rest}" for digits in (re.sub(r"\D", "", number), number.replace(",", ".")))
-    if re.fullmatch(r"[1-9]\d{0,2},\d{3}", number):
+    if re.fullmatch(r"[1-9][0-9]{0,2},[0-9]{3}", number):
         return f'a comma that may mean two things; write "{point}" for a decimal comma, "{whole}" for thousands'
-    if re.fullmatch(r"\d*,\d+", number):
+    if re.fullmatch(r"[0-9]*,[0-9]+", number):
         return f'a decimal comma; write "{point if number[0] != "," else point.replace(".", "0.", 1)}"'
     if grouped is None:
         return 'more in the number than one decimal point; write it like "1250.5"'
@@ -435,7 +439,7 @@ def _allows(kind: QuantityKind, name: str) -> bool:
 
 def _as_pint(unit: str, kind: QuantityKind) -> str:
     """Write `m/s2`, `kg·m²` and `5 %` for pint; a prime is a foot, or a minute of an angle."""
-    powers = re.sub(r"(?<=[^\W\d_])(-?\d)", r"**\1", unit)
+    powers = re.sub(r"(?<=[^\W\d_])(-?[0-9])", r"**\1", unit)
     prime, double = ("arcminute", "arcsecond") if kind.name == "angle" else ("foot", "inch")
     plain = powers.replace("'", prime).replace('"', double)
     return plain.replace("%", "percent").replace("‰", "permille").replace("·", "*").replace("°", "degree")

@@ -297,8 +297,22 @@ def file_sha256(path: Path) -> str:
     ------
     OSError : there is no such file, or it cannot be read
     """
+    return _sha256(path.absolute(), file_state(path))
+
+
+FileState = tuple[int, int, int, int]
+"""Size of a file, its times of change [ns] and its number on the disk: another content has another one."""
+
+
+def file_state(path: Path) -> FileState:
+    """Return the state of a file.
+
+    Raises
+    ------
+    OSError : there is no such file, or it cannot be read
+    """
     status = path.stat()
-    return _sha256(path.absolute(), status.st_size, status.st_mtime_ns, status.st_ino)
+    return (status.st_size, status.st_mtime_ns, status.st_ctime_ns, status.st_ino)
 
 
 def _tables_that_hold(key: str) -> Iterator[str]:
@@ -320,7 +334,7 @@ def _field(about: PackageMetadata, key: str) -> str:
 
 
 @lru_cache(maxsize=4096)
-def _sha256(path: Path, size: int, mtime: int, number: int) -> str:
-    """Return the SHA-256 of a file of this size, time of change [ns] and number on its disk."""
+def _sha256(path: Path, state: FileState) -> str:
+    """Return the SHA-256 of a file in this state."""
     with path.open("rb") as opened:
         return hashlib.file_digest(opened, "sha256").hexdigest()

@@ -12,7 +12,6 @@ are probabilities of exceedance in the investigation time T of Poisson's process
 
 from __future__ import annotations
 
-import csv
 import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
@@ -25,8 +24,8 @@ from scipy.constants import g
 
 from assess.errors import HazardError
 from assess.short_repr import ShortRepr
-from spectra.arrays import FloatArray
-from spectra.columns import ACCELERATION_UNITS, ColumnError, decode, factor_of, read_columns
+from spectra.arrays import FloatArray, plain_float
+from spectra.columns import ACCELERATION_UNITS, ColumnError, csv_rows, decode, factor_of, read_columns
 
 Probability = Callable[[FloatArray], FloatArray]
 ACCURACY = 1e-6  # relative change of the rate at which panels are halved no more
@@ -174,7 +173,7 @@ def read_hazard(path: Path, *, longitude: float | None = None, latitude: float |
     """
     try:
         text = decode(path.read_bytes(), where=str(path))
-        lines = [line for line in text.splitlines() if line.strip()]
+        lines = text.splitlines()
         if any("poe-" in line for line in lines if not line.lstrip().startswith("#")):
             return _read_openquake(path, lines, longitude, latitude)
         return _read_two_columns(path)
@@ -261,7 +260,8 @@ def _read_two_columns(path: Path) -> HazardFile:
 
 def _read_openquake(path: Path, lines: list[str], longitude: float | None, latitude: float | None) -> HazardFile:
     comment = " ".join(line for line in lines if line.lstrip().startswith("#"))
-    rows = list(csv.reader(line for line in lines if not line.lstrip().startswith("#")))
+    table = ("" if line.lstrip().startswith("#") else line for line in lines)
+    rows = [row for _, row in csv_rows(table) if any(cell.strip() for cell in row)]
     header = [field.split(":")[0].strip() for field in rows[0]]
     measure, factor, period = _measure(path, comment)
     years = _years(comment)
@@ -340,6 +340,6 @@ def _distance(lon: FloatArray, lat: FloatArray, longitude: float, latitude: floa
 
 def _number(text: str, where: str) -> float:
     try:
-        return float(text)
+        return plain_float(text)
     except ValueError:
         raise HazardError(f'"{text}" in "{where}" is not a number') from None

@@ -17,7 +17,7 @@ import numpy as np
 
 from assess.messages.message import Message, warning, whole_number
 from records.errors import RecordError
-from spectra.arrays import FloatArray
+from spectra.arrays import FloatArray, plain_float
 from spectra.columns import ACCELERATION_UNITS, ColumnError, factor_of
 
 TOUCHING = re.compile(r"(?<=[0-9.])(?=[-+])")
@@ -70,7 +70,7 @@ def numeric_end(lines: Sequence[str], start: int) -> int:
 
 def count(text: str, *, name: str, line: int, path: Path) -> int:
     """Return a count of samples of at most nine digits."""
-    if not re.fullmatch(r"\d{1,9}", text.strip()):
+    if not re.fullmatch(r"[0-9]{1,9}", text.strip()):
         raise RecordError(
             f'{path}: line {line}: {name} = "{text.strip()[:20]}"; it must be a count of samples below 1e9'
         )
@@ -88,7 +88,7 @@ def positive_number(text: str, *, name: str, line: int, path: Path) -> float:
 def number(text: str, *, unknown: Sequence[float] = ()) -> float | None:
     """Return the finite number in `text`; None where it is not one, or one of those that mean `unknown`."""
     try:
-        value = float(text)
+        value = plain_float(text)
     except ValueError:
         return None
     return value if isfinite(value) and value not in unknown else None
@@ -107,7 +107,7 @@ def _first_bad(lines: Sequence[str], *, first: int) -> str:
     for at, line in enumerate(lines, start=first):
         for field in TOUCHING.sub(" ", line).split():
             try:
-                float(field)
+                plain_float(field)
             except ValueError:
                 return f'line {at}: "{field[:20]}" is not a number'
     return "the accelerations are not all numbers"

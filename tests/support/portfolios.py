@@ -12,7 +12,7 @@ from contextlib import contextmanager
 from dataclasses import astuple
 from pathlib import Path
 
-from assess.errors import HeldError, ProjectError
+from assess.errors import FullDiskError, HeldError, ProjectError
 from assess.portfolio.batch import BatchOptions, Portfolio, run_batch
 from assess.portfolio.executors import OpenExecutor, processes
 from assess.portfolio.projects import Task
@@ -26,6 +26,8 @@ def act(job: Job) -> ProjectRow:
         raise ProjectError("walls[3]:\nno such wall; give one")
     if what == "bug":
         raise ZeroDivisionError("a bug")
+    if what == "full":
+        raise FullDiskError("out: no space is left on the disk; make room")
     if what == "held":
         raise HeldError("another writes there")
     if what == "missing":

@@ -242,6 +242,7 @@ GROUPS: Mapping[str, Callable[[], Iterator[FuzzInput]]] = {
     "run": studies.runs,
     "uncertain": studies.uncertain,
     "portfolio": studies.portfolios,
+    "ledger": studies.ledgers,
     "lock": studies.locks,
     "fragility": studies.fragilities,
     "annex": studies.annexes,
@@ -249,6 +250,7 @@ GROUPS: Mapping[str, Callable[[], Iterator[FuzzInput]]] = {
 }
 SHARES: Mapping[str, int] = {
     "project": 20, "mesh": 12, "geometry": 6, "record": 30, "flatfile": 6, "results": 5, "summary": 4, "catalogue": 6,
-    "options": 5, "run": 5, "uncertain": 2, "portfolio": 6, "lock": 4, "fragility": 5, "annex": 4, "report": 0,
+    "options": 5, "run": 5, "uncertain": 2, "portfolio": 6, "ledger": 4, "lock": 4, "fragility": 5, "annex": 4,
+    "report": 0,
 }  # fmt: skip
 """How many of a hundred or so inputs each class has; none of a class that is run only where it is named."""

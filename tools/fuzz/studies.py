@@ -51,6 +51,14 @@ def portfolios() -> Iterator[FuzzInput]:
         yield FuzzInput("portfolio", target, files, target, BATCH, shows="out/ranked.csv")
 
 
+def ledgers() -> Iterator[FuzzInput]:
+    """The ledger of that portfolio, all of whose rows are done."""
+    files = {"table.csv": TABLE.encode(), "template.toml": projects.WALL.encode()}
+    ledger = {"out/ledger.sqlite": made(files, *BATCH)["out/ledger.sqlite"]}
+    resume = (*BATCH, "--resume")
+    yield FuzzInput("ledger", "resume", {**files, **ledger}, "out/ledger.sqlite", resume, shows="out/ranked.csv")
+
+
 def locks() -> Iterator[FuzzInput]:
     """A run whose records are locked."""
     yield FuzzInput("lock", "run", locked(), "records.lock.toml", RUN, shows=RESULTS)

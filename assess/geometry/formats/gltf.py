@@ -52,6 +52,21 @@ def read_gltf(file: Path) -> MeshFile:
     return file_from_meshes(_node_meshes(loaded, header), unit=1.0, up="y")
 
 
+def companions(file: Path) -> tuple[Path, ...]:
+    """Return the files that a glTF file takes its meshes from; none if it cannot be read, which its reader tells."""
+    try:
+        buffers = _json_of(file).get("buffers", [])
+        return tuple(dict.fromkeys(file.parent / uri for buffer in buffers if (uri := _file_named(buffer))))
+    except (OSError, ValueError, TypeError, AttributeError, RecursionError):
+        return ()
+
+
+def _file_named(buffer: Mapping[str, Any]) -> str:
+    """Return the path of the file that holds a buffer; empty if the buffer is in the file itself."""
+    uri = unquote(str(buffer.get("uri", "data:")))
+    return "" if uri.startswith("data:") else uri
+
+
 def _content(file: Path) -> io.BytesIO:
     return io.BytesIO(file.read_bytes())
 
@@ -164,8 +179,8 @@ def gltf_header(file: Path) -> Any:
         if extension in header.get("extensionsUsed", ()):
             raise ValueError(f"its meshes are packed by {name}; export it without compression")
     for buffer in header.get("buffers", []):
-        beside = unquote(str(buffer.get("uri", "data:")))
-        if not beside.startswith("data:") and not (file.parent / beside).is_file():
+        beside = _file_named(buffer)
+        if beside and not (file.parent / beside).is_file():
             raise ValueError(f'the file "{beside[:40]}" that it names is not beside it')
     views = header.get("bufferViews", [])
     for accessor in header.get("accessors", []):

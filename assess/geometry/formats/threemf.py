@@ -25,7 +25,7 @@ from assess.geometry.formats.mesh_file import (
     file_from_meshes,
     transform,
 )
-from spectra.arrays import FloatArray, IntArray
+from spectra.arrays import FloatArray, IntArray, plain_float, plain_int
 
 UNITS = {  # 3MF Core Specification 1.3, 3.4: the attribute unit of <model> [m]
     "micron": 1e-6,
@@ -145,9 +145,9 @@ def _parse_model_part(path: str, data: bytes) -> ModelPart:
         nonlocal current
         match tag.rsplit(":", 1)[-1]:
             case "vertex":
-                current.corners.extend((float(given["x"]), float(given["y"]), float(given["z"])))
+                current.corners.extend([plain_float(given[axis]) for axis in "xyz"])
             case "triangle":
-                current.triangles.extend((int(given["v1"]), int(given["v2"]), int(given["v3"])))
+                current.triangles.extend([plain_int(given[corner]) for corner in ("v1", "v2", "v3")])
             case "object":
                 current = PackageObject(given.get("name") or given["id"])
                 model.objects[own, given["id"]] = current
@@ -170,7 +170,7 @@ def _parse_model_part(path: str, data: bytes) -> ModelPart:
 def _parse_placed_object(given: Mapping[str, str], own: str) -> PlacedObject:
     """Parse an item or component; it lies in its own part of the package unless it names another."""
     path = next((value for name, value in given.items() if name.rsplit(":", 1)[-1] == "path"), own)
-    numbers = [float(word) for word in given.get("transform", "1 0 0 0 1 0 0 0 1 0 0 0").split()]
+    numbers = [plain_float(word) for word in given.get("transform", "1 0 0 0 1 0 0 0 1 0 0 0").split()]
     if len(numbers) != 12:
         raise ValueError(f"a transformation has {len(numbers)} numbers, not 12")
     matrix = np.eye(4)

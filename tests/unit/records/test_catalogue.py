@@ -189,6 +189,17 @@ def test_a_table_that_is_no_flatfile_is_refused_in_one_line(tmp_path: Path, text
     assert "\n" not in str(caught.value)
 
 
+def test_a_quote_that_is_never_closed_swallows_no_recordings(tmp_path: Path) -> None:
+    table = tmp_path / "flat.csv"
+    table.write_text('RSN,Earthquake Name\n100,"Quake\nA"\n101,"Quake B\n102,Quake C\n')
+    with pytest.raises(RecordError, match=r"flat\.csv: line 4: not a table in CSV .*close each quote"):
+        read_flatfile(table)
+    table.write_text('RSN,Earthquake Name\n100,"Quake\nA"\n101,Quake B\n١٠٢,Quake C\n')
+    found = read_flatfile(table)
+    assert [one.nga for one in found.recordings] == [100, 101]
+    assert [(bad.row, bad.value) for bad in found.bad] == [(5, "١٠٢")]
+
+
 @pytest.mark.parametrize(
     ("row", "told"),
     [

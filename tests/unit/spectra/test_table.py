@@ -6,11 +6,19 @@ import numpy as np
 import pytest
 from scipy.constants import g
 
+from spectra.columns import ColumnError, read_columns
 from spectra.errors import SpectrumError
 from spectra.table import read_table, table_spectrum
 from tests.support.files import refused_in_one_line, write_file
 
 T, S_A = [0.0, 0.1, 0.5, 2.0], [1.0, 2.5, 2.5, 0.6]
+
+
+@pytest.mark.parametrize("row", ["٠.٥, 0.3", "0.5, ٣", "0.5, 1_0", "０.５, 0.3"])
+def test_other_digits_than_0_to_9_are_no_numbers(tmp_path: Path, row: str) -> None:
+    (tmp_path / "site.csv").write_text(f"period [s], acceleration [g]\n0, 0.2\n{row}\n", encoding="utf-8")
+    with pytest.raises(ColumnError, match=r"line 3: .* is not two numbers"):
+        read_columns(tmp_path / "site.csv")
 
 
 def test_ordinates_are_linear_between_points_and_zero_period_is_the_pga() -> None:

@@ -5,6 +5,7 @@ import typer
 
 from assess.cli.app import app
 from assess.cli.options import WRONG_USAGE, usage_error
+from tests.support.command import ended
 
 
 @pytest.mark.parametrize(
@@ -29,6 +30,12 @@ def test_a_wrong_command_is_told_in_plain_words(typed: str, told: str) -> None:
     with pytest.raises(WRONG_USAGE) as caught:
         app(typed.split(" "), standalone_mode=False, prog_name="assess")
     assert str(usage_error(caught.value)).startswith(told)
+
+
+@pytest.mark.parametrize("typed", ["٢", "１２", "-٠.٥", "०.१"])
+def test_a_number_in_other_digits_is_refused(typed: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert ended("run", "x", "--jobs", typed) == 2
+    assert f'"{typed}": a number is written with the digits 0 to 9' in capsys.readouterr().err
 
 
 def _commands(group, names=()):

@@ -1,5 +1,6 @@
 """Outputs are written whole or not at all, and nothing is replaced that is not the program's or was changed since."""
 
+import errno
 import os
 from pathlib import Path
 from typing import Any
@@ -7,7 +8,7 @@ from unittest.mock import Mock
 
 import pytest
 
-from assess.errors import OutputError
+from assess.errors import FullDiskError, OutputError
 from assess.outputs.manifest import ENVELOPES, MANIFEST
 from assess.outputs.writing import output_folder
 from tests.support.files import contents_of, names_in, write_files, write_output
@@ -74,6 +75,27 @@ def test_failing_writer_leaves_no_new_folder(tmp_path: Path) -> None:
     with pytest.raises(KeyboardInterrupt), output_folder(tmp_path / "new" / "deep", command="a test"):
         raise KeyboardInterrupt
     assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize("wrapped", [False, True])
+@pytest.mark.parametrize("number", [errno.ENOSPC, errno.EDQUOT])
+def test_a_full_disk_is_one_line_and_leaves_nothing(tmp_path: Path, number: int, wrapped: bool) -> None:
+    """Packages that write workbooks and pages raise errors of their own while they handle that of the disk."""
+    out = tmp_path / "out"
+
+    def write() -> None:
+        with output_folder(out, command="assess run") as stage:
+            (stage / "results.json").write_text("half")
+            try:
+                raise OSError(number, os.strerror(number))
+            except OSError as error:
+                if wrapped:
+                    raise RuntimeError("the workbook cannot be closed") from error
+                raise
+
+    with pytest.raises(FullDiskError, match=rf"{out}: no space is left on the disk.*; make room"):
+        write()
+    assert not out.exists()
 
 
 @pytest.mark.parametrize("fails_at", range(2, 7))  # the first is that of the journal, before anything is moved

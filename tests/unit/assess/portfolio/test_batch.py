@@ -12,10 +12,11 @@ from pathlib import Path
 
 import pytest
 
-from assess.errors import AssessError, HeldError, OutputError
+from assess.errors import AssessError, FullDiskError, HeldError, OutputError
 from assess.outputs.lock import LOCK, hold_lock
-from assess.portfolio.batch import BatchOptions, Shard, open_ledger
+from assess.portfolio.batch import BatchOptions, Portfolio, Shard, open_ledger
 from assess.portfolio.executors import processes
+from assess.portfolio.tasks import ProjectRow
 from assess.results.provenance import describe_program
 from tests.support.places import SOURCES
 from tests.support.portfolios import assess, table, task
@@ -26,6 +27,45 @@ HOSTILE = ("../../up", "a\0b", "=cmd()", "CON", "Wall", "wall", "x" * 3000, "é"
 def rows_of(place: Path) -> list[str]:
     with open_ledger(place / "ledger.sqlite") as ledger:
         return [row.key for _, row in ledger.rows() if row]
+
+
+def test_a_full_disk_ends_the_portfolio_which_goes_on_with_resume(tmp_path: Path) -> None:
+    """It is no fault of a project: no row says that one is broken."""
+    order, log = BatchOptions(tmp_path / "out", "rows", resume=True), tmp_path / "log"
+    with pytest.raises(FullDiskError, match=r"no space is left.* what is done is kept, and --resume goes on"):
+        assess([task("a", f"count {log}"), task("b", "full")], order)
+    assert not (tmp_path / "out" / "ranked.csv").exists()
+    found = assess([task("a", f"count {log}"), task("b")], order)
+    assert {row.status for row in found.rows} == {"done"}
+    assert log.read_text().split().count("a") <= 2
+
+
+def test_a_ledger_on_a_full_disk_keeps_its_rows(tmp_path: Path) -> None:
+    """A database that may have no more pages answers as one on a disk without space."""
+    kept, large = ("a", ProjectRow("a", "", "", "done")), ("b", ProjectRow("b", "t" * 50_000, "", "done"))
+    path = tmp_path / "l.sqlite"
+
+    def fill() -> None:
+        with open_ledger(path) as ledger:
+            ledger.put([kept])
+            ledger._connection.execute("PRAGMA max_page_count = 3")
+            ledger.put([large])
+
+    with pytest.raises(FullDiskError, match=r"l\.sqlite: no space is left on the disk"):
+        fill()
+    with open_ledger(path) as ledger:
+        assert list(ledger.rows()) == [kept]
+
+
+def test_reasons_are_counted_whatever_their_numbers(tmp_path: Path) -> None:
+    rows = [
+        ProjectRow("a", "", "", "done", "the load is 0.25 m in the air", outcome="incomplete"),
+        ProjectRow("b", "", "", "broken", "no such file"),
+        ProjectRow("c", "", "", "done", "the load is 1.5 m in the air", outcome="incomplete"),
+        ProjectRow("d", "", "", "done", outcome="pass"),
+    ]
+    counted = Portfolio(tuple(rows), 0, None).count_reasons()
+    assert counted == [("the load is 0.25 m in the air", 2), ("no such file", 1)]
 
 
 def test_a_broken_project_is_a_row_and_stops_nothing(tmp_path: Path) -> None:

@@ -70,7 +70,9 @@ def test_rows_without_id_are_named_by_their_line(tmp_path: Path) -> None:
         ("", "no header"),
         (f"id,{THICKNESS}\na,1\nb,1\na,2\n", 'lines 2 and 4: "a" twice'),
         (b"title\n\xe8\n", "not UTF-8"),
-        ("title\n" + "x" * 200_000, "not a table as CSV"),
+        ("title\n" + "x" * 200_000, "line 2: not a table in CSV (field larger than"),
+        (f'id,{THICKNESS},title\na,0.5,"lbl\nb,0.2,x\nc,0.2,y\n', "line 2: not a table in CSV (unexp"),
+        (f'id,{THICKNESS},title\na,0.5,x\nb,0.2,"y"z\n', "line 3: not a table in CSV"),
     ],
 )
 def test_header_that_cannot_be_used_is_one_line(tmp_path: Path, text: str, line: str) -> None:
@@ -191,6 +193,16 @@ def test_hash_follows_the_records_of_a_lock(tmp_path: Path) -> None:
     lock.write_text("[[records")
     (broken,) = table(tmp_path, f"{THICKNESS}\n0.5\n", template=template)
     assert len({first.sha256, changed.sha256, broken.sha256}) == 3
+
+
+def test_hash_follows_the_file_that_holds_the_mesh_of_a_gltf(tmp_path: Path) -> None:
+    (tmp_path / "m.gltf").write_text('{"buffers": [{"byteLength": 3, "uri": "m.bin"}]}')
+    template = project_toml(bodies={"wall": {"material": "brick", "mesh": "m.gltf"}}, mechanisms={"wall": block()})
+    found = []
+    for content in ("old", "new"):
+        (tmp_path / "m.bin").write_text(content)
+        found += table(tmp_path, "title\na\n", template=template)
+    assert found[0].sha256 != found[1].sha256
 
 
 @pytest.mark.parametrize("text", ["/", ".", "..", "~", "*", "a\0b", "x" * 300, "x" * 5000, "\ud800"])

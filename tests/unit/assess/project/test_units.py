@@ -85,6 +85,8 @@ BAD = [
     ("1.2.3 m", "length", "more in the number than one decimal point"),
     ("4 ft 6 in", "length", "feet and inches in one"),
     ("4′ 6″", "length", "feet and inches in one"),
+    ("٣ m", "length", "not a number with a unit"),
+    ("１２ kN/m^3", "density", "not a number with a unit"),
     ("½ m", "length", "not a number with a unit"),
     ("1.2×10³ kg", "mass", "is not a unit"),
     ("2 ton", "mass", '1000 kg to some and 2000 lb to others; write "t" or "short_ton"'),

@@ -84,6 +84,8 @@ def test_byte_order_mark_and_windows_lines(tmp_path):
         (("1.522632E-01", "0.0001"), "the annual rate rises"),
         (("1.522632E-01,1.000000E-02", "1.0,1.0"), "fewer than two"),
         ((",1.000000E-02,0.000000E+00", ""), "site 2 has another number of columns"),
+        (("1.522632E-01", "١.٥E-٠١"), '"١.٥E-٠١" in "poe-0.1000000" is not a number'),
+        (("1.522632E-01", '"1.522632E-01'), "line 4: not a table in CSV (unexpected end of data); close each quote"),
         (("poe-0.1000000", "mm-0.1000000"), 'column "mm-0.1000000" is none of lon, lat'),
         (("lon,lat", "x,y"), "2 sites and no columns lon and lat"),
     ],
@@ -133,6 +135,7 @@ def test_plain_columns(tmp_path, text, intensity, rates, measure):
         ("pga [g], rate [1/s]\n0.1, 1e-2\n0.3, 1e-3\n", 'unit "1/s" of the second column'),
         ("pga [g], rate\n0.1, 1e-2\n", "at least two rows"),
         ("pga [g], T_R [years]\n0.1, 0\n0.3, 100\n", "annual rate inf"),
+        ("pga [g], rate\n٠.١, 1e-2\n0.3, 1e-3\n", "is not two numbers"),
         ("", "the file is empty"),
     ],
 )

@@ -10,6 +10,7 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 from assess.errors import GeometryError
+from assess.geometry.formats.gltf import companions
 from assess.geometry.formats.readers import read_mesh_file as read_file
 from assess.geometry.mesh import load_solid
 from assess.geometry.solid import Solid, box
@@ -38,6 +39,17 @@ def test_gltf_is_turned_from_y_up_to_z_up(tmp_path: Path) -> None:
     header["buffers"][0]["uri"] = "wall.bin"
     (tmp_path / "wall.bin").write_bytes(content)
     assert_same_mass(read(tmp_path, "beside.gltf", json.dumps(header).encode()), WALL, rtol=1e-12)
+
+
+def test_companions_are_the_files_that_hold_the_buffers(tmp_path: Path) -> None:
+    header, _ = gltf(WALL.vertices, WALL.triangles, [{"mesh": 0}])
+    within = {"byteLength": 1, "uri": "data:application/octet-stream;base64,AA=="}
+    header["buffers"] = [{"byteLength": 9, "uri": "my%20wall.bin"}, within, {"byteLength": 1}, {"uri": "b/c.bin"}]
+    path = write_file(tmp_path / "wall.gltf", json.dumps(header).encode())
+    assert companions(path) == (tmp_path / "my wall.bin", tmp_path / "b" / "c.bin")
+    for damaged in (b"", b"[]", b"{", b'{"buffers": 7}', b'{"buffers": [7]}', b"\xff", b"glTF"):
+        assert companions(write_file(path, damaged)) == ()
+    assert companions(tmp_path / "absent.gltf") == ()
 
 
 def test_gltf_that_has_z_up_against_its_standard(tmp_path: Path) -> None:

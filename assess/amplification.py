@@ -41,7 +41,6 @@ from assess.geometry.cut import section_moments
 from assess.geometry.solid import Solid
 from assess.messages.message import Quantity, note
 from records.errors import RecordError
-from records.kernel import relative_accelerations
 from records.record import Record, scale, with_step
 from records.response import COARSEST, response_spectrum
 from spectra.arrays import FloatArray
@@ -291,6 +290,8 @@ def floor_motion(
     parts = max(1, ceil(record.dt * STEPS_PER_PERIOD * (fastest or frequency) - 1e-9))
     tail = min(record.npts, ceil(log(1.0 / FADED) / (2.0 * pi * damping) * period / record.dt))
     ground_acceleration = np.concatenate([record.acceleration, np.zeros(tail)])
+    from records.kernel import relative_accelerations  # brings numba
+
     relative = relative_accelerations(ground_acceleration, record.dt, parts, period, damping)
     acceleration = shape * relative + subdivide(ground_acceleration, parts)
     acceleration.flags.writeable = False

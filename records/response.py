@@ -14,7 +14,6 @@ from numpy.typing import ArrayLike
 from scipy.constants import g
 
 from records.errors import RecordError
-from records.kernel import peak_displacements
 from records.record import Record
 from spectra.arrays import FloatArray
 
@@ -220,6 +219,8 @@ def integrate_absolute(record: Record) -> FloatArray:
 @lru_cache(maxsize=SPECTRA_KEPT)
 def _peak_displacements(acceleration: bytes, dt: float, period: bytes, damping: float) -> FloatArray:
     """Return the largest displacements of oscillators [m]; many walls ask for the spectra of one suite."""
+    from records.kernel import peak_displacements  # brings numba, which takes half a second to import
+
     return peak_displacements(np.frombuffer(acceleration), dt, np.frombuffer(period), damping)
 
 

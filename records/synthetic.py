@@ -21,7 +21,6 @@ import numpy as np
 from assess.declaration import Drawn, Evidence, Number, Safe
 from assess.messages.message import Message, Quantity, note, whole_number
 from records.errors import RecordError
-from records.kernel import peak_displacements
 from records.record import Record, make_record
 from records.selection import target_mark
 from spectra.arrays import FloatArray
@@ -343,5 +342,7 @@ def _without_drift(a: FloatArray, basis: HarmonicBasis, *, pga: float) -> FloatA
 
 def _ratio(a: FloatArray, target: TargetOrdinates, dt: float) -> FloatArray:
     """Return the accelerogram's 5 % response spectrum over the target [k]."""
+    from records.kernel import peak_displacements  # brings numba
+
     omega = 2.0 * np.pi / target.period
     return np.asarray(omega**2 * peak_displacements(a, dt, target.period, DAMPING) / target.ordinate)

@@ -21,7 +21,7 @@ from typing import TypeVar
 import numpy as np
 from numpy.typing import ArrayLike
 
-from assess.dynamics.kernel import columns, exact, linearised
+from assess.dynamics.kernel import columns
 from assess.dynamics.packing import Equation, PackedOscillator, branches_of, check_jobs, kernel_array, pack, tables_of
 from assess.oscillator import Oscillator
 from assess.short_repr import ShortRepr
@@ -344,11 +344,15 @@ def _release_coordinate(one: PackedOscillator, rotation: float) -> float:
 
 def _linearised(oscillators: Sequence[PackedOscillator], motions: Sequence[Record], tolerance: float) -> RunHistory:
     """Return the linearised kernel with oscillators and motions filled in; it has no error to tolerate."""
+    from assess.dynamics.kernel import linearised  # brings numba
+
     return partial(linearised.rock_linearised, branches_of(oscillators), *_motions(motions))
 
 
 def _exact(oscillators: Sequence[PackedOscillator], motions: Sequence[Record], tolerance: float) -> RunHistory:
     """Return the exact kernel with oscillators and motions filled in."""
+    from assess.dynamics.kernel import exact  # brings numba
+
     ground, offset, dt, _ = _motions(motions)
     tables = tables_of(oscillators)
     return partial(exact.rock_exact, branches_of(oscillators), *tables, tolerance, ground, offset, dt)

@@ -31,7 +31,7 @@ from numpy.typing import NDArray
 from scipy.constants import g
 from scipy.interpolate import BPoly, PPoly
 
-from assess.dynamics.kernel import columns, exact, linearised, sine
+from assess.dynamics.kernel import columns
 from assess.dynamics.packing import Equation, PackedOscillator, branches_of, check_jobs, kernel_array, pack, tables_of
 from assess.oscillator import Branch, Oscillator, energy
 from assess.short_repr import ShortRepr
@@ -249,6 +249,8 @@ def make_pulse_solver(
     _check_frequency(frequency)
     each = [pack(oscillator, equation) for oscillator in oscillators]
     if _has_closed_form(shape, equation):
+        from assess.dynamics.kernel import sine  # brings numba
+
         run: RunPulses = partial(sine.sine_outcomes, branches_of(each), shape.end, kernel_array(frequency, np.float64))
     else:
         run = _KERNELS[equation](each, (*pulse_polynomials(shape), kernel_array(frequency, np.float64)))
@@ -279,10 +281,14 @@ def make_pulse_solver(
 
 
 def _linearised(oscillators: Sequence[PackedOscillator], pulse: tuple[FloatArray, float, FloatArray]) -> RunPulses:
+    from assess.dynamics.kernel import linearised
+
     return partial(linearised.pulse_linearised, branches_of(oscillators), *pulse)
 
 
 def _exact(oscillators: Sequence[PackedOscillator], pulse: tuple[FloatArray, float, FloatArray]) -> RunPulses:
+    from assess.dynamics.kernel import exact
+
     return partial(exact.pulse_exact, branches_of(oscillators), *tables_of(oscillators), TOLERANCE, *pulse)
 
 
@@ -369,6 +375,8 @@ CHUNK = 3
 
 def _envelope_kernel(oscillator: Oscillator, shape: PulseShape, equation: Equation) -> Callable[..., None]:
     """Return the kernel for the envelope of this oscillator and shape."""
+    from assess.dynamics.kernel import exact, linearised, sine
+
     one = pack(oscillator, equation)
     if _has_closed_form(shape, equation):
         return partial(sine.envelope_sine, one.branches, shape.end)

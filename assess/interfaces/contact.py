@@ -17,7 +17,6 @@ from numpy.typing import ArrayLike
 
 from assess.declaration import UNCERTAIN, Evidence, Fault, Forms, JointStiffness, PositiveLength, Safe, Strength
 from assess.errors import InterfaceError
-from assess.interfaces.kernel.equilibrium import crushing_depth, touch
 from assess.interfaces.section import CONTACT_SIZES, ContactSection, Shape, mirror
 from assess.messages.message import Message, Quantity, warning
 from assess.short_repr import ShortRepr
@@ -127,6 +126,8 @@ def contact(
     ------
     InterfaceError : no compression, a force the section cannot carry, no stiffness or strength, a negative rotation
     """
+    from assess.interfaces.kernel.equilibrium import touch  # brings numba
+
     forces, turns = (np.atleast_1d(np.asarray(each, dtype=np.float64)) for each in (normal_force, rotation))
     _require_rotation(turns, where=where)
     _require_load(section, law, forces, where=where)
@@ -163,6 +164,8 @@ def thresholds(
     k, f, N = law.stiffness, law.strength, float(normal_force)
     if k == inf:
         return 0.0, 0.0 if f < inf else inf
+    from assess.interfaces.kernel.equilibrium import crushing_depth
+
     far = section.depth - section.centroid
     opening = N / (k * section.area * far)
     if f == inf:

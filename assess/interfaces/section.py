@@ -15,8 +15,8 @@ from numpy.typing import ArrayLike
 from assess.declaration import UNCERTAIN, Evidence, Fault, PositiveLength
 from assess.errors import GeometryError
 from assess.geometry.solid import THINNEST, Corners
-from assess.interfaces.kernel import moments
-from assess.interfaces.kernel.moments import BEGIN, EDGE, RADIUS, SIGN, W0, W1
+from assess.interfaces.kernel import columns
+from assess.interfaces.kernel.columns import BEGIN, EDGE, RADIUS, SIGN, W0, W1
 from assess.short_repr import ShortRepr
 from spectra.arrays import FloatArray, IntArray
 
@@ -87,7 +87,7 @@ class ContactSection(ShortRepr):
     discs: FloatArray
 
     @property
-    def table(self) -> moments.MomentTable:
+    def table(self) -> columns.MomentTable:
         """The arrays and numbers that the kernel reads."""
         return self.pieces, self.discs, self.depth, self.area, self.centroid
 
@@ -173,7 +173,7 @@ def mirror(section: ContactSection) -> ContactSection:
     """Return the same region rocking the other way."""
     if not section.pieces.size:
         return section  # discs are concentric
-    X, (W0, W1, V0, V1, V2) = section.pieces[::-1, moments.BEGIN], section.pieces[-2::-1, moments.W0 : moments.A].T
+    X, (W0, W1, V0, V1, V2) = section.pieces[::-1, columns.BEGIN], section.pieces[-2::-1, columns.W0 : columns.A].T
     L = -np.diff(X)
     widths = np.column_stack([W0 + W1 * L, W0])
     sides = np.column_stack([V0 + d * (V1 + d * V2) for d in (L, L / 2.0, 0.0 * L)])

@@ -82,7 +82,10 @@ class ProjectSection(BaseModel):
     """
 
     model_config = ConfigDict(
-        frozen=True, extra="forbid", model_title_generator=lambda table: table.__name__.removesuffix("Section")
+        frozen=True,
+        extra="forbid",
+        defer_build=True,
+        model_title_generator=lambda table: table.__name__.removesuffix("Section"),
     )
     elsewhere: ClassVar[Mapping[str, str]] = {}
     evidence: ClassVar[Evidence | None] = None

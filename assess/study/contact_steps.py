@@ -12,7 +12,7 @@ from math import inf, isclose
 
 from assess.codes.calculation_sheet import Given, Step, step
 from assess.interfaces.contact import Contact, contact, semi_flexible_shift, thresholds
-from assess.interfaces.kernel.moments import BEGIN, RADIUS, W0, W1
+from assess.interfaces.kernel.columns import BEGIN, RADIUS, W0, W1
 from assess.interfaces.section import ContactSection, stress_integrals
 from assess.mechanisms.chain import Joint
 

@@ -6,7 +6,8 @@ import math
 
 import numpy as np
 
-from assess.interfaces.kernel.moments import MomentTable, integrate_zone, moments_upto, width
+from assess.interfaces.kernel.columns import MomentTable
+from assess.interfaces.kernel.moments import integrate_zone, moments_upto, width
 from assess.kernel import compiled, entry, reachable
 from spectra.arrays import FloatArray, IntArray
 

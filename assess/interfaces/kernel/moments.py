@@ -4,18 +4,29 @@ from __future__ import annotations
 
 import math
 
+from assess.interfaces.kernel.columns import (
+    BEGIN,
+    EDGE,
+    RADIUS,
+    SIGN,
+    SUM_A,
+    SUM_S,
+    SUM_T,
+    V0,
+    V1,
+    V2,
+    W0,
+    W1,
+    A,
+    MomentTable,
+    S,
+    T,
+)
 from assess.interfaces.kernel.discs import integrate_disc
 from assess.kernel import compiled
 from spectra.arrays import FloatArray, IntArray
 
-# pieces, discs; depth [m], area [m2], centroid [m]: see `Section`
-MomentTable = tuple[FloatArray, FloatArray, float, float, float]
 Five = tuple[float, float, float, float, float]
-# columns of `pieces` [m + 1, 12]: where the piece begins; its width W0 + W1 d and the integral of the offset over the
-# width, V0 + V1 d + V2 d^2, at the distance d from there; up to there A, S, T and their integrals over depth
-BEGIN, W0, W1, V0, V1, V2, A, S, T, SUM_A, SUM_S, SUM_T = range(12)
-# columns of `discs` [d, 3]: radius [m], depth of its own edge [m], 1 where it adds and -1 where it takes away
-RADIUS, EDGE, SIGN = range(3)
 LONG = 1.0 / 64.0
 """Fraction of the depth of the section: the pieces of a shorter stretch are summed one by one, because a difference of
 sums from the edge loses digits."""

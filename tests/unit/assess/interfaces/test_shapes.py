@@ -13,7 +13,7 @@ from shapely.affinity import rotate, scale, translate
 from assess.errors import GeometryError
 from assess.geometry.cut import divide, heading, inclined_plane, level_plane
 from assess.geometry.solid import box, profile
-from assess.interfaces.kernel.moments import BEGIN, SUM_A, SUM_S, SUM_T, V0, V1, V2, W0, W1, A, S, T
+from assess.interfaces.kernel.columns import BEGIN, SUM_A, SUM_S, SUM_T, V0, V1, V2, W0, W1, A, S, T
 from assess.interfaces.section import ContactSection, annulus, circle, hollow_rectangle, mirror, polygon, rectangle
 from tests.support.bodies import in_joint_frame
 

@@ -46,7 +46,7 @@ from reports.project_values import project_text
 from reports.render.html import write_html
 from reports.render.pdf import write_pdf
 from reports.render.spreadsheet import write_xlsx
-from reports.render.table_text import program_and_stamp, write_csv
+from reports.render.table_text import plain_tables, program_and_stamp, write_csv
 from reports.render.vector import document_processes, svg_picture, trace_figures, write_png, write_svg
 
 if TYPE_CHECKING:
@@ -288,8 +288,9 @@ def figure_names(document: Document, results: Results, mechanism: str | None) ->
 
 
 def _write_tables(document: Document, folder: Path) -> None:
-    write_csv(document, folder / "tables")
-    write_xlsx(document, folder / "tables.xlsx")
+    plain = plain_tables(document)
+    write_csv(document, folder / "tables", plain)
+    write_xlsx(document, folder / "tables.xlsx", plain)
 
 
 def _places(document: Document, forms: Sequence[Form]) -> range:

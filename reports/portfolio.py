@@ -15,7 +15,7 @@ from reports.language.texts import Phrase, Text, Verbatim, count, say
 from reports.mechanisms import short_title
 from reports.render.html import write_html
 from reports.render.spreadsheet import write_xlsx
-from reports.render.table_text import write_csv
+from reports.render.table_text import plain_tables, write_csv
 
 NAME = "ranked"
 FILES = (f"{NAME}.csv", f"{NAME}.xlsx", f"{NAME}.html")
@@ -71,10 +71,11 @@ def write_ranking(
     The paths of ranked.csv, ranked.xlsx and ranked.html
     """
     document = _portfolio_report(rows, locale=Locale(system=units) if language is None else Locale(language, units))
-    (table,) = write_csv(document, stage)
+    plain = plain_tables(document)
+    (table,) = write_csv(document, stage, plain)
     return (
         table,
-        write_xlsx(document, stage / f"{NAME}.xlsx"),
+        write_xlsx(document, stage / f"{NAME}.xlsx", plain),
         write_html(document, stage / f"{NAME}.html", pictures={}),
     )
 

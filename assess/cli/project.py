@@ -58,7 +58,7 @@ def check(project: ProjectPath) -> None:
 
         shown.step("mechanisms")
         study = build(loaded)
-    print(description(loaded, parameters(study), study.sweeps, study.messages), end="")
+    print(description(loaded, parameters(study, views=False), study.sweeps, study.messages), end="")
     print(sensitivity_text(study.variables), end="")
 
 
@@ -81,8 +81,8 @@ def parameters(
     text = dumps_mechanisms if as_json else parameters_csv if as_csv else parameters_text
     study = build(loaded)
     print_messages(study.messages)
-    mechanisms = parameters_of_study(study)
-    print(text((*mechanisms, *case_parameters(study))), end="")
+    mechanisms = parameters_of_study(study, views=as_json)
+    print(text((*mechanisms, *case_parameters(study, views=as_json))), end="")
     if text is parameters_text:
         print(directions_text(mechanisms), end="")
 

@@ -74,12 +74,12 @@ def find_contact(
     """
 
     def contact(cosine: float, *, bearing: bool) -> ContactArea | None:
-        faces = _chosen(_facing_parts(block, body, reach=tolerance, cosine=cosine), bearing=bearing)
+        faces = _facing_parts(block, body, reach=tolerance, cosine=cosine, bearing=bearing)
         gap = _gap(faces)
         if gap is None:
             return None
         if (reach := gap + joint) != tolerance:
-            faces = _chosen(_facing_parts(block, body, reach=reach, cosine=cosine), bearing=bearing)
+            faces = _facing_parts(block, body, reach=reach, cosine=cosine, bearing=bearing)
         return _join_patches(faces, bearing=bearing)
 
     bears = [contact(PARALLEL, bearing=True), _embedded_contact(block, body)]
@@ -98,7 +98,7 @@ def facing_patches(block: Solid, body: Solid, *, tolerance: float = CONTACT_TOLE
     body : whose faces they may face
     tolerance : on the distance of faces [m]
     """
-    return _chosen(_facing_parts(block, body, reach=tolerance, cosine=PARALLEL), bearing=False)
+    return _facing_parts(block, body, reach=tolerance, cosine=PARALLEL, bearing=False)
 
 
 def join_contacts(contacts: Sequence[ContactArea]) -> ContactArea | None:
@@ -111,12 +111,6 @@ def join_contacts(contacts: Sequence[ContactArea]) -> ContactArea | None:
         np.array([getattr(each, key) for each in chosen]) for key in ("area", "centroid", "normal")
     )
     return _join_patches(FacePatches(area, centroid, normal, np.zeros(len(chosen))), bearing=bearing)
-
-
-def _chosen(faces: FacePatches, *, bearing: bool) -> FacePatches:
-    """Return the patches of faces that bear, or the upright ones."""
-    which = faces.normal[:, 2] >= STEEP if bearing else np.abs(faces.normal[:, 2]) < STEEP
-    return FacePatches(faces.area[which], faces.centroid[which], faces.normal[which], faces.distance[which])
 
 
 def _gap(faces: FacePatches) -> float | None:
@@ -140,15 +134,18 @@ SPLINTER = JOINT**2  # m2: what meets in less does not touch
 DIGITS = 9  # of a gap in metres: beyond them it is rounding of coordinates
 
 
-def _facing_parts(block: Solid, body: Solid, *, reach: float, cosine: float) -> FacePatches:
+def _facing_parts(block: Solid, body: Solid, *, reach: float, cosine: float, bearing: bool) -> FacePatches:
     """Return the parts of the block's faces that a face of the body faces within reach [m] and cosine.
 
-    The body's face is at most the reach away, and at most `JOINT` inside the block.
+    Of the block only faces that bear count, or only upright ones. The body's face is at most the reach away, and at
+    most `JOINT` inside the block.
     """
     origin = (body.vertices.min(axis=0) + body.vertices.max(axis=0)) / 2.0
     margin = max(reach, JOINT)
     one, other = _triangles_near(block, body, origin=origin, margin=margin)
     (one, n), (other, m) = _with_normals(one), _with_normals(other)
+    chosen = n[:, 2] >= STEEP if bearing else np.abs(n[:, 2]) < STEEP
+    one, n = one[chosen], n[chosen]
     pairs = _pairs(one, n, other, m, margin=margin, cosine=cosine)
     found = [_clip_facing(one[i], n[i], other[j], reach=reach) for i, j in pairs]
     area, centroid, normal, distance = (np.concatenate(each) for each in zip(_EMPTY, *found, strict=True))

@@ -365,8 +365,10 @@ def _cluster_points(vertices: FloatArray, triangles: IntArray, group: IntArray, 
         height = np.einsum("mi,mi->m", normal, corners[:, corner] - mean[owner])
         for i in range(3):
             b[:, i] += np.bincount(owner, weights=normal[:, i] * height, minlength=len(count))
-            for j in range(3):
+            for j in range(i, 3):
                 A[:, i, j] += np.bincount(owner, weights=normal[:, i] * normal[:, j], minlength=len(count))
+    for i, j in ((1, 0), (2, 0), (2, 1)):
+        A[:, i, j] = A[:, j, i]
     shift = np.einsum("kij,kj->ki", np.linalg.pinv(A, rcond=SHARP, hermitian=True), b)
     length = np.linalg.norm(shift, axis=1, keepdims=True)
     return np.asarray(mean + shift * np.minimum(1.0, cell / np.maximum(length, cell)), dtype=np.float64)

@@ -59,8 +59,14 @@ from records.record import Record
 from records.response import response_spectrum
 
 
-def parameters(study: Study) -> tuple[MechanismResult, ...]:
-    """Return every mechanism with its rocking parameters and capacity curve."""
+def parameters(study: Study, *, views: bool = True) -> tuple[MechanismResult, ...]:
+    """Return every mechanism with its rocking parameters and capacity curve.
+
+    Parameters
+    ----------
+    study : of any mechanisms
+    views : whether with the bodies in space, which results.json holds and tables do not show
+    """
     return tuple(
         mechanism_result(
             mechanism,
@@ -69,18 +75,19 @@ def parameters(study: Study) -> tuple[MechanismResult, ...]:
             scene=study.scenes.get(mechanism.name),
             amplification=amplification_result(study.amplified[mechanism.name]),
             height=study.heights[mechanism.name],
+            views=views,
         )
         for mechanism in study.mechanisms
     )
 
 
-def case_parameters(study: Study) -> tuple[MechanismResult, ...]:
-    """Return the parameters of every case of every sweep; each mechanism is named with its case."""
+def case_parameters(study: Study, *, views: bool = True) -> tuple[MechanismResult, ...]:
+    """Return the `parameters` of every case of every sweep; each mechanism is named with its case."""
     named = []
     for sweep in study.sweeps:
         for case in sweep.cases:
             with locate_errors(case.name):
-                results = parameters(case.study)
+                results = parameters(case.study, views=views)
             named += [
                 replace(result, name=f"{result.name}, {case_text(sweep, case, result.name)}") for result in results
             ]
@@ -100,6 +107,7 @@ def mechanism_result(
     histories: Sequence[Sequence[HistoryResult]] = (),
     amplification: AmplificationResult = UNAMPLIFIED_RESULT,
     height: HeightAboveGround | None = None,
+    views: bool = True,
 ) -> MechanismResult:
     """Return one mechanism as results.
 
@@ -121,6 +129,8 @@ def mechanism_result(
         The motion at its base.
     height : HeightAboveGround, optional
         Where it is above the ground.
+    views : bool, optional
+        Whether with its bodies in space, where there is a scene.
 
     Returns
     -------
@@ -142,7 +152,7 @@ def mechanism_result(
         restitution_said=mechanism.restitution_source_parts,
         direction_sweep=mechanism.directions,
         drawing=drawing,
-        view=None if scene is None else view_in_space(mechanism, scene),
+        view=view_in_space(mechanism, scene) if scene is not None and views else None,
         oscillator=oscillator_result(positive, mass=mass, rigid=rigid[0], equilibrium=oscillator.equilibrium),
         oscillator_negative=None
         if negative is None

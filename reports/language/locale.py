@@ -9,7 +9,7 @@ import re
 import unicodedata
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
-from functools import cache, singledispatchmethod
+from functools import cache
 from gettext import GNUTranslations, NullTranslations
 from io import BytesIO
 from math import isfinite, pi
@@ -55,55 +55,30 @@ class Locale:
         """The decimal sign."""
         return decimal_point(self.language)
 
-    @singledispatchmethod
     def text(self, text: Text) -> str:
         """Return a text in letters. Raises TypeError for what is no text of a document."""
+        match text:
+            case Verbatim():
+                return text.text
+            case Quantity():
+                unit = UNITS[self.system][text.dimension].unit_for(text.value)
+                return self.with_unit(numeral(text.value / unit.size, figures=text.figures, point=self.point), unit)
+            case Term():
+                return self.word(text.english)
+            case Phrase():
+                entry = self.word(text.english)
+                if text.plural:
+                    entry = read_catalogue(self.language).ngettext(text.english, text.plural, text.number)
+                return entry.format(**{name: self.text(value) for name, value in text.values.items()})
+            case Message():
+                return self._message(text)
+            case Listing():
+                return self._listing(text)
+            case Paragraph():
+                return " ".join(self.text(each) for each in text.sentences)
+            case Reference():
+                return self.title(text.kind, text.name)
         raise TypeError(f"{type(text).__name__}: not a text of a document")
-
-    @text.register
-    def _(self, text: Verbatim) -> str:
-        return text.text
-
-    @text.register
-    def _(self, text: Term) -> str:
-        return self.word(text.english)
-
-    @text.register
-    def _(self, text: Phrase) -> str:
-        entry = self.word(text.english)
-        if text.plural:
-            entry = read_catalogue(self.language).ngettext(text.english, text.plural, text.number)
-        return entry.format(**{name: self.text(value) for name, value in text.values.items()})
-
-    @text.register
-    def _(self, text: Message) -> str:
-        english = TEXTS.get(text.key)
-        if english is None or _fill_entry(english, text) != text.text:  # made by another version
-            return text.text
-        filled = {name: value if isinstance(value, str) else self.text(value) for name, value in text.values.items()}
-        return self.word(english).format(**filled)
-
-    @text.register
-    def _(self, text: Quantity) -> str:
-        unit = UNITS[self.system][text.dimension].unit_for(text.value)
-        return self.with_unit(numeral(text.value / unit.size, figures=text.figures, point=self.point), unit)
-
-    @text.register
-    def _(self, text: Listing) -> str:
-        written = [self.text(each) for each in text.texts]
-        comma = "; " if any(", " in each or (self.point == "," in each) for each in written) else ", "
-        if len(written) < 2 or not text.join:
-            return comma.join(written)
-        last = {"and": "{first} and {last}", "or": "{first} or {last}"}[text.join]
-        return self.word(last).format(first=comma.join(written[:-1]), last=written[-1])
-
-    @text.register
-    def _(self, text: Paragraph) -> str:
-        return " ".join(self.text(each) for each in text.sentences)
-
-    @text.register
-    def _(self, text: Reference) -> str:
-        return self.title(text.kind, text.name)
 
     def title(self, kind: Kind, name: str) -> str:
         """Return the title of a block: "Figure 5"."""
@@ -131,6 +106,21 @@ class Locale:
         """Return the label of a column or an axis with its unit: "rotation [rad]"."""
         unit = self.unit_name(self.table_unit(dimension)) if dimension else ""
         return f"{self.text(label)} [{unit or '-'}]" if dimension else self.text(label)
+
+    def _message(self, text: Message) -> str:
+        english = TEXTS.get(text.key)
+        if english is None or _fill_entry(english, text) != text.text:  # made by another version
+            return text.text
+        filled = {name: value if isinstance(value, str) else self.text(value) for name, value in text.values.items()}
+        return self.word(english).format(**filled)
+
+    def _listing(self, text: Listing) -> str:
+        written = [self.text(each) for each in text.texts]
+        comma = "; " if any(", " in each or (self.point == "," in each) for each in written) else ", "
+        if len(written) < 2 or not text.join:
+            return comma.join(written)
+        last = {"and": "{first} and {last}", "or": "{first} or {last}"}[text.join]
+        return self.word(last).format(first=comma.join(written[:-1]), last=written[-1])
 
 
 _SUPERSCRIPT = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")

@@ -14,11 +14,19 @@ from xlsxwriter import Workbook
 from xlsxwriter.format import Format
 from xlsxwriter.worksheet import Worksheet
 
-from reports.document import Cell, Column, Document, Link, OutcomeCell, Sheet, Table
+from reports.document import Column, Document, Link, OutcomeCell, Sheet, Table
 from reports.figures.style import BANNER, FAIL, INK, MUTED, PASS
 from reports.language.locale import Locale, decimals, numeral, truncate, visible
 from reports.language.texts import Kind, say
-from reports.render.table_text import NOTHING, PlainCell, is_numeric, plain_cell, program_and_stamp, sheet_as_table
+from reports.render.table_text import (
+    NOTHING,
+    PlainCell,
+    PlainRows,
+    PlainTables,
+    is_numeric,
+    plain_tables,
+    program_and_stamp,
+)
 from spectra.formulas import is_formula
 
 CONTENTS, SHEETS = say("contents"), say("calculation sheets")
@@ -78,9 +86,16 @@ class _Book:
                 sheet.write_string(place, at, shown, made)
 
 
-def write_xlsx(document: Document, path: Path) -> Path:
-    """Write every table of the document to a workbook at `path`; text is never taken for a formula."""
-    locale = document.writer
+def write_xlsx(document: Document, path: Path, plain: PlainTables | None = None) -> Path:
+    """Write every table of the document to a workbook at `path`; text is never taken for a formula.
+
+    Parameters
+    ----------
+    document : of any tables
+    path : of the workbook
+    plain : of the document, where they are known
+    """
+    locale, found = document.writer, plain or plain_tables(document)
     contents, last = locale.text(CONTENTS), locale.text(SHEETS)
     names = worksheet_names([table.name for table in document.tables], taken=(contents, last))
     starts = list(accumulate((len(each.steps) + 3 for each in document.sheets), initial=0))  # one row stays empty
@@ -92,14 +107,14 @@ def write_xlsx(document: Document, path: Path) -> Path:
             *((last, start + 1, "Sheet", each) for start, each in zip(starts, document.sheets, strict=False)),
         ]
         _contents(made.add_worksheet(contents), document, listed, book)
-        for table, name in zip(document.tables, names, strict=True):
+        for (table, rows), name in zip(found.tables, names, strict=True):
             sheet = made.add_worksheet(name)
-            _write_table_sheet(sheet, table, book)
+            _write_table_sheet(sheet, table, rows, book)
             if table.sifted:
                 sheet.activate()  # what people look for a row in
         sheet = made.add_worksheet(last)
-        for start, each in zip(starts, document.sheets, strict=False):
-            _table(sheet, sheet_as_table(each, locale), start, book)
+        for start, (table, rows) in zip(starts, found.sheets, strict=False):
+            _table(sheet, table, rows, start, book)
         _finish(sheet, (14, 50, 34, 40, 50, 14, 12, 14, 12), head=None)
     return path
 
@@ -151,28 +166,27 @@ def _contents(sheet: Worksheet, document: Document, listed: Iterable[_ListedShee
     _finish(sheet, (34, 14, 100), head=3)
 
 
-def _write_table_sheet(sheet: Worksheet, table: Table, book: _Book) -> None:
+def _write_table_sheet(sheet: Worksheet, table: Table, rows: PlainRows, book: _Book) -> None:
     """Write a table on its own sheet, its head in sight and ready to be filtered."""
-    _table(sheet, table, 0, book)
+    _table(sheet, table, rows, 0, book)
     sheet.freeze_panes(2, 1 if len(table.columns) > 2 else 0)
     if table.rows:
         sheet.autofilter(1, 0, len(table.rows) + 1, len(table.columns) - 1)
-    few = table.rows[:200]
+    few = rows[:200]
     _finish(sheet, [_width(column, [row[at] for row in few], book) for at, column in enumerate(table.columns)], head=1)
 
 
-def _table(sheet: Worksheet, table: Table, start: int, book: _Book) -> None:
-    """Write caption, head and rows from the row `start` on."""
+def _table(sheet: Worksheet, table: Table, rows: PlainRows, start: int, book: _Book) -> None:
+    """Write caption, head and rows from the row `start` on; rows: the cells as plain values."""
     numeric = [is_numeric(cells) for cells in zip(*table.rows, strict=True)] or [False] * len(table.columns)
     book.write(sheet, start, 0, book.locale.text(table.caption), _BOLD)
     _head(sheet, start + 1, table.columns, numeric, book)
     links = sum(any(isinstance(cell, Link) for cell in cells) for cells in zip(*table.rows, strict=True))
-    for place, row in enumerate(table.rows):
-        for at, (cell, column) in enumerate(zip(row, table.columns, strict=True)):
+    for place, (row, plain_row) in enumerate(zip(table.rows, rows, strict=True)):
+        for at, (cell, plain, column) in enumerate(zip(row, plain_row, table.columns, strict=True)):
             if isinstance(cell, Link):
                 _link(sheet, start + 2 + place, at, cell, book, few=place * links < _MOST_LINKS)
                 continue
-            plain = plain_cell(cell, column, book.locale)
             colours = (
                 _GREY if place in table.muted else _OUTCOMES[cell.outcome] if isinstance(cell, OutcomeCell) else {}
             )
@@ -207,11 +221,10 @@ def _quoted(cell: PlainCell) -> CellFormat:
     return {"quote_prefix": 1} if isinstance(cell, str) and is_formula(cell) else {}
 
 
-def _width(column: Column, cells: Sequence[Cell], book: _Book) -> int:
+def _width(column: Column, cells: Sequence[PlainCell], book: _Book) -> int:
     """Return characters that a column needs: whole words of its head, and texts; numbers have room in the narrowest."""
     words = [len(word) + 4 for word in book.locale.heading(column.label, column.dimension).split()]
-    plain = (plain_cell(cell, column, book.locale) for cell in cells)
-    return min(max([_NARROWEST + 2, *words, *(len(text) + 2 for text in plain if isinstance(text, str))]), _WIDEST)
+    return min(max([_NARROWEST + 2, *words, *(len(text) + 2 for text in cells if isinstance(text, str))]), _WIDEST)
 
 
 def _finish(sheet: Worksheet, widths: Iterable[int], *, head: int | None) -> None:

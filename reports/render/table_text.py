@@ -74,6 +74,8 @@ def plain_cell(cell: Cell, column: Column, locale: Locale) -> PlainCell:
 
     A quantity of the dimension of its column, or without a unit, is a number as well; a link is its path.
     """
+    if isinstance(cell, float):  # most are
+        return _in_unit(cell, column.dimension, locale)
     if isinstance(cell, Link):
         return cell.path
     content = cell.text if isinstance(cell, OutcomeCell) else cell
@@ -81,7 +83,7 @@ def plain_cell(cell: Cell, column: Column, locale: Locale) -> PlainCell:
         return _in_unit(content.value, content.dimension, locale)
     if content is None or isinstance(content, bool):
         return content
-    if isinstance(content, int | float):
+    if isinstance(content, int):
         return _in_unit(content, column.dimension, locale)
     return locale.text(content)
 
@@ -174,15 +176,42 @@ def program_and_stamp(document: Document) -> Text:
     return say("{program}, stamp {stamp}", program=program, stamp=Verbatim(document.stamp))
 
 
-def write_csv(document: Document, folder: Path) -> tuple[Path, ...]:
+PlainRows = tuple[tuple[PlainCell, ...], ...]
+
+
+@dataclass(frozen=True)
+class PlainTables:
+    """The tables and the calculation sheets of a document, each with its cells in the document's locale."""
+
+    tables: tuple[tuple[Table, PlainRows], ...]
+    sheets: tuple[tuple[Table, PlainRows], ...]
+
+
+def plain_tables(document: Document) -> PlainTables:
+    """Return every table and calculation sheet of a document with its plain cells, for all files that hold them."""
+    locale = document.writer
+    sheets = (sheet_as_table(sheet, locale) for sheet in document.sheets)
+    tables, of_sheets = (
+        tuple((table, _plain_rows(table, locale)) for table in each) for each in (document.tables, sheets)
+    )
+    return PlainTables(tables, of_sheets)
+
+
+def write_csv(document: Document, folder: Path, plain: PlainTables | None = None) -> tuple[Path, ...]:
     """Write every table and calculation sheet into `folder` as name.csv (UTF-8); the paths written.
 
     The last column is the stamp of the results: a row that is copied elsewhere takes it along. Numbers have a decimal
     point in every language.
+
+    Parameters
+    ----------
+    document : of any tables
+    folder : to write into
+    plain : of the document, where they are known
     """
-    locale = document.writer
-    everything = (*document.tables, *(sheet_as_table(sheet, locale) for sheet in document.sheets))
-    return tuple(_write(table, folder, locale, stamp=document.stamp) for table in everything)
+    locale, found = document.writer, plain or plain_tables(document)
+    each = (*found.tables, *found.sheets)
+    return tuple(_write(table, rows, folder, locale, stamp=document.stamp) for table, rows in each)
 
 
 def csv_field(cell: PlainCell) -> str:
@@ -285,11 +314,17 @@ def _bounded(step: Step, value: float | None, locale: Locale) -> Cell:
     return value if value is None or not step.bound else Verbatim(SIGNS[step.bound] + locale.number(value))
 
 
-def _write(table: Table, folder: Path, locale: Locale, *, stamp: str) -> Path:
+def _plain_rows(table: Table, locale: Locale) -> PlainRows:
+    return tuple(
+        tuple(plain_cell(cell, column, locale) for cell, column in zip(row, table.columns, strict=True))
+        for row in table.rows
+    )
+
+
+def _write(table: Table, rows: PlainRows, folder: Path, locale: Locale, *, stamp: str) -> Path:
     path = folder / f"{table.name}.csv"
     last = [stamp] if stamp else []
     head = [locale.heading(column.label, column.dimension) for column in table.columns]
-    rows = ([plain_cell(*each, locale) for each in zip(row, table.columns, strict=True)] for row in table.rows)
     named = [*head, *([locale.text(STAMP)] if stamp else [])]
     path.write_text(csv_lines([named, *([*row, *last] for row in rows)]), encoding="utf-8", newline="")
     return path

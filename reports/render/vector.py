@@ -13,7 +13,7 @@ from collections.abc import Callable, Iterator, Mapping
 from concurrent.futures import Future, ProcessPoolExecutor
 from contextlib import contextmanager
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, lru_cache
 from itertools import chain, groupby
 from multiprocessing import get_context
 from pathlib import Path as File
@@ -21,8 +21,7 @@ from typing import Any
 from xml.sax.saxutils import escape, quoteattr
 
 import numpy as np
-from matplotlib.backend_bases import GraphicsContextBase, RendererBase
-from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.backend_bases import FigureCanvasBase, GraphicsContextBase, RendererBase
 from matplotlib.figure import Figure
 from matplotlib.font_manager import FontProperties
 from matplotlib.ft2font import FT2Font, LoadFlags
@@ -98,6 +97,9 @@ class _Recorder(RendererBase):
     def get_canvas_width_height(self) -> tuple[float, float]:
         return self.width, self.height
 
+    def get_text_width_height_descent(self, s: str, prop: FontProperties, ismath: Any) -> tuple[float, float, float]:
+        return _text_size(s, prop.copy())
+
     def draw_path(self, gc: GraphicsContextBase, path: Path, transform: Transform, rgbFace: Any = None) -> None:
         width, (offset, dashes), clip = float(gc.get_linewidth()), gc.get_dashes(), gc.get_clip_rectangle()
         codes, numbers = _outline(path, transform, simplify=rgbFace is None and path.should_simplify)
@@ -130,6 +132,23 @@ class _Recorder(RendererBase):
         self.marks.append(Letters(s, float(x), float(y), float(angle), size, bold, _rgba(gc.get_rgb())))
 
 
+class _Canvas(FigureCanvasBase):
+    """Where a figure finds the recorder while it lays itself out."""
+
+    def __init__(self, figure: Figure, recorder: _Recorder) -> None:
+        super().__init__(figure)
+        self.recorder = recorder
+
+    def get_renderer(self) -> _Recorder:
+        return self.recorder
+
+
+@lru_cache(maxsize=1 << 14)
+def _text_size(text: str, font: FontProperties) -> tuple[float, float, float]:
+    """Return width, height and descent [pt] of a line of text, which stands in many figures."""
+    return RendererBase().get_text_width_height_descent(text, font, ismath=False)
+
+
 TracedFigures = Mapping[str, Future[FigureMarks]]
 """Figures by name, each of which may still be under way."""
 
@@ -142,10 +161,10 @@ def trace_figures(document: Document, submit: Submit) -> TracedFigures:
 def trace_figure(figure: Figure) -> FigureMarks:
     """Return the figure as marks, in points."""
     with report_style():
-        FigureCanvasAgg(figure)  # letters are measured on it where the figure lays itself out
         figure.set_dpi(72)
         width, height = (float(72 * side) for side in figure.get_size_inches())
         recorder = _Recorder(width, height)
+        _Canvas(figure, recorder)
         figure.draw(recorder)
     return FigureMarks(tuple(recorder.marks), width, height)
 

@@ -186,6 +186,8 @@ def _pairs(
     for axis in range(3):
         u, v = (axis + 1) % 3, (axis + 2) % 3
         own = np.flatnonzero(looks == axis)
+        if not own.size:
+            continue
         low, high = one[own].min(axis=1), one[own].max(axis=1)
         tree = shapely.STRtree(shapely.box(low_b[:, u], low_b[:, v], high_b[:, u], high_b[:, v]))
         a, j = tree.query(shapely.box(low[:, u], low[:, v], high[:, u], high[:, v]))

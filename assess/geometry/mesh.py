@@ -29,7 +29,7 @@ from assess.geometry.formats.readers import WITHOUT_UNIT, mesh_elements, read_me
 from assess.geometry.repair import repair
 from assess.geometry.shells import self_overlap_warnings
 from assess.geometry.solid import Solid, polyhedron
-from assess.geometry.surface import Surface, area, area_vectors, merge_vertices, volume
+from assess.geometry.surface import Surface, area_vectors, merge_vertices, total_area, volume
 from assess.messages.message import Message, Quantity, Value, first_names, note, warning, whole_number
 from spectra.arrays import FloatArray, IntArray, is_number
 
@@ -221,7 +221,12 @@ def thin_direction(vertices: FloatArray, triangles: IntArray) -> FloatArray | No
     its shorter side in plan, whatever projects from its faces at right angles. None where no direction is preferred,
     as in a square or round tower. Its first component that is not zero is positive.
     """
-    vectors = area_vectors(vertices[triangles])[:, :2]
+    return _thin_direction_of(area_vectors(vertices[triangles]))
+
+
+def _thin_direction_of(vectors: FloatArray) -> FloatArray | None:
+    """Return the `thin_direction` of a surface by the area vectors of its triangles [m, 3]."""
+    vectors = vectors[:, :2]
     size = np.hypot(*vectors.T)
     tensor = (vectors / np.where(size > 0.0, size, 1.0)[:, None]).T @ vectors
     (low, high), axes = np.linalg.eigh(tensor)
@@ -586,8 +591,9 @@ def _thickness(solid: Solid) -> float:
 
     The latter is less for walls that bend, and for several walls in one.
     """
-    sides = extents(solid.vertices, thin_direction(solid.vertices, solid.triangles))
-    plate = 2.0 * volume(solid.vertices, solid.triangles) / area(solid.vertices, solid.triangles)
+    vectors = area_vectors(solid.vertices[solid.triangles])
+    sides = extents(solid.vertices, _thin_direction_of(vectors))
+    plate = 2.0 * volume(solid.vertices, solid.triangles) / total_area(vectors)
     return min(*sides, 1.5 * plate)
 
 

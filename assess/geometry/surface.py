@@ -197,7 +197,12 @@ def tetrahedra(
 
 def area(vertices: FloatArray, triangles: IntArray) -> float:
     """Return the area of the triangles [m2]."""
-    return float(areas_and_normals(vertices[triangles])[0].sum())
+    return total_area(area_vectors(vertices[triangles]))
+
+
+def total_area(vectors: FloatArray) -> float:
+    """Return the area of triangles [m2] by their `area_vectors` [m, 3]."""
+    return float((np.linalg.norm(vectors, axis=1) / 2.0).sum())
 
 
 def area_vectors(corners: FloatArray) -> FloatArray:

@@ -328,7 +328,7 @@ def _loads(text: str, source: str, tree: Tree[T]) -> T:
 
 def _validate_at_once(text: str, tree: Tree[T]) -> T | None:
     """Return the results in a third of the time; None if something may be wrong, which going step by step finds."""
-    if _NOT_FINITE.search(text):  # in words, or as numbers, which are not JSON but would be read
+    if ("NaN" in text or "Infinity" in text) and _NOT_FINITE.search(text):  # words, or numbers that are not JSON
         return None
     try:
         found: T = _adapter(tree.kind).validate_json(text)
@@ -408,11 +408,20 @@ def _field_faults(value: Any, where: str) -> Iterator[str]:
         if len(set(lengths.values())) > 1:
             counted = ", ".join(f"{number} of {name}" for name, number in lengths.items())
             yield f"{where}: columns of unequal length: {counted}"
-    yield from _index_faults(value, where)
-    for field in fields(value):
-        each = getattr(value, field.name)
+    if type(value) in _WITH_INDICES:
+        yield from _index_faults(value, where)
+    for name in _field_names(type(value)):
+        each = getattr(value, name)
         if type(each) not in _FREE:
-            yield from faults(each, f"{where}.{field.name}".lstrip("."))
+            yield from faults(each, f"{where}.{name}".lstrip("."))
+
+
+@cache
+def _field_names(kind: Any) -> tuple[str, ...]:
+    return tuple(field.name for field in fields(kind))
+
+
+_WITH_INDICES = (r.View, r.EnvelopeResult, r.Results, r.SweepResult)
 
 
 def _item_faults(items: tuple[Any, ...] | list[Any], where: str) -> Iterator[str]:
@@ -433,7 +442,8 @@ def _all_finite(items: Sequence[Any]) -> bool:
 def _index_faults(value: Any, where: str) -> Iterator[str]:
     """Yield indices that are out of range."""
     if isinstance(value, r.View):
-        if any(not 0 <= corner < len(value.vertices) for triangle in value.triangles for corner in triangle):
+        corners = [*chain.from_iterable(value.triangles)]
+        if corners and not 0 <= min(corners) <= max(corners) < len(value.vertices):
             yield f"{where}.triangles: a corner that is none of the vertices"
     elif isinstance(value, r.EnvelopeResult):
         if any(len(row) != len(value.amplitude_g) for row in value.overturned):

@@ -151,19 +151,18 @@ OVERLAP_WARNED = 5e-3  # of the smaller body's volume: bodies that share less ar
 SAME_PLACE = 0.1  # of the smaller body's volume: a body that shares more with a block is another state of it
 
 
-def overlap_warnings(bodies: Sequence[Solid], *, united: bool = False) -> Iterator[Message]:
-    """Warn of each pair of bodies that overlap.
+def overlap_warnings(bodies: Sequence[Solid]) -> Iterator[Message]:
+    """Warn of each pair of bodies that overlap where they move as one: their common volume counts once (`count_once`).
 
     Parameters
     ----------
     bodies : any number
-    united : whether they form one block, in which the common volume counts once (`count_once`), else in both
     """
     for one, other in combinations(bodies, 2):
         shared = intersect(one, other) if _boxes_overlap(one, other) else None
         if shared is not None and shared.share > OVERLAP_WARNED:
             yield warning(
-                "overlap-counted-once" if united else "overlap",
+                "overlap",
                 one=one.name,
                 other=other.name,
                 volume=Quantity(shared.volume, "volume", 3),

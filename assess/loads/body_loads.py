@@ -73,6 +73,7 @@ def body_loads(
     body: Solid | None,
     mass: float,
     around: Surroundings,
+    once: float = 1.0,
     find: FindContact = find_block_contact,
 ) -> LoadSet:
     """Return the point mass of a body, and the force of its thrust if it has one.
@@ -84,6 +85,7 @@ def body_loads(
     body : its solid; None without geometry
     mass : of the whole body as given or by its volume [kg]
     around : the block, and what stands around it
+    once : what no other load counts of the body, over its mass [-]
     find : finds where it meets the block
 
     Raises
@@ -98,9 +100,12 @@ def body_loads(
     side = 0.0 if roof is None else _side_of_span(roof, found, arch, at, along=around.along)
     placed = BodyOnBlock(load, body, found, arch, side, meeting.others, where=f'{around.where}: load "{load.body}"')
     whole, of = body_mass(load, body, mass=mass)
+    whole *= once
     bearing, how = _bears_on_block(placed)
     part = _carried_share(placed, bearing=bearing)
     source, pushed = [of, part.source, how, *_place_source(load, found, along=around.along)], list[Force]()
+    if once < 1.0:
+        source.insert(1, message("load-counted-once", {"share": Quantity(100.0 * once, "percent", 3)}))
     if roof is not None:
         thrust = _thrust_on(placed, V=g * part.share * whole, along=around.along)
         force = Force(f"{load.body} (thrust)", (thrust.size, 0.0), at, block, tuple(thrust.source))

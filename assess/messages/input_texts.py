@@ -39,10 +39,8 @@ GEOMETRY_TEXTS: Mapping[str, str] = {
     'right? With mesh_unit = "{unit}" it would measure {other}',
     "far-from-origin": 'body "{body}" is {distance} from the origin in single precision, which resolves {resolution} '
     "there; move the mesh closer to the origin before exporting it",
-    "overlap": 'bodies "{one}" and "{other}" overlap by {volume}, {share} of the smaller one; the overlap counts in '
-    "the weight of both: cut one back",
-    "overlap-counted-once": 'bodies "{one}" and "{other}" overlap by {volume}, {share} of the smaller one; as they '
-    'move as one, the overlap counts once, as masonry of "{one}", which `blocks` names first',
+    "overlap": 'bodies "{one}" and "{other}" overlap by {volume}, {share} of the smaller one; as they move as one, the '
+    'overlap counts once, with "{one}", which is named first',
     "gap": 'bodies "{one}" and "{other}" do not touch: they are {distance} apart, although they form one block: close '
     "the gap, or add the body that joins them to the block",
     "blocks-apart": "block {second} is in the air: its body nearest to block {first}, with which it has a hinge, is "
@@ -161,6 +159,7 @@ GEOMETRY_TEXTS: Mapping[str, str] = {
     "load-mass-given": "{mass} (given; by its table {table})",
     "load-mass-direct": "{mass} (direct values)",
     "load-mass": "{mass} ({own})",
+    "load-counted-once": "{share} of it, as loads before it count what they share with it",
     "load-ungewitter": "Ungewitter's case {case}, {name}: {thickness} x {density} (assumed) x intrados {area}",
     "load-with-fill": "{own}, and fill {fill} x plan {plan}",
     "load-thrust": "H = V x / f = {V} x {x} / {f} = {H}",

@@ -267,7 +267,7 @@ def contradictions_in_blocks(definition: BlockMechanism, bodies: Bodies) -> Iter
     """
     for block in definition.blocks:
         if len(block) > 1:
-            yield from overlap_warnings(_known_solids(block, bodies), united=True)
+            yield from overlap_warnings(_known_solids(block, bodies))
             yield from (warning("gap", **each) for each in gaps_in_block(_block_solids(block, bodies)))
 
 

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from math import inf
 from typing import assert_never
 
 import numpy as np
 
 from assess.errors import GeometryError, MechanismError
-from assess.geometry.boolean import overlap_warnings
+from assess.geometry.boolean import count_once, overlap_warnings
 from assess.geometry.contact import CONTACT_TOLERANCE
 from assess.geometry.cut import Piece
 from assess.geometry.planar import Outline, distance_to_outline
@@ -59,12 +59,14 @@ def loads_of(
     Raises GeometryError for a body that touches nothing of its block.
     """
     blocks = _blocks_of(name, definition, pieces)
+    carried = dict.fromkeys(load.body for load in definition.loads if isinstance(load, BodyLoad) and load.mass is None)
+    known = [solid for body in carried if (solid := bodies[body].solid) is not None]
+    alone = {solid.name: solid.mass for solid in count_once(known)}
+    shares = {solid.name: alone.get(solid.name, 0.0) / solid.mass for solid in known}
     parts = [
-        _loads_of_entry(number, load, blocks, definition, bodies, find=find)
+        _loads_of_entry(number, load, blocks, definition, bodies, shares, find=find)
         for number, load in enumerate(definition.loads, start=1)
     ]
-    carried = dict.fromkeys(load.body for load in definition.loads if isinstance(load, BodyLoad))
-    known = [solid for body in carried if (solid := bodies[body].solid) is not None]
     warnings = [each for part in parts for each in part.warnings] + list(overlap_warnings(known))
     return LoadSet(
         loads=tuple(load for part in parts for load in part.loads),
@@ -89,10 +91,14 @@ def _loads_of_entry(
     blocks: MechanismBlocks,
     definition: BlockMechanism,
     bodies: Bodies,
+    shares: Mapping[str, float],
     *,
     find: FindContact,
 ) -> LoadSet:
-    """Find the loads of one entry of `loads`, its number counted from 1."""
+    """Find the loads of one entry of `loads`, its number counted from 1.
+
+    shares : of each body, what no load before it has counted, over its mass [-]
+    """
     if isinstance(load, OverburdenLoad):
         force, warnings = overburden_force(
             number,
@@ -105,7 +111,9 @@ def _loads_of_entry(
         )
         return LoadSet((force,), warnings, (False,))
     if isinstance(load, BodyLoad):
-        part = _loads_of_body(load, blocks, definition, bodies, find=find)
+        if not (once := shares.get(load.body, 1.0)):
+            return LoadSet((), ())  # it lies wholly in the bodies of loads before it
+        part = _loads_of_body(load, blocks, definition, bodies, once, find=find)
     else:
         part = LoadSet((_load_in_plane(number, load, definition.towards),), ())
     outlines = [piece.body.outline for piece in blocks.pieces]
@@ -134,6 +142,7 @@ def _loads_of_body(
     blocks: MechanismBlocks,
     definition: BlockMechanism,
     bodies: Bodies,
+    once: float,
     *,
     find: FindContact,
 ) -> LoadSet:
@@ -150,6 +159,7 @@ def _loads_of_body(
             block=each.block,
             body=body,
             mass=bodies[load.body].mass,
+            once=once,
             around=surroundings(load, blocks, each.contact, bodies),
             find=find,
         )

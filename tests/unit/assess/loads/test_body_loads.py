@@ -325,10 +325,22 @@ def test_a_share_that_hangs_on_how_wide_an_edge_bears_is_asked_for(tmp_path):
     assert asked not in texts(study_of(tmp_path, sloping(0.0), keys))
 
 
-def test_overlaps_that_weigh_masonry_twice_are_pointed_out(tmp_path):
+def test_what_loads_share_counts_once_and_is_pointed_out(tmp_path):
+    """A slab of 0.2 m half within the floor below it weighs by its upper half; one wholly within it is no load."""
     second = FLOOR.replace("bodies.floor", "bodies.slab").replace("[0, 0, 3]", "[0, 0, 3.1]")
-    study = study_of(tmp_path, FLOOR + second, 'body = "floor"', 'body = "slab"')
+    study = study_of(tmp_path, FLOOR + second, 'body = "floor"', 'body = "slab", share = 0.5')
     assert 'bodies "floor" and "slab" overlap by 2.32 m3' in texts(study)
+    floor, slab = study.mechanisms[0].positive.loads
+    assert (floor.mass, slab.mass) == pytest.approx((500 * 5.8 * 4 * 0.2 / 2, 500 * 5.8 * 4 * 0.1 / 2), rel=1e-9)
+    assert "50 % of it, as loads before it count" in slab.source
+    stated = study_of(tmp_path, FLOOR + second, 'body = "floor"', 'body = "slab", share = 0.5, mass = "1000 kg"')
+    assert stated.mechanisms[0].positive.loads[1].mass == pytest.approx(500.0, rel=1e-9)
+    again = FLOOR.replace("bodies.floor", "bodies.slab")
+    (only,) = study_of(tmp_path, FLOOR + again, 'body = "floor"', 'body = "slab"').mechanisms[0].positive.loads
+    assert only.name == "floor"
+
+
+def test_a_body_that_stands_where_the_block_does_carries_nothing(tmp_path):
     other = """[bodies."front as it was"]
 material = "stone"
 box = { thickness = 0.5, length = 5, height = 6, base = [3, 0, 0] }

@@ -126,9 +126,9 @@ def test_what_bodies_of_one_block_share_counts_once(tmp_path: Path, x: float, to
         assert warnings == []
         return
     (notice,) = warnings
-    assert (notice.key, notice.where) == ("overlap-counted-once", "mechanisms.m")
+    assert (notice.key, notice.where) == ("overlap", "mechanisms.m")
     assert notice.text.startswith(f'bodies "w" and "v" overlap by {told} of the smaller')
-    assert 'once, as masonry of "w"' in notice.text
+    assert 'counts once, with "w"' in notice.text
     turned = planar_block(study(tmp_path, bodies, blocks='["v", "w"]'))
     assert turned[0] == pytest.approx(2400 * (0.6 * 4 * 4.5 - 0.8) + 1800 * 0.4 * 4 * 2.0, rel=1e-9)
 

@@ -11,7 +11,7 @@ from scipy.constants import g
 
 from assess.codes.check import Reason
 from assess.codes.context import Building, Wall
-from assess.codes.en1998_1 import EC8_ELEMENT, Ec8Options, amplification, assess_element, joint_period
+from assess.codes.en1998_1 import EC8_ELEMENT, TIED, Ec8Options, amplification, assess_element, joint_period
 from assess.mechanisms.single_block import equivalent_block
 from spectra.asce7 import design_spectrum
 from spectra.ec8 import elastic_spectrum
@@ -47,6 +47,24 @@ def test_a_parapet_on_the_roof() -> None:
     assert check.uplift_pga_g == pytest.approx(0.20271 / 3.15095, rel=1e-4)
     assert step_values(check)["S_a(0)"] == pytest.approx(0.3 * 2.5, rel=1e-12)
     assert (check.verdict, check.reading, check.input_at) == ("fail", "letter", "mechanism base")
+
+
+def test_a_gable_that_a_tie_holds_has_twice_the_behaviour_factor_in_that_direction() -> None:
+    """The parapet above, tied: F_a / W_a = 0.94528 / 2 = 0.47264 forwards; 0.94528 backwards, as the tie is slack."""
+    tied = at_height(10.0, wall=Wall(1.0, 0.3), held=frozenset({"positive"}))
+    forwards = dataclasses.replace(PARAPET, negative=None)
+    (held,) = assess_element(forwards, tied, options=Ec8Options())
+    assert held.demand == pytest.approx(0.47264, rel=1e-4)
+    assert step_values(held)["q_a"] == 2.0
+    assert next(step.remark for step in held.steps if step.symbol == "q_a") == TIED
+    apart = dataclasses.replace(PARAPET, negative=dataclasses.replace(PARAPET.positive))
+    (both,) = assess_element(apart, tied, options=Ec8Options())
+    assert (both.branch, both.demand) == ("negative", pytest.approx(0.94528, rel=1e-4))
+    (alike,) = assess_element(PARAPET, tied, options=Ec8Options())  # one branch for both directions
+    assert alike.demand == pytest.approx(0.94528, rel=1e-4)
+    ways = dataclasses.replace(tied, held=frozenset({"positive", "negative"}))
+    (braced,) = assess_element(PARAPET, ways, options=Ec8Options())
+    assert braced.demand == pytest.approx(0.47264, rel=1e-4)
 
 
 def test_a_wall_between_floors_at_the_mean_of_its_supports() -> None:

@@ -24,6 +24,8 @@ Fault = tuple[str, str]
 """A key, and what is wrong with its value; the remedy follows behind a semicolon."""
 KeyFault = tuple[str | tuple[str | int, ...], str]
 """The same, where the key may lie below one of the table; entries of lists are counted from 0."""
+Annotation = Any
+"""What stands behind the colon of a field: a type or a form of `typing`, for which Python has no type of its own."""
 BOUNDS = {
     "above": (gt, "must be greater than {:.6g}"),
     "least": (ge, "must be {:.6g} or more"),
@@ -183,17 +185,25 @@ class IsInputFile(Mark):
 
 @dataclass(frozen=True)
 class Several(Mark):
-    """A list of so many entries; form : what is wrong with anything else, from Python."""
+    """A list of so many entries.
+
+    form : what is wrong with anything else, from Python
+    unlike : what its entries are, where no two may be the same, as "level"
+    """
 
     least: int = 0
     most: int | None = None
     form: str = ""
+    unlike: str = ""
 
     def fault(self, value: Any) -> str:
         """Return what is wrong with the number of entries; empty if nothing is."""
         if len(value) < self.least:
             return f"too few; give at least {self.least}"
-        return "" if self.most is None or len(value) <= self.most else f"too many; give at most {self.most}"
+        if self.most is not None and len(value) > self.most:
+            return f"too many; give at most {self.most}"
+        twice = self.unlike and len(set(value)) < len(value)
+        return f"the same {self.unlike} stands there twice; remove one" if twice else ""
 
 
 @dataclass(frozen=True)
@@ -353,13 +363,13 @@ UNCERTAIN_UPLIFT = Scatters(most=pi / 2)
 
 
 @cache
-def annotations_of(kind: type) -> dict[str, Any]:
+def annotations_of(kind: type) -> dict[str, Annotation]:
     """Return the annotation of each field of a class, with its marks."""
     hints = get_type_hints(kind, include_extras=True)
     return {field.name: hints[field.name] for field in fields(kind)}
 
 
-def marks_of(annotation: Any) -> Iterator[Any]:
+def marks_of(annotation: Annotation) -> Iterator[Any]:
     """Yield what `Annotated` says anywhere in an annotation."""
     yield from getattr(annotation, "__metadata__", ())
     for part in get_args(annotation):

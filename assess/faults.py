@@ -2,19 +2,25 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import is_dataclass
 from functools import reduce
 from numbers import Integral
 from types import NoneType, UnionType
-from typing import Annotated, Any, Literal, Union, get_args, get_origin
+from typing import Annotated, Any, Literal, Union, get_args, get_origin, get_type_hints
 
 import numpy as np
 
 from assess.declaration import Mark, annotations_of, one_of
 from spectra.arrays import is_number
 
-KIND_TEXTS = {float: "a number", int: "a whole number", str: "a text", bool: "True or False"}
+KINDS = {
+    float: ("a number", "give one in SI units"),
+    int: ("a whole number", "give one without decimal point"),
+    str: ("a text", "give one in quotes"),
+    bool: ("a truth value", "give True or False"),
+}
+"""What a value of each kind is called, as in the messages of project files, and the remedy in Python."""
 LONGEST = 60  # characters of a value in a message
 
 
@@ -41,6 +47,20 @@ def declared_problems(data: Any, where: str = "", *, forms: Mapping[str, str] | 
         yield f"{where}{_path_text(path)}{f' = {text_of_value(value)}' if shown else ''}: {reason}"
 
 
+def argument_problems(function: Callable[..., object], given: Mapping[str, Any]) -> Iterator[str]:
+    """Yield each argument whose value is not what the signature of a function declares, with what to give.
+
+    Parameters
+    ----------
+    function : whose arguments are annotated with the marks of a declaration
+    given : values of its arguments, by their names
+    """
+    annotations = get_type_hints(function, include_extras=True)
+    for name, value in given.items():
+        if reason := value_fault(value, annotations[name]):
+            yield f"{name} = {text_of_value(value)}: {reason}"
+
+
 def value_fault(value: Any, annotation: Any, form: str = "") -> str:
     """Return what is wrong with a value by its annotation, and what to give; empty if nothing is.
 
@@ -56,18 +76,23 @@ def value_fault(value: Any, annotation: Any, form: str = "") -> str:
         form = next((each for mark in marks if (each := mark.remedy(value))), form)
         own = () if value is None else (mark.fault(value) for mark in marks)
         return value_fault(value, inner[0], form) or next(filter(None, own), "")
-    if not _fits(value, annotation):
-        return form or f"give {_kind_text(annotation)}"
     if origin in (Union, UnionType):
-        only_words = all(each is NoneType or get_origin(each) is Literal for each in inner)
-        fitting = next(each for each in inner if _fits(value, each))
-        return value_fault(value, fitting, form or ("" if only_words else f"give {_kind_text(annotation)}"))
-    if origin is Literal and value not in inner:
-        return form or f"not allowed; write {one_of(inner)}"
-    if origin is tuple:
-        kinds = inner[:1] * len(value) if inner[-1] is Ellipsis else inner
-        return next(filter(None, map(value_fault, value, kinds)), "")
-    return ""
+        kinds = [each for each in inner if each is not NoneType]
+        if value is None and len(kinds) < len(inner):
+            return ""
+        fitting = [each for each in kinds if _fits(value, each)]
+        if len(kinds) > 1 and not fitting:
+            return form or f"not {_kind_text(annotation)}; give one of them"
+        words = form or ("" if len(kinds) == 1 else f"not {_kind_text(annotation)}; give one of them")
+        return value_fault(value, fitting[0] if fitting else kinds[0], words)
+    if origin is tuple and isinstance(value, tuple):
+        if inner[-1] is not Ellipsis and len(value) != len(inner):
+            return form or _other_kind(annotation)
+        entries = inner[:1] * len(value) if inner[-1] is Ellipsis else inner
+        return next(filter(None, (value_fault(*each, form) for each in zip(value, entries, strict=True))), "")
+    if origin is Literal:
+        return "" if _fits(value, annotation) and value in inner else form or f"not allowed; write {one_of(inner)}"
+    return "" if _fits(value, annotation) else form or _other_kind(annotation)
 
 
 def text_of_value(value: Any) -> str:
@@ -108,7 +133,7 @@ def _fits(value: Any, kind: Any) -> bool:
     if origin in (Union, UnionType):
         return any(_fits(value, each) for each in inner)
     if origin is Literal:
-        return isinstance(value, tuple({type(each) for each in inner}))
+        return any(type(value) is int if isinstance(each, int) else isinstance(value, type(each)) for each in inner)
     if origin is tuple:
         return isinstance(value, tuple) and _row_fits(value, inner)
     if origin is not None:
@@ -124,6 +149,14 @@ def _row_fits(values: tuple[Any, ...], kinds: tuple[Any, ...]) -> bool:
     if kinds[-1] is Ellipsis:
         return all(_fits(each, kinds[0]) for each in values)
     return len(values) == len(kinds) and all(map(_fits, values, kinds))
+
+
+def _other_kind(kind: Any) -> str:
+    """Say that a value is of another kind, and what to give."""
+    inner = get_args(kind)
+    if get_origin(kind) is tuple and inner[-1] is Ellipsis:
+        return f"not a list; give one, each {_kind_text(inner[0])}"
+    return f"not {_kind_text(kind)}; {KINDS.get(kind, ('', 'give one'))[1]}"
 
 
 def _kind_text(kind: Any) -> str:
@@ -142,4 +175,4 @@ def _kind_text(kind: Any) -> str:
     if origin is not None:
         return f"a table of names, each {_kind_text(inner[1])}"
     name: str = kind.__name__
-    return KIND_TEXTS.get(kind, f"{'an' if name[0] in 'AEIOU' else 'a'} {name}")
+    return KINDS[kind][0] if kind in KINDS else f"{'an' if name[0] in 'AEIOU' else 'a'} {name}"

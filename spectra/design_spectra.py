@@ -66,13 +66,13 @@ class DesignSpectrum:
     """A way to give a design spectrum; what all of them may say.
 
     form : its short name
-    told_by : keys that tell it from the usual way of its code
-    elsewhere : keys of another way of its code, each with what is wrong about it here
+    own_keys : keys that tell it from the usual way of its code
+    other_keys : keys of another way of its code, each with what is wrong about it here
     """
 
     form: ClassVar[str]
-    told_by: ClassVar[tuple[str, ...]] = ()
-    elsewhere: ClassVar[Mapping[str, str]] = {}
+    own_keys: ClassVar[tuple[str, ...]] = ()
+    other_keys: ClassVar[Mapping[str, str]] = {}
     damping: Annotated[Damping, DAMPED] = 0.05
     """damping ratio of the spectrum"""
     code: str
@@ -120,8 +120,8 @@ class Asce7MappedSpectrum(DesignSpectrum):
     """Design spectrum of ASCE 7 from the mapped accelerations of the rock and the site class."""
 
     form = "mapped"
-    told_by = ("s_s", "s_1", "site_class")
-    elsewhere = dict.fromkeys(("s_ds", "s_d1"), "follows from s_s, s_1 and site_class; remove it, or those three")
+    own_keys = ("s_s", "s_1", "site_class")
+    other_keys = dict.fromkeys(("s_ds", "s_d1"), "follows from s_s, s_1 and site_class; remove it, or those three")
     code: Asce7Code
     """name and edition of the code; "ibc2009" has the coefficients of "asce7-05\""""
     s_s: HazardAcceleration
@@ -235,7 +235,7 @@ class NtcSpectrum(DesignSpectrum):
     """Elastic spectrum of NTC 2008 or 2018 from the hazard at one return period."""
 
     form = "ntc"
-    elsewhere: ClassVar = {
+    other_keys: ClassVar = {
         "limit_state": "write it in [site]",
         **dict.fromkeys(
             ("nominal_life", "use_class", "phase"),
@@ -289,8 +289,8 @@ class NtcHazardSpectrum(DesignSpectrum):
     """Elastic spectrum of NTC 2008 or 2018 at a limit state, from the hazard over return periods."""
 
     form = "hazard"
-    told_by = ("hazard",)
-    elsewhere = dict.fromkeys(("a_g", "f_0", "t_c_star"), "stands in the rows of hazard; remove it here, or hazard")
+    own_keys = ("hazard",)
+    other_keys = dict.fromkeys(("a_g", "f_0", "t_c_star"), "stands in the rows of hazard; remove it here, or hazard")
     code: NtcCode
     """name and edition of the code"""
     hazard: Annotated[tuple[HazardRow, ...], AT_LEAST_TWO, HAZARD]
@@ -389,7 +389,7 @@ class PointsSpectrum(DesignSpectrum):
     """A spectrum given point by point; from Python alone."""
 
     form = "points"
-    told_by = ("period", "acceleration")
+    own_keys = ("period", "acceleration")
     period: Annotated[Any, NotAKey()]
     """rising [n] [s]"""
     acceleration: Annotated[Any, NotAKey()]
@@ -410,7 +410,7 @@ SPECTRA: Mapping[str, tuple[type[DesignSpectrum], ...]] = {
 """The ways to give each code's spectrum in a project file, the usual one first."""
 
 
-def way_of(code: str, keys: Collection[str]) -> type[DesignSpectrum]:
+def spectrum_class(code: str, keys: Collection[str]) -> type[DesignSpectrum]:
     """Return the way of a code that is told by a key among those given; else the usual one.
 
     Parameters
@@ -418,7 +418,7 @@ def way_of(code: str, keys: Collection[str]) -> type[DesignSpectrum]:
     code : a key of `SPECTRA`
     keys : that are given
     """
-    return next((way for way in SPECTRA[code] if any(key in keys for key in way.told_by)), SPECTRA[code][0])
+    return next((way for way in SPECTRA[code] if any(key in keys for key in way.own_keys)), SPECTRA[code][0])
 
 
 def _place(way: NtcSpectrum | NtcHazardSpectrum) -> ntc.SoilAndTopography:

@@ -2,20 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import MISSING, asdict, fields, replace
 from typing import Any
 
 import numpy as np
 
-from assess.declaration import Number, PositiveAcceleration, annotations_of, marks_of, meanings_of, unknown_key
+from assess.declaration import PositiveAcceleration, annotations_of, meanings_of, unknown_key
 from assess.faults import declared_problems, text_of_value, value_fault
 from spectra import ntc
-from spectra.design_spectra import SPECTRA, DesignSpectrum, HazardRow, PointsSpectrum, way_of
+from spectra.design_spectra import SPECTRA, DesignSpectrum, HazardRow, PointsSpectrum, spectrum_class
 from spectra.errors import SpectrumError
 from spectra.spectrum import Spectrum, plausibility_warnings, scale_to_pga
-
-IN_SI = "give a number in SI units"
 
 
 def spectrum(code: str, *, damping: float = 0.05, pga: float | None = None, **parameters: Any) -> Spectrum:
@@ -48,11 +46,10 @@ def spectrum(code: str, *, damping: float = 0.05, pga: float | None = None, **pa
     given = {"damping": damping, "code": code, **parameters}
     if isinstance(rows := given.get("hazard"), list | tuple):
         given["hazard"] = tuple(_row(row, f"{where}hazard[{number}].") for number, row in enumerate(rows, start=1))
-    way = _made(_way_from_python(code, parameters), given, where)
-    if reason := value_fault(pga, PositiveAcceleration | None, IN_SI):
+    way = _make(_class_from_python(code, parameters), given, where)
+    if reason := value_fault(pga, PositiveAcceleration | None):
         raise SpectrumError(f"{where}pga = {text_of_value(pga)}: {reason}")
-    forms = dict.fromkeys((*_numbers(type(way)), *_numbers(HazardRow)), IN_SI)
-    if problem := next(declared_problems(way, where, forms=forms), ""):
+    if problem := next(declared_problems(way, where), ""):
         raise SpectrumError(problem)
     return horizontal_spectrum(way, pga=pga)
 
@@ -85,17 +82,17 @@ def vertical_spectrum(way: DesignSpectrum, *, pga: float | None = None) -> Spect
     return replace(found, factor=horizontal_spectrum(way, pga=pga).factor)
 
 
-def _way_from_python(code: str, keys: Collection[str]) -> type[DesignSpectrum]:
-    points = code == "table" and any(key in keys for key in PointsSpectrum.told_by)
-    return PointsSpectrum if points else way_of(code, keys)
+def _class_from_python(code: str, keys: Collection[str]) -> type[DesignSpectrum]:
+    points = code == "table" and any(key in keys for key in PointsSpectrum.own_keys)
+    return PointsSpectrum if points else spectrum_class(code, keys)
 
 
-def _made(kind: type, given: Mapping[str, Any], where: str) -> Any:
+def _make(kind: type, given: Mapping[str, Any], where: str) -> Any:
     """Return data of a kind, made of what is given by its keys; where: what stands before them in an error."""
     known = annotations_of(kind)
     for key, value in given.items():
         if key not in known:
-            reason = getattr(kind, "elsewhere", {}).get(key) or unknown_key(key, known)
+            reason = getattr(kind, "other_keys", {}).get(key) or unknown_key(key, known)
             raise SpectrumError(f"{where}{key} = {text_of_value(value)}: {reason}")
     for field in fields(kind):
         if field.default is MISSING and field.name not in given:
@@ -106,11 +103,4 @@ def _made(kind: type, given: Mapping[str, Any], where: str) -> Any:
 def _row(row: Any, where: str) -> Any:
     """Return a row of a hazard over return periods; what is none is left as it is."""
     given = asdict(row) if isinstance(row, ntc.Hazard) else row
-    return _made(HazardRow, given, where) if isinstance(given, Mapping) else row
-
-
-def _numbers(kind: type) -> Iterator[str]:
-    """Name the keys that hold a number."""
-    for key, annotation in annotations_of(kind).items():
-        if any(isinstance(mark, Number) for mark in marks_of(annotation)):
-            yield key
+    return _make(HazardRow, given, where) if isinstance(given, Mapping) else row

@@ -76,7 +76,7 @@ def read_table(path: Path, *, damping: float = 0.05, pga: float | None = None) -
         si = _factor(columns.units[1], "acceleration", known=ACCELERATION_UNITS)
         return table_spectrum(seconds * columns.values[:, 0], si * columns.values[:, 1], damping=damping, pga=pga)
     except (ColumnError, SpectrumError) as error:
-        raise SpectrumError(_naming(path, str(error))) from None
+        raise SpectrumError(_name_file(path, str(error))) from None
     except OSError as error:
         raise SpectrumError(f"{path}: the file cannot be read: {error.strerror}") from None
 
@@ -96,9 +96,9 @@ class _Points:
                 f"period {outside[0]:.6g} s is outside the spectrum's table, 0 to {self.period[-1]:.6g} s; "
                 "extend the table"
             )
-        return np.interp(period, self.period, self.acceleration * self._damped(eta))
+        return np.interp(period, self.period, self.acceleration * self._damping_factor(eta))
 
-    def _damped(self, eta: float) -> FloatArray:
+    def _damping_factor(self, eta: float) -> FloatArray:
         """Return the factor of damping on each point [n]: 1 at T = 0, eta from the largest ordinate on."""
         T, T_B = self.period, self.period[np.argmax(self.acceleration)]
         amplification = np.max(self.acceleration) / self.acceleration[0]
@@ -106,7 +106,7 @@ class _Points:
         return np.asarray((1.0 + tau * (amplification * eta - 1.0)) / (1.0 + tau * (amplification - 1.0)))
 
 
-def _naming(path: Path, text: str) -> str:
+def _name_file(path: Path, text: str) -> str:
     return text if text.startswith(str(path)) else f"{path}: {text}"
 
 

@@ -4,17 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from math import inf
 from typing import Annotated, Literal
 
 from assess.codes.calculation_sheet import Given
 from assess.codes.check import InputAt
 from assess.codes.histories import SuiteResponse
-from assess.declaration import BuildingDamping, Evidence, PositiveTime, Safe, marks_of
+from assess.declaration import BuildingDamping, Count, Evidence, PositiveLength, PositiveTime, Safe
 from assess.errors import ProcedureError
+from assess.faults import argument_problems
 from assess.messages.message import Message
 from assess.oscillator import BranchName, HingeForces, LocalLimit, OpenSeat, Oscillator
-from spectra.arrays import is_number
 from spectra.spectrum import Spectrum
 
 WallSupport = Literal["free", "spanning", "hinged"]
@@ -120,7 +119,11 @@ def default_period(height: float) -> float:
 
 
 def building(
-    *, height: float, storeys: int | None = None, period: float | None = None, damping: float = 0.05
+    *,
+    height: PositiveLength,
+    storeys: Count | None = None,
+    period: PositiveTime | None = None,
+    damping: BuildingDamping = 0.05,
 ) -> Building:
     """Return the structure below a mechanism.
 
@@ -133,15 +136,11 @@ def building(
 
     Raises
     ------
-    ProcedureError : a value is not positive, or not finite
+    ProcedureError : a value is none that a building has
     """
-    for name, value in (("height", height), ("storeys", storeys), ("period", period), ("damping", damping)):
-        if (value is not None or name == "height") and not (is_number(value) and 0.0 < value < inf):
-            raise ProcedureError(f"building: {name} = {value}: give a finite number greater than 0")
-    if fault := next(each.fault(damping) for each in marks_of(BuildingDamping)):
-        raise ProcedureError(f"building: damping = {damping}: {fault}")
-    if storeys is not None and storeys != int(storeys):
-        raise ProcedureError(f"building: storeys = {storeys}: give a whole number")
+    given = {"height": height, "storeys": storeys, "period": period, "damping": damping}
+    if problem := next(argument_problems(building, given), ""):
+        raise ProcedureError(f"building: {problem}")
     return Building(height, storeys, default_period(height) if period is None else period, damping)
 
 

@@ -85,6 +85,7 @@ class MassLoad:
     """A point mass: a floor, a roof, a wall that moves with the block."""
 
     kind: ClassVar[Literal["mass"]] = "mass"
+    term: ClassVar[Term] = Term("a point mass that moves with the mechanism")
     varied: ClassVar[VariedKey] = ("mass", "loads")
     mass: Annotated[PositiveMass, UNCERTAIN, WHERE_IT_HURTS]
     """like "1200 kg\""""
@@ -111,6 +112,7 @@ class ForceLoad:
     """A dead force: the thrust of a vault or roof."""
 
     kind: ClassVar[Literal["force"]] = "force"
+    term: ClassVar[Term] = Term("a given force")
     varied: ClassVar[VariedKey] = ("force", "loads")
     force: Annotated[
         StatedForce, UNCERTAIN, Evidence("loads", "either", "none where it holds the wall", safe=Safe.WITHOUT)
@@ -144,6 +146,7 @@ class TieLoad:
     """
 
     kind: ClassVar[Literal["tie"]] = "tie"
+    term: ClassVar[Term] = Term("a tie of given force")
     varied: ClassVar[VariedKey] = ("force", "tie_force")
     force: Annotated[
         PositiveForce, UNCERTAIN, Evidence("measured", "up", "the wall without the tie", safe=Safe.WITHOUT)
@@ -188,6 +191,7 @@ class OverburdenLoad:
     """What presses on the top of a wall of two blocks: a dead vertical load, without mass of its own."""
 
     kind: ClassVar[Literal["overburden"]] = "overburden"
+    term: ClassVar[Term] = Term("a load on the top of a cracked wall")
     varied: ClassVar[VariedKey] = ("force", "loads")
     force: Annotated[PositiveForce | None, UNCERTAIN, WHERE_IT_HURTS] = None
     """vertical load, like "40 kN\""""
@@ -222,6 +226,7 @@ class BodyLoad:
     """A floor, roof or vault given as a body: what it puts on the block is found where it touches it."""
 
     kind: ClassVar[Literal["body"]] = "body"
+    term: ClassVar[Term] = Term("a floor, roof or vault that bears on a block")
     varied: ClassVar[VariedKey] = ("mass", "loads")
     body: Annotated[Name, Evidence("drawn", "either", "as drawn")]
     """the name of a table [bodies.NAME] that is not part of the block"""

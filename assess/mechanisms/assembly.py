@@ -246,10 +246,10 @@ def _adjust_to_moving_hinges(found: Impacts, front: FlexibleChain, back: Flexibl
     own = [(leaning if len(leaning) == 1 else [work])[0].inertia[0] for work in works]
     fixed = [virtual_work(chain.fixed_hinge_chain, np.zeros(1)).inertia[0] for chain in (front, back)]
     faster = float(np.sqrt(own[0] / own[1] * fixed[1] / fixed[0]))
-    return _scaled(found[0], faster), _scaled(found[1], 1.0 / faster)
+    return _scale(found[0], faster), _scale(found[1], 1.0 / faster)
 
 
-def _scaled(kept: RestitutionCoefficient, factor: float) -> RestitutionCoefficient:
+def _scale(kept: RestitutionCoefficient, factor: float) -> RestitutionCoefficient:
     """Return a coefficient times a factor, without the warning for values above 1 if it is no longer above."""
     if kept.source == GIVEN:
         return kept

@@ -15,13 +15,13 @@ import numpy as np
 
 from assess.declaration import (
     FREE,
+    Component,
     Evidence,
     Inclination,
     IsHorizontal,
     KeyFault,
     Length,
     Name,
-    Ratio,
     Safe,
     SpacePoint,
 )
@@ -48,7 +48,7 @@ from assess.oscillator import BRANCH_NAMES, BranchName, LocalLimit, OpenSeat, Os
 from spectra.arrays import FloatArray
 
 Sides = Literal["one", "two"]
-Vector = tuple[float, float, float]
+Vector = tuple[Component, Component, Component]
 ALONG_X: Vector = (1.0, 0.0, 0.0)
 WEAKEST = Evidence("chosen", "either", "the weakest direction, where it is weaker by more than 10 %", safe=Safe.WEAKEST)
 DRAWN_HINGES = Evidence("drawn", "either", "the edges as drawn, inside the outline of the contact")
@@ -83,7 +83,7 @@ class BlockMechanism:
     ] = None
     """"two", or "one": positive rotation only, the building behind stops the other; if absent, as bodies touch it"""
     loads: tuple[LoadDefinition, ...] = ()
-    """[ { kind = "mass" | "force" | "tie" | "overburden" | "body", … }, … ]"""
+    """[ { kind = "mass", … }, … ]: what it carries, or is pulled by"""
     restitution: Restitution = field(default_factory=Restitution)
     """a number in [0, 1], a name, or { positive, negative }"""
     interface: Interface = field(default_factory=Interface)
@@ -149,10 +149,10 @@ class BlockMechanism:
 class CutPlane:
     """An inclined crack."""
 
-    elsewhere: ClassVar[Mapping[str, str]] = {"angle": "beside normal; remove one of them"}
+    other_keys: ClassVar[Mapping[str, str]] = {"angle": "beside normal; remove one of them"}
     point: Annotated[SpacePoint, AS_CRACKED]
     """a point of the plane [x, y, z]"""
-    normal: Annotated[tuple[Ratio, Ratio, Ratio], AS_CRACKED]
+    normal: Annotated[Vector, AS_CRACKED]
     """square to the plane, to the side that moves: [nx, ny, nz] with nz > 0; or give angle"""
 
 

@@ -11,12 +11,28 @@ from dataclasses import dataclass, replace
 from itertools import combinations, pairwise, product
 from math import cos, sin
 from pathlib import Path
-from typing import Literal
+from typing import Annotated, Literal
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from assess.declaration import (
+    UNCERTAIN,
+    Evidence,
+    MasonryStrength,
+    NotAKey,
+    NotNegativeRatio,
+    NotNegativeStress,
+    PlanePoint,
+    PositiveDensity,
+    PositiveInertia,
+    PositiveLength,
+    PositiveMass,
+    PositiveStress,
+    SpacePoint,
+)
 from assess.errors import GeometryError
+from assess.faults import argument_problems, declared_problems
 from assess.geometry import mesh as meshes
 from assess.geometry import solid as solids
 from assess.geometry.boolean import count_once, intersect, overlap_warnings, shortest_distance
@@ -36,29 +52,63 @@ from assess.geometry.surface import connected_groups, volume
 from assess.mechanisms.mechanism import BlockMechanism, CutAngle, CutPlane
 from assess.messages.message import Message, Quantity, Value, warning, whole_number
 
+DENSITY = Evidence(
+    "defines",
+    "either",
+    "as stated, within the range of the type of masonry",
+    judged="weight holds a wall against thrusts and drives one that crushes; alone on a rigid base it changes nothing",
+)
+MODULUS = Evidence(
+    "measured",
+    "either",
+    "the worst over the range of its type, joints up to 100 GPa/m",
+    judged="it sets the stiffness of joints and the first mode of the building, and a softer one may rock more or less",
+)
+COMPRESSION = Evidence("measured", "up", "the lower bound of the type of masonry, that of LC1; never above 50 MPa")
+TENSION = Evidence(
+    "measured",
+    "either",
+    "the worse of 0 and what is stated",
+    judged="no procedure counts on it; eq. 3.27 places a crack by it, which may be the weaker or the stronger place",
+)
+FRICTION = Evidence("measured", "up", "absent: whether anything slides is not answered")
+AS_GIVEN = Evidence("defines", "either", "as stated")
+INERTIA = Evidence(
+    "defines",
+    "either",
+    "as stated",
+    judged="more of it slows the wall, which records overturn less easily, and lets an impact take less from it",
+)
+
 
 @dataclass(frozen=True, kw_only=True)
 class Material:
-    """A masonry; None where a property is not known.
+    """A masonry."""
 
-    density [kg/m3]; young_modulus, compressive_strength, tensile_strength [Pa]; friction : coefficient [-]
-    """
-
-    name: str
-    density: float
-    young_modulus: float | None = None
-    compressive_strength: float | None = None
-    tensile_strength: float | None = None
-    friction: float | None = None
+    name: Annotated[str, NotAKey()]
+    """by which bodies call it"""
+    density: Annotated[PositiveDensity, UNCERTAIN, DENSITY]
+    """mass per volume, like "2240 kg/m^3\""""
+    young_modulus: Annotated[PositiveStress | None, UNCERTAIN, MODULUS] = None
+    """modulus of elasticity, like "6.89 GPa\""""
+    compressive_strength: Annotated[MasonryStrength | None, UNCERTAIN, COMPRESSION] = None
+    """strength in compression, like "1.0 MPa\""""
+    tensile_strength: Annotated[NotNegativeStress | None, UNCERTAIN, TENSION] = None
+    """strength of the mortar in tension"""
+    friction: Annotated[NotNegativeRatio | None, UNCERTAIN, FRICTION] = None
+    """coefficient of friction"""
 
 
 @dataclass(frozen=True, kw_only=True)
 class PointValues:
-    """A body without geometry: mass [kg], centroid (x, z) [m], moment of inertia about it [kg m2]."""
+    """A body without geometry."""
 
-    mass: float
-    centroid: tuple[float, float]
-    inertia: float
+    mass: Annotated[PositiveMass, UNCERTAIN, AS_GIVEN]
+    """mass, like "12000 kg\""""
+    centroid: Annotated[PlanePoint, AS_GIVEN]
+    """centre of mass [x, z]"""
+    inertia: Annotated[PositiveInertia, UNCERTAIN, INERTIA]
+    """moment of inertia about the centroid, like "5200 kg*m^2\""""
 
 
 @dataclass(frozen=True, kw_only=True, repr=False)
@@ -109,11 +159,11 @@ def materials_of(block: Sequence[str], bodies: Bodies) -> Iterator[Material]:
 
 def box(
     *,
-    thickness: float,
-    length: float,
-    height: float,
-    density: float | Material,
-    base: tuple[float, float, float] = (0.0, 0.0, 0.0),
+    thickness: PositiveLength,
+    length: PositiveLength,
+    height: PositiveLength,
+    density: PositiveDensity | Material,
+    base: SpacePoint = (0.0, 0.0, 0.0),
     name: str = "box",
 ) -> Body:
     """Return a rectangular body.
@@ -129,14 +179,20 @@ def box(
 
     Raises
     ------
-    GeometryError : a size or the density is not a positive finite number
+    GeometryError : a size or the density is none that a structure has
     """
     masonry = _masonry(density, name)
+    place = tuple(base) if isinstance(base, Sequence | np.ndarray) else base
+    given = {"thickness": thickness, "length": length, "height": height, "base": place}
+    if problem := next(argument_problems(box, given), ""):
+        raise GeometryError(f'body "{name}": {problem}')
     made = solids.box(thickness=thickness, length=length, height=height, base=base, density=masonry.density, name=name)
     return Body(name=name, solid=made, material=masonry)
 
 
-def profile(corners: ArrayLike, *, length: float, density: float | Material, name: str = "profile") -> Body:
+def profile(
+    corners: ArrayLike, *, length: PositiveLength, density: PositiveDensity | Material, name: str = "profile"
+) -> Body:
     """Return a polygon in the x-z plane, extruded along y and centred on y = 0.
 
     Parameters
@@ -148,9 +204,11 @@ def profile(corners: ArrayLike, *, length: float, density: float | Material, nam
 
     Raises
     ------
-    GeometryError : the polygon crosses itself or has no area, or a number is not positive
+    GeometryError : the polygon crosses itself or has no area, or a number is none that a structure has
     """
     masonry = _masonry(density, name)
+    if problem := next(argument_problems(profile, {"length": length}), ""):
+        raise GeometryError(f'body "{name}": {problem}')
     made = solids.profile(corners, length=length, density=masonry.density, name=name)
     return Body(name=name, solid=made, material=masonry)
 
@@ -325,7 +383,10 @@ def _masonry(density: float | Material, name: str) -> Material:
     """Return the masonry of a body; raise GeometryError for a name that mechanisms cannot call it by."""
     if not isinstance(name, str) or not name:
         raise GeometryError(f"name = {name!r:.60}: give a text, by which mechanisms call the body")
-    return density if isinstance(density, Material) else Material(name=name, density=density)
+    masonry = density if isinstance(density, Material) else Material(name=name, density=density)
+    if problem := next(declared_problems(masonry), ""):
+        raise GeometryError(f'body "{name}": {problem}')
+    return masonry
 
 
 def _uncut_block(block: Sequence[str], direction: Sequence[float], bodies: Bodies) -> Piece:

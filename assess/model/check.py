@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import fields, is_dataclass, replace
-from math import inf
 from numbers import Real
 from types import UnionType
 from typing import Annotated, Any, TypeVar, Union, get_args, get_origin
@@ -21,10 +20,8 @@ from assess.mechanisms.kinds import Definition
 from assess.mechanisms.mechanism import BlockMechanism
 from assess.mechanisms.single_block import EquivalentBlock
 from assess.model.bodies import Bodies
-from spectra.arrays import is_number
 
 HINGE_KEYS = ("hinges", "hinges_negative")
-TINY = 5e-324  # the least number above 0
 
 
 def check_definition(name: str, definition: Definition, bodies: Bodies) -> None:
@@ -69,15 +66,9 @@ def _block_problems(definition: BlockMechanism, bodies: Bodies) -> Iterator[str]
 
 
 def _material_problems(bodies: Bodies) -> Iterator[str]:
-    """Yield what is wrong with the masonry of a body; its density is checked with its solid."""
     for name, body in bodies.items():
-        for key in ("young_modulus", "compressive_strength", "tensile_strength", "friction"):
-            value = getattr(body.material, key, None)
-            least = 0.0 if key in ("tensile_strength", "friction") else TINY
-            if value is not None and not (is_number(value) and least <= value < inf):
-                shown = f"{value:g}" if is_number(value) else repr(value)
-                bound = "0 or more" if least == 0.0 else "more than 0"
-                yield f'body "{name}": {key} = {shown}: give a finite number, {bound}'
+        for data in filter(None, (body.material, body.values)):
+            yield from declared_problems(data, f'body "{name}": ')
 
 
 def _hinge_problems(definition: BlockMechanism) -> Iterator[str]:

@@ -31,6 +31,7 @@ from assess.model.walls import stands_on_masonry
 from assess.project import sections
 from assess.project.input_messages import project_messages
 from assess.project.inputs import FileStates, inputs_of, note_states, refuse_changes
+from assess.project.key_errors import value_text
 from assess.project.keys import KeySweep, ProjectVariant, Setting, dependents, read_case
 from assess.project.overrides import replace_values, replaceables_of
 from assess.project.project_file import Project, resolve
@@ -53,7 +54,7 @@ from assess.project.record_set import (
     vertical_record_messages,
 )
 from assess.project.report import annex_of, report_matter_of, uses_of
-from assess.project.section import plain_data, value_text
+from assess.project.section import plain_data
 from assess.project.site_and_structure import (
     amplification_method_of,
     base_elevation_of,
@@ -187,7 +188,7 @@ def study_of(project: Project, *, executor: Executor | None = None, known: Known
         resolved=with_procedures_run(resolve(project), content),
         messages=(*_input_messages(project, study, files, messages), *annex_messages),
         sweeps=tuple(
-            _sweep_of(sweep, project, files, beside={m.name: m.adjacent_bodies for m in study.mechanisms})
+            _sweep_of(sweep, project, files, touching={m.name: m.adjacent_bodies for m in study.mechanisms})
             for sweep in project.sweeps
         ),
         survey=survey_of(variants, study),
@@ -420,10 +421,10 @@ def _input_messages(
 
 
 def _sweep_of(
-    sweep: KeySweep, project: Project, files: ProjectFiles, *, beside: Mapping[str, tuple[str, ...]]
+    sweep: KeySweep, project: Project, files: ProjectFiles, *, touching: Mapping[str, tuple[str, ...]]
 ) -> Sweep:
-    """Build the cases of a sweep, each with the mechanisms that depend on its key; beside: bodies that touch each."""
-    names = dependents(project.content, sweep.path, beside=beside)
+    """Build the cases of a sweep, each with the mechanisms that depend on its key; touching: bodies that touch each."""
+    names = dependents(project.content, sweep.path, touching=touching)
     if not names:
         raise ProjectError(f"{sweep.where}.key: {value_text(sweep.key)}: no mechanism depends on it; name another")
     cases = tuple(case_of(variant, project, files, names=names) for variant in sweep.variants)

@@ -22,8 +22,6 @@ from assess.project.units import QuantityKind
 Table = type[ProjectSection]
 Place = tuple[str, str, Table | None]
 """Where a value stands, the form of the table that it is, and that table; None for what is no table."""
-_BOUNDS = {"above": "gt", "least": "ge", "below": "lt", "most": "le"}
-"""The names of bounds, ours and pydantic's."""
 
 
 @dataclass(frozen=True)
@@ -53,13 +51,9 @@ class Key:
     @property
     def bounds(self) -> dict[str, float]:
         """The bounds of its number [SI], by their names in `assess.declaration.BOUNDS`."""
-        found: dict[str, float] = {}
-        for mark in field_marks(self.field):
-            for name, attribute in _BOUNDS.items():
-                bound = getattr(mark, name if isinstance(mark, Number) else attribute, None)
-                if isinstance(bound, int | float):
-                    found[name] = bound
-        return {name: found[name] for name in BOUNDS if name in found}
+        numbers = [mark for mark in field_marks(self.field) if isinstance(mark, Number)]
+        stated = [(name, getattr(each, name)) for name in BOUNDS for each in numbers]
+        return {name: bound for name, bound in stated if bound is not None}
 
     @property
     def required(self) -> bool:
@@ -125,20 +119,20 @@ def _keys_of(path: str, tables: Mapping[str, Table]) -> Iterator[Key]:
                 else:
                     below.setdefault(place, {}).setdefault(table, []).append(inner or form)
         for keys in values.values():
-            yield from _joined(keys, tuple(tables))
+            yield from _merge_alike(keys, tuple(tables))
         for place, held in below.items():
             yield from _keys_of(place, {", ".join(dict.fromkeys(forms)): table for table, forms in held.items()})
 
 
-def _joined(keys: list[Key], forms: tuple[str, ...]) -> Iterator[Key]:
+def _merge_alike(keys: list[Key], forms: tuple[str, ...]) -> Iterator[Key]:
     """Yield one key for the forms of a table that say the same of it; forms : all that the table has."""
     left = list(keys)
     while left:
-        first, alike = left[0], _said_of(left[0])
-        same = tuple(dict.fromkeys(each.forms[0] for each in left if _said_of(each) == alike))
-        left = [each for each in left if _said_of(each) != alike]
+        first, alike = left[0], _statement_of(left[0])
+        same = tuple(dict.fromkeys(each.forms[0] for each in left if _statement_of(each) == alike))
+        left = [each for each in left if _statement_of(each) != alike]
         yield Key(first.path, () if same == forms else same, first.field, first.evidence)
 
 
-def _said_of(key: Key) -> tuple[Any, ...]:
+def _statement_of(key: Key) -> tuple[Any, ...]:
     return key.dimension, key.bounds, key.required, key.default, key.evidence

@@ -25,16 +25,8 @@ from assess.declaration import BOUNDS, Safe, Scatters, marks_of
 from assess.errors import Faults, ProjectError, one_of_several
 from assess.loads.load import bodies_of as loading_bodies
 from assess.messages.message import escape_text
-from assess.project.section import (
-    JUDGED,
-    KeyPath,
-    ProjectSection,
-    UncertainNumber,
-    field_marks,
-    key_text,
-    look_up,
-    value_text,
-)
+from assess.project.key_errors import KeyPath, key_text, look_up, value_text
+from assess.project.section import JUDGED, ProjectSection, UncertainNumber, field_marks
 from assess.project.sections.analysis import SweepSection
 from assess.project.sections.content import Content
 from assess.project.sections.mechanisms import RestitutionSection
@@ -149,13 +141,13 @@ def value_at(content: Content, path: KeyPath) -> Any:
 
 
 def dependents(
-    content: Content, path: KeyPath, *, beside: Mapping[str, tuple[str, ...]] | None = None
+    content: Content, path: KeyPath, *, touching: Mapping[str, tuple[str, ...]] | None = None
 ) -> tuple[str, ...]:
     """Return the mechanisms that the value at `path` changes: those that use the body or material, or all of them.
 
-    beside : by mechanism, the bodies that touch it and so affect its direction and sides
+    touching : by mechanism, the bodies that touch it and so affect its direction and sides
     """
-    touching = beside or {}
+    bodies_touching = touching or {}
     table, *names = path
     if table == "mechanisms":
         return tuple(name for name in content.mechanisms if name == names[0])
@@ -164,7 +156,7 @@ def dependents(
         return tuple(
             name
             for name, bodies in used.items()
-            if names[0] in (*bodies, *touching.get(name, ())) or _carries_bodies(content.mechanisms[name])
+            if names[0] in (*bodies, *bodies_touching.get(name, ())) or _carries_bodies(content.mechanisms[name])
         )
     if table == "materials":
         of = {name for name, body in content.bodies.items() if getattr(body, "material", None) == names[0]}
@@ -591,6 +583,7 @@ def _check_positive(distribution: Distribution, cov: float, key: str) -> None:
 _SENTENCES: dict[str, Callable[[Mapping[str, Any]], str]] = {
     "literal_error": lambda c: "not allowed; write " + c["expected"].replace("'", '"'),
     "string_type": lambda c: "not a text; write it in quotes",
+    "bool_type": lambda c: "not a truth value; write true or false",
     "int_type": lambda c: "not a whole number; write one without decimal point",
     "greater_than": lambda c: BOUNDS["above"][1].format(c["gt"]),
     "greater_than_equal": lambda c: BOUNDS["least"][1].format(c["ge"]),

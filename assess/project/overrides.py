@@ -19,10 +19,11 @@ from assess.codes.verdict import SAME_MARGIN
 from assess.declaration import Drawn, Evidence, Safe
 from assess.geometry.solid import Solids
 from assess.project import sections
+from assess.project.key_errors import KeyPath, key_text, look_up, value_text
 from assess.project.keys import Setting, dependents, value_at, with_values
 from assess.project.project_file import Project, load_tree
 from assess.project.question import basis_of
-from assess.project.section import KeyPath, ProjectSection, key_text, look_up, value_text
+from assess.project.section import ProjectSection
 from assess.study.study import Replaceable, Study, follows_motion
 
 SAME_MULTIPLIER = 1.0 - 1.0 / 1.1  # of a direction or crack: no more than 10 % above that of the weakest
@@ -44,7 +45,7 @@ def replaceables_of(
     study_at : returns what builds the study of each mechanism with other values at some keys
     """
     content = project.content
-    beside = {each.name: each.adjacent_bodies for each in study.mechanisms}
+    touching = {each.name: each.adjacent_bodies for each in study.mechanisms}
     methods = methods_of(study.question)
     found = []
     for path, evidence in given_keys(content, ()):
@@ -61,7 +62,7 @@ def replaceables_of(
                     source=content.report.source_of(".".join(map(str, path))),
                     either_way=evidence.helps == "either",
                     same=SAME_MULTIPLIER if evidence.safe is Safe.WEAKEST else SAME_MARGIN,
-                    mechanisms=dependents(content, path, beside=beside),
+                    mechanisms=dependents(content, path, touching=touching),
                     place=place,
                     setting=each,
                     study_at=_built_once(partial(study_at, each)),

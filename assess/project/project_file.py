@@ -28,6 +28,7 @@ from scipy.constants import g
 
 from assess.errors import Faults, ProjectError, locate_errors
 from assess.messages.message import Message, Quantity, escape_text, note, warning
+from assess.project.key_errors import KeyPath, key_text, look_up, value_text
 from assess.project.keys import (
     KeySweep,
     UncertainValue,
@@ -38,17 +39,8 @@ from assess.project.keys import (
     take_means,
     uncertain_values,
 )
-from assess.project.section import (
-    EVIDENCE,
-    UNCERTAIN_MARK,
-    KeyPath,
-    ProjectSection,
-    UncertainNumber,
-    key_text,
-    look_up,
-    quantity_schema,
-    value_text,
-)
+from assess.project.reading import UNCERTAIN_MARK, quantity_schema
+from assess.project.section import EVIDENCE, ProjectSection, UncertainNumber
 from assess.project.sections.content import Content
 from assess.project.units import (
     KINDS,
@@ -129,7 +121,7 @@ def load_tree(tables: dict[str, Any], file: Path, *, sha256: str) -> Project:
     uncertain: tuple[UncertainValue, ...] = ()
     varied: tuple[KeySweep, ...] = ()
     with locate_errors(str(file)):
-        raw, stated = take_means(_upgraded(tables), file.parent, faults)
+        raw, stated = take_means(_upgrade(tables), file.parent, faults)
         with faults.gather():
             content = read_content(raw, file.parent)
             with faults.gather():
@@ -148,7 +140,7 @@ def resolve(project: Project) -> dict[str, ResolvedValue]:
 
     Paths are written relative to the project file.
     """
-    found = dict(_resolved("", project.content, True, project.folder))
+    found = dict(_resolve("", project.content, True, project.folder))
     kinds = {key: place.kind.name for key, place in keyed_values(project.content).items() if place.kind is not None}
     covs = covs_of(project.uncertain)
     return {key: replace(each, dimensions=_below(key, kinds), cov=_covs(key, covs)) for key, each in found.items()}
@@ -266,7 +258,7 @@ def _check_sources(content: Content, folder: Path) -> None:
     if not content.report.sources:
         return
     faults = Faults()
-    every = _resolved("", content, True, folder)
+    every = _resolve("", content, True, folder)
     keys = [*keyed_values(content), *(key for key, _ in every if not key.startswith("report.sources."))]
     starts = {".".join(key.split(".")[: n + 1]) for key in keys for n in range(key.count(".") + 1)}
     for key in content.report.sources:
@@ -348,7 +340,7 @@ def _twice(message: str, line: str) -> str:
     return named or (key[1][:60] if key else "")
 
 
-def _upgraded(raw: dict[str, Any]) -> dict[str, Any]:
+def _upgrade(raw: dict[str, Any]) -> dict[str, Any]:
     """Convert the content to the newest format, one pure step at a time."""
     given = raw.get("format", FORMAT)
     if not isinstance(given, int) or isinstance(given, bool) or given < 1:
@@ -373,14 +365,14 @@ def _below(key: str, known: Mapping[str, T]) -> dict[str, T]:
     return {way[len(key) + 1 :]: each for way, each in known.items() if way.startswith(f"{key}.")}
 
 
-def _resolved(key: str, value: Any, given: bool, folder: Path) -> Iterator[tuple[str, ResolvedValue]]:
+def _resolve(key: str, value: Any, given: bool, folder: Path) -> Iterator[tuple[str, ResolvedValue]]:
     if isinstance(value, ProjectSection):
         names = zip(type(value).model_fields, value.entries().items(), strict=True)
         for name, (written, item) in names:
-            yield from _resolved(f"{key}.{written}".lstrip("."), item, given and value.has_key(name), folder)
+            yield from _resolve(f"{key}.{written}".lstrip("."), item, given and value.has_key(name), folder)
     elif isinstance(value, Mapping):
         for name, item in value.items():
-            yield from _resolved(f"{key}.{name}", item, given, folder)
+            yield from _resolve(f"{key}.{name}", item, given, folder)
     else:
         yield key, ResolvedValue(_plain(value, folder), given)
 

@@ -23,7 +23,8 @@ from assess.errors import ProjectError, locate_errors
 from assess.geometry.solid import Solid
 from assess.messages.message import Message, Quantity, Severity, Value, message, whole_number
 from assess.project import sections
-from assess.project.section import plain_data, value_text
+from assess.project.key_errors import value_text
+from assess.project.section import plain_data
 from assess.results import ResolvedValue
 from assess.results.fragility import HazardResult, StateResult
 from assess.risk.hazard import read_hazard

@@ -24,8 +24,9 @@ from assess.mechanisms.restitution import ABOUT_BASE, HOUSNER, MOMENTUM
 from assess.messages.message import Message, list_values, warning, whole_number
 from assess.outputs.manifest import VERIFICATION
 from assess.project import sections
+from assess.project.key_errors import value_text
 from assess.project.project_file import Project, resolve
-from assess.project.section import ProjectSection, value_text
+from assess.project.section import ProjectSection
 from assess.project.sections.bodies_and_loads import ProfileBody
 from assess.project.sections.content import Content, checklist
 from assess.results import Input, MediaType, Picture, ReportMatter, Revision

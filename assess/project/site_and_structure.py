@@ -100,7 +100,8 @@ def density_of(
     body: sections.MeshBody | sections.BoxBody | ProfileBody, materials: Mapping[str, sections.MaterialSection]
 ) -> float:
     """Return the mass per volume of a body with geometry [kg/m3]."""
-    return materials[body.material].density
+    density: float = materials[body.material].density
+    return density
 
 
 def bodies_of(content: sections.Content, solids: Mapping[str, Solid | None]) -> Bodies:

@@ -9,7 +9,8 @@ from typing import Annotated, Any
 
 from pydantic import Discriminator, Tag
 
-from assess.project.section import quote_names, table_of
+from assess.project.key_errors import quote_names
+from assess.project.section import table_of
 
 
 def table_by_kind(kinds: Mapping[str, Any], *, what: str) -> Any:

@@ -155,7 +155,9 @@ def number_and_unit(text: str) -> tuple[str, str]:
     plain = " ".join(text.translate(_PLAIN).split())
     found = _NUMBER.match(plain)
     unit = plain[found.end() :] if found else ""
-    fault = "" if len(text) > LONGEST else _separated(plain) or _in_two_units(unit) or _pointless(plain)
+    fault = (
+        "" if len(text) > LONGEST else _separator_fault(plain) or _two_units_fault(unit) or _leading_zero_fault(plain)
+    )
     if fault:
         raise QuantityError(fault)
     if len(text) > LONGEST or found is None:
@@ -341,7 +343,7 @@ def _remedy(kind: QuantityKind) -> str:
     return f'write {article} {kind.name} like "{kind.example}"{weighing}, or a number in {kind.symbol}'
 
 
-def _separated(text: str) -> str:
+def _separator_fault(text: str) -> str:
     """Say what is wrong with a number that has commas or separated thousands; empty if nothing is."""
     found = _SEPARATED.match(text)
     if found is None or re.fullmatch(r"[0-9]+\.[0-9]+", found[2]):
@@ -359,13 +361,13 @@ def _separated(text: str) -> str:
     return f'thousands set apart; write "{sign}{re.sub(r"[^0-9]", "", grouped[1])}{decimals}{rest}"'
 
 
-def _pointless(text: str) -> str:
+def _leading_zero_fault(text: str) -> str:
     """Say what is wrong with a number that has lost its decimal point behind a zero, like "05 m"; else empty."""
     found = re.match(r"[+-]?0+([0-9][0-9.]*)", text)
     return f'a 0 before the digits; write "{found[1]}", or "0.{found[1]}" if a point was lost' if found else ""
 
 
-def _in_two_units(unit: str) -> str:
+def _two_units_fault(unit: str) -> str:
     """Say what is wrong with feet and inches in one quantity."""
     return 'feet and inches in one; write it in one of them, like "4.5 ft"' if _FEET_AND_INCHES.match(unit) else ""
 

@@ -11,7 +11,7 @@ from typing import Annotated, Any, TypeVar
 
 from pydantic import AfterValidator, BeforeValidator, Field, PlainValidator, StrictStr, ValidationInfo, WithJsonSchema
 
-from assess.declaration import Evidence
+from assess.declaration import Evidence, Several
 from assess.project.units import KINDS, si_value
 from spectra.columns import ACCELERATION_UNITS, ColumnError, factor_of
 
@@ -22,17 +22,6 @@ LONGEST_LINE = 200  # characters
 LONGEST_PARAGRAPH = 1000  # characters
 REORDERING = frozenset("\u202a\u202b\u202c\u202d\u202e\u2066\u2067\u2068\u2069")
 """Characters that show a text in another order than it is written."""
-
-
-def unique(what: str) -> Callable[[tuple[T, ...]], tuple[T, ...]]:
-    """Return a check that a list holds no value twice."""
-
-    def check(values: tuple[T, ...]) -> tuple[T, ...]:
-        if len(set(values)) < len(values):
-            raise ValueError(f"the same {what} stands there twice; remove one")
-        return values
-
-    return check
 
 
 def _one_unit(kind: str, value: Any) -> Any:
@@ -213,7 +202,7 @@ GeographicCoordinates = Annotated[
 """Latitude and longitude [deg], or the user's text."""
 
 
-def _listed(value: Any) -> Any:
+def _as_list(value: Any) -> Any:
     """Write a key alone as a list of one, and numbers as texts."""
     listed = value if isinstance(value, list | tuple) else [value]
     return tuple(_text_or_number(each) for each in listed)
@@ -226,9 +215,8 @@ CHECKLIST = Evidence(
 _AN_ITEM = {"type": ["string", "integer"]}
 ItemKeys = Annotated[
     tuple[TextLine, ...],
-    BeforeValidator(_listed),
-    Field(max_length=30),
-    AfterValidator(unique("item")),
+    BeforeValidator(_as_list),
+    Several(most=30, unlike="item"),
     WithJsonSchema({"anyOf": [_AN_ITEM, {"type": "array", "items": _AN_ITEM}]}),
 ]
 """Items of the list of possible mechanisms: one or several, by key, or by number for churches."""

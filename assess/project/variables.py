@@ -25,9 +25,9 @@ from assess.mechanisms.mechanism import BlockMechanism, Mechanism
 from assess.messages.message import Message, Term, note, warning
 from assess.model.bodies import pieces_of
 from assess.project import sections
+from assess.project.key_errors import KeyPath, key_text
 from assess.project.keys import Setting, dependents, read_case, value_at, with_values
 from assess.project.project_file import Project
-from assess.project.section import KeyPath, key_text
 from assess.project.site_and_structure import bodies_of
 from assess.project.units import KINDS
 from assess.results.run import UncertainInput
@@ -243,13 +243,13 @@ def sampling_of(variants: Variants, study: Study) -> Sampling | None:
     sampled = [mechanism for mechanism in study.mechanisms if mechanism.name not in swept]
     directed = variants.with_directions(sampled)
     content = directed.project.content
-    beside = {mechanism.name: mechanism.adjacent_bodies for mechanism in study.mechanisms}
+    touching = {mechanism.name: mechanism.adjacent_bodies for mechanism in study.mechanisms}
     numbers = [
         SampledNumber(
             value.given,
             value.least,
             value.most,
-            tuple(name for name in dependents(content, value.path, beside=beside) if name not in swept),
+            tuple(name for name in dependents(content, value.path, touching=touching) if name not in swept),
         )
         for value in project.uncertain
     ]

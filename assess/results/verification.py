@@ -14,6 +14,7 @@ from pathlib import Path
 from statistics import median
 from typing import Literal
 
+from assess.loads.load import LOADS
 from assess.messages.message import Term
 from assess.results.provenance import NO_MATTER, Input, Program, ReportMatter, ResolvedValue
 from assess.short_repr import ShortRepr
@@ -358,11 +359,7 @@ USES: Mapping[str, Term] = {
     "polygon": Term("a polygonal contact"),
     "outline": Term("a contact with the outline of the mesh"),
     # loads
-    "mass": Term("a point mass that moves with the mechanism"),
-    "force": Term("a given force"),
-    "tie": Term("a tie of given force"),
-    "overburden": Term("a load on the top of a cracked wall"),
-    "body": Term("a floor, roof or vault that bears on a block"),
+    **{kind: load.term for kind, load in LOADS.items()},
     # motion
     "exact": Term("the exact equation of motion"),
     "linearised": Term("the linearised equation of motion"),

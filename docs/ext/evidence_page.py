@@ -10,11 +10,10 @@ from typing import Annotated, Any, Literal, get_args, get_origin
 from assess.declaration import Evidence
 from assess.project.evidence import Key, every_key
 from docs.ext.key_page import TITLES
-from docs.ext.key_values import PLAIN, default_words
+from docs.ext.key_values import BOUNDS, PLAIN, default_words
 from docs.ext.markdown import cell, escape
 from docs.ext.schema_tables import is_table
 
-BOUNDS = {"above": "above", "least": "at least", "below": "below", "most": "at most"}
 HEAD = """# What each key rests on
 
 Every value of a [project file](project-file.md) has a class, which says by whom it comes about, and a sense, which way

@@ -7,12 +7,11 @@ from pathlib import Path
 from types import NoneType, UnionType
 from typing import Annotated, Any, Literal, Union, get_args, get_origin
 
-from annotated_types import Ge, Gt, Le, Lt
 from pydantic import WithJsonSchema
 from pydantic.fields import FieldInfo
 from pydantic_core import PydanticUndefined
 
-from assess.declaration import Scatters
+from assess.declaration import Number, Scatters
 from assess.project.units import QuantityKind
 from docs.ext.markdown import capital, heading_link
 from docs.ext.schema_tables import Table, form, is_table, title
@@ -25,7 +24,8 @@ PLAIN: dict[Any, str] = {
     Path: "path, relative to the project file",
     Any: "any value",
 }
-BOUNDS = ((Gt, "gt", "above"), (Ge, "ge", "at least"), (Lt, "lt", "below"), (Le, "le", "at most"))
+BOUNDS = {"above": "above", "least": "at least", "below": "below", "most": "at most"}
+"""The bounds of a number by their names in `assess.declaration.BOUNDS`, in words."""
 
 
 def value_words(field: FieldInfo) -> str:
@@ -117,10 +117,11 @@ def symbol(kind: QuantityKind) -> str:
 
 def _bounds(marks: Iterable[Any]) -> str:
     said = [
-        f"{word} {getattr(mark, name):.4g}"
+        f"{word} {bound:.4g}"
         for mark in marks
-        for kind, name, word in BOUNDS
-        if isinstance(mark, kind) and isinstance(getattr(mark, name), int | float)
+        if isinstance(mark, Number)
+        for name, word in BOUNDS.items()
+        if (bound := getattr(mark, name)) is not None
     ]
     return f", {', '.join(said)}" if said else ""
 

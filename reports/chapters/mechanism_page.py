@@ -13,13 +13,13 @@ from assess.results import MechanismResult, OscillatorResult, Results
 from reports import document as doc
 from reports import governing
 from reports.chapters import cells
+from reports.chapters.kinds import KINDS
 from reports.chapters.mechanism_verdict import unanswered_methods, verdict_sentences, verdict_summary
 from reports.figures import capacity, comparison, key_plan, sketch
 from reports.figures.key_plan import BuildingScene
 from reports.language.texts import (
     Listing,
     Paragraph,
-    Phrase,
     Term,
     Text,
     Verbatim,
@@ -78,13 +78,6 @@ def sketch_caption(mechanism: MechanismResult) -> Text:
         return shape
     return Paragraph((shape, say("This x is not the axis of the model.")))
 
-
-KINDS: Mapping[str, Phrase] = {
-    "single-block": say("A single block"),
-    "two-block": say("A wall held at its top and bottom, cracked between them into two blocks,"),
-    "four-hinge": say("A chain of three blocks with four hinges"),
-    "equivalent-block": say("An equivalent block, given by its rocking parameters instead of a geometry,"),
-}
 
 AMPLIFICATIONS: Mapping[str, Text] = {
     "modal-filter": say("filtered by the first mode"),

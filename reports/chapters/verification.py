@@ -3,17 +3,18 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from functools import partial
 
 from assess.codes.procedures import THESIS_READINGS
 from assess.results.verification import USES, CaseResult, QuantityResult, Tolerance, ValueResult, VerificationResults
 from reports import document as doc
 from reports.chapters.cells import OUTCOMES
+from reports.chapters.kinds import THEORY
 from reports.figures import verification as drawing
 from reports.figures.verification import STANDINGS
 from reports.intensity_measures import PERCENT
-from reports.language.texts import Phrase, Text, Verbatim, count, listing, quantity, say, say_count
+from reports.language.texts import Text, Verbatim, count, listing, quantity, say, say_count
 from reports.mechanisms import file_stem
 
 
@@ -423,40 +424,6 @@ JUDGEMENT = say(
     "NTC 2018, 10.2, asks the designer to examine the documentation of the program and to judge beforehand whether it "
     "is reliable and suits the case at hand. The designer does so here, having run the cases again or examined them."
 )
-
-THEORY: Mapping[str, tuple[Phrase, Phrase]] = {
-    "single-block": (
-        say("I φ'' + M g R sin(α − φ) = −M R cos(α − φ) ü; an impact keeps the angular momentum about the new hinge."),
-        say("A rigid body that rocks about two edges or one without sliding."),
-    ),
-    "two-block": (
-        say("Two blocks between base, crack and top as a chain of one degree of freedom, by virtual work."),
-        say("Walls held at base and top that open at one crack; the top slides freely upwards."),
-    ),
-    "four-hinge": (
-        say("Three blocks between two fixed hinges as a chain of one degree of freedom, by virtual work."),
-        say("Portals, frames, side-aisle vaults and belfries without sliding at the hinges."),
-    ),
-    "arch": (
-        say("The four hinges at which the multiplier of the arch is least, then as three blocks."),
-        say("Arches of rigid voussoirs without tension and without sliding."),
-    ),
-    "equivalent-block": (
-        say(
-            "φ'' = p² (φ ∓ α − ü / g), the linearised equation of a block with frequency parameter p and slenderness α."
-        ),
-        say("Slender mechanisms given by published parameters."),
-    ),
-    "one-sided": (
-        say("The body rocks in one direction and rebounds from the structure behind it (thesis 3.45)."),
-        say("Façades and other bodies that lean against a building which does not move."),
-    ),
-    "flexible": (
-        say("Springs without tension up to their strength; resultant and moment of the joint follow at each rotation."),
-        say("Bodies on mortar joints or soft beds; plane sections of the joint, no memory of crushing."),
-    ),
-}
-"""Equations and field of use of each word that has them."""
 
 
 def _theory_blocks(results: VerificationResults) -> Iterator[doc.Block]:

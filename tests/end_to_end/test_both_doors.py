@@ -29,6 +29,9 @@ FLOOR = {"kind": "body", "body": "floor"}
 VAULT = {**FLOOR, "role": "vault"}
 ABOVE_0 = "must be greater than 0"
 NO_POINT = "not a point; write [x, y, z], or [distance along the direction, elevation]"
+NO_DIRECTION = "not a direction; write [x, y, z], or [along the direction of motion, up]"
+NO_FORCE = "not a force; write [along the direction, up], or a size with direction"
+NO_DISPLACEMENT = 'not a displacement; write that of its point at which it ends, or "collapse"'
 ONLY_THRUST = 'only a roof or a vault has a thrust; write role = "roof" or "vault", or remove it'
 TWO_BLOCK = {"kind": "two-block", "crack": 2.0}
 SWEEP = {"direction": "sweep"}
@@ -57,8 +60,14 @@ FAULTS: list[tuple[dict[str, Any], dict[str, Any], str, str]] = [
         FORCE,
         {"until": "colapse"},
         "until",
-        'not a displacement; write that of its point at which it ends, or "collapse"',
+        NO_DISPLACEMENT,
     ),
+    (TIE, {"until": [1.0]}, "until", NO_DISPLACEMENT),
+    (TIE, {"until": " collapse"}, "until", NO_DISPLACEMENT),
+    (FLOOR, {"role": 3}, "role", 'not allowed; write "floor", "roof" or "vault"'),
+    (TIE, {"direction": 5}, "direction", NO_DIRECTION),
+    (PUSH, {"force": True}, "force", NO_FORCE),
+    (PUSH, {"force": "x"}, "force", NO_FORCE),
     (OVERBURDEN, {"through": "top"}, "through", 'not allowed; write "joint" or "fixed"'),
     (FLOOR, {"body": " "}, "body", "an empty name; write a name"),
     # places, directions, forces
@@ -70,14 +79,14 @@ FAULTS: list[tuple[dict[str, Any], dict[str, Any], str, str]] = [
         TIE,
         {"direction": [1.0]},
         "direction",
-        "not a direction; write [x, y, z], or [along the direction of motion, up]",
+        NO_DIRECTION,
     ),
     (TIE, {"direction": [0.0, 0.0]}, "direction", "no direction; write [-1, 0, 0] for a pull towards -x"),
     (
         FORCE,
         {"force": [1.0, 2.0, 3.0]},
         "force",
-        "not a force; write [along the direction, up], or a size with direction",
+        NO_FORCE,
     ),
     # keys that exclude or need each other
     (
@@ -144,6 +153,9 @@ RIGID_STIFF = 'is for flexible interfaces; write model = "flexible", or remove i
 BOW_TIE = [[0.0, 0.0], [1.0, 1.0], [1.0, 0.0], [0.0, 1.0]]
 OF_JOINTS = 'must be greater than 0 and 2 TPa/m or less; of a stiffer joint say model = "rigid"'
 OF_MASONRY = 'must be greater than 0 and 50 MPa or less, beyond which there is no masonry; "inf" is the rigid reading'
+NO_WAY = 'not a direction; write [1, 0, 0] for +x, [0, -1, 0] for -y, or "sweep" for the weakest'
+NO_CRACK = 'not a crack; write an elevation, or one of "sorrentino", "minimum"'
+NO_RESTITUTION = 'not a known restitution; write a number in [0, 1], "thesis", "housner", "sorrentino" or "momentum"'
 OF_KEYS: list[tuple[dict[str, Any], str, str]] = [
     # joints
     ({"interface": {"stiffness": 1e10}}, "interface.stiffness", RIGID_STIFF),
@@ -182,7 +194,15 @@ OF_KEYS: list[tuple[dict[str, Any], str, str]] = [
         "no area, its corners lie on a line; give corners that enclose one",
     ),
     (TWO_BLOCK | {"interfaces": {"D": {}}}, "interfaces.D", "no such hinge; known: A, B, C"),
+    (TWO_BLOCK | {"interfaces": {"E": {}}}, "interfaces.E", "no such hinge; known: A, B, C"),
+    (
+        {"interface": {"model": 1}},
+        "interface.model",
+        'not allowed; write "rigid", "flexible", "semi-flexible" or "flexible-thesis"',
+    ),
     # which way, how far, how often
+    ({"direction": 5}, "direction", NO_WAY),
+    ({"direction": [1.0, 0.0]}, "direction", NO_WAY),
     ({"direction": [1.0, 0.0, 0.5]}, "direction", "not horizontal; its third number, the vertical one, must be 0"),
     ({"direction": [0.0, 0.0, 0.0]}, "direction", "no direction; write [1, 0, 0] for +x"),
     ({"sides": "three"}, "sides", 'not allowed; write "one" or "two"'),
@@ -191,16 +211,11 @@ OF_KEYS: list[tuple[dict[str, Any], str, str]] = [
         "restitution",
         "outside [0, 1]; restitution is velocity after over velocity before the impact",
     ),
-    (
-        {"restitution": "newton"},
-        "restitution",
-        'not a known restitution; write a number in [0, 1], "thesis", "housner", "sorrentino" or "momentum"',
-    ),
-    (
-        TWO_BLOCK | {"crack": "middle"},
-        "crack",
-        'not a crack; write an elevation, or one of "sorrentino", "minimum"',
-    ),
+    ({"restitution": "newton"}, "restitution", NO_RESTITUTION),
+    ({"restitution": True}, "restitution", NO_RESTITUTION),
+    (TWO_BLOCK | {"crack": "middle"}, "crack", NO_CRACK),
+    (TWO_BLOCK | {"crack": True}, "crack", NO_CRACK),
+    (TWO_BLOCK | {"crack": [1.0]}, "crack", NO_CRACK),
 ]
 OWN_REMEDIES: list[tuple[dict[str, Any], dict[str, Any], str, str]] = [
     # the project file names units and its own tables, Python what it takes
@@ -217,15 +232,14 @@ OWN_REMEDIES: list[tuple[dict[str, Any], dict[str, Any], str, str]] = [
         "bodies",
         'no body beside the wall; known: "wall", "floor", "roof"',
     ),
-    (MASS, {"mass": [1.0]}, "mass", ""),
-    (MASS, {"mass": True}, "mass", ""),
-    (MASS, {"bearing": "yes"}, "bearing", ""),
-    (MASS, {"bearing": 1}, "bearing", ""),
-    (MASS, {"block": 0.5}, "block", ""),
-    (TIE, {"until": [1.0]}, "until", ""),
-    (FLOOR, {"body": 3}, "body", ""),
-    (FLOOR, {"share": "all"}, "share", ""),
-    (OVERBURDEN, {"bodies": "floor", "force": None}, "bodies", ""),
+    (MASS, {"mass": [1.0]}, "mass", "not a number"),
+    (MASS, {"mass": True}, "mass", "not a number"),
+    (MASS, {"bearing": "yes"}, "bearing", "not a truth value"),
+    (MASS, {"bearing": 1}, "bearing", "not a truth value"),
+    (MASS, {"block": 0.5}, "block", "not a whole number"),
+    (FLOOR, {"body": 3}, "body", "not a text"),
+    (FLOOR, {"share": "all"}, "share", "not a number"),
+    (OVERBURDEN, {"bodies": "floor", "force": None}, "bodies", "not a list"),
 ]
 RIGHT: list[tuple[list[dict[str, Any]], dict[str, Any]]] = [
     ([MASS, FORCE, PUSH, TIE, FLOOR], {}),

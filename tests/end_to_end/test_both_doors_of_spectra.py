@@ -42,6 +42,8 @@ FAULTS: list[tuple[dict[str, Any], dict[str, Any], str, str]] = [
     # words
     (DESIGN, {"hazard": "max"}, "hazard", 'not allowed; write "design" or "mce"'),
     (EC8, {"type": 3}, "type", "not allowed; write 1 or 2"),
+    (EC8, {"type": 1.0}, "type", "not allowed; write 1 or 2"),
+    (EC8, {"type": True}, "type", "not allowed; write 1 or 2"),
     (NTC, {"topography": "T5"}, "topography", 'not allowed; write "T1", "T2", "T3" or "T4"'),
     (HAZARD, {"use_class": "V"}, "use_class", 'not allowed; write "I", "II", "III" or "IV"'),
     # keys that are unknown, of another way, missing, or exclude each other

@@ -19,8 +19,8 @@ from assess.declaration import BOUNDS
 from assess.errors import AssessError
 from assess.project.build import build_to_decide
 from assess.project.evidence import Key, every_key
+from assess.project.key_errors import KeyPath, key_text
 from assess.project.project_file import load_tree
-from assess.project.section import KeyPath, key_text
 from assess.study.run import find_verdict
 from records.errors import RecordError
 from spectra.errors import SpectrumError

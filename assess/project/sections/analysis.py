@@ -13,7 +13,6 @@ from pydantic import (
     Discriminator,
     Field,
     StrictBool,
-    StrictInt,
     StrictStr,
     Tag,
     WithJsonSchema,
@@ -23,20 +22,21 @@ from scipy.constants import g
 
 from assess.declaration import (
     FREE,
-    Acceleration,
     Angle,
     Evidence,
     Name,
+    Number,
     PositiveAcceleration,
     PositiveFrequency,
     PositiveRatio,
     PositiveYears,
-    Ratio,
+    Several,
 )
-from assess.project.section import SCATTER, ProjectSection, error_at, quote_names
+from assess.project.key_errors import error_at, quote_names
+from assess.project.section import SCATTER, ProjectSection
 from assess.project.sections.procedures import ProcedureNames
 from assess.project.units import KINDS, SHARE_UNITS, QuantityError, key_value, number_and_unit
-from assess.project.values import PATTERN_MARK, WRITTEN_QUANTITY_SCHEMA, InputFile, number_or_text, unique
+from assess.project.values import PATTERN_MARK, WRITTEN_QUANTITY_SCHEMA, InputFile, number_or_text
 
 MOST_PULSES = 1000  # frequencies or amplitudes
 WITH_GAMMA = "mavroeidis-papageorgiou"
@@ -51,7 +51,7 @@ class Frequencies(ProjectSection):
     """the first"""
     to: PositiveFrequency = 10.0
     """the last"""
-    count: Annotated[StrictInt, Field(ge=2, le=MOST_PULSES)] = 100
+    count: Annotated[int, Number(least=2, most=MOST_PULSES)] = 100
     """how many, with both ends"""
     spacing: Literal["linear", "log"] = "linear"
     """"linear", or "log" for a constant ratio"""
@@ -68,11 +68,11 @@ class Amplitudes(ProjectSection):
 
     evidence = FREE
 
-    start: Annotated[Acceleration, Field(ge=0)] = Field(0.0, alias="from")
+    start: Annotated[float, Number("acceleration", least=0)] = Field(0.0, alias="from")
     """the first"""
-    to: Annotated[Acceleration, Field(gt=0)] = 3 * g
+    to: Annotated[float, Number("acceleration", above=0)] = 3 * g
     """the last, up to which the least pulse that overturns is sought"""
-    count: Annotated[StrictInt, Field(ge=2, le=MOST_PULSES)] = 100
+    count: Annotated[int, Number(least=2, most=MOST_PULSES)] = 100
     """how many, with both ends"""
 
     @model_validator(mode="after")
@@ -93,7 +93,7 @@ class Pulses(ProjectSection):
     """{ from, to, count } of the frequencies"""
     amplitude: Amplitudes = Field(default_factory=Amplitudes)
     """{ from, to, count } of the peak ground accelerations"""
-    gamma: Annotated[Ratio, Field(gt=1, le=50)] | None = None
+    gamma: Annotated[float, Number("ratio", above=1, most=50)] | None = None
     """of a mavroeidis-papageorgiou pulse: more is longer; 2 if absent"""
     nu: Angle | None = None
     """of a mavroeidis-papageorgiou pulse: phase of its carrier; 0 if absent"""
@@ -123,15 +123,13 @@ class SweepSection(ProjectSection):
 
     key: StrictStr
     """a number of this file by its key: "mechanisms.spire.cut.angle"; loads.0 or loads[1] is the first of a list"""
-    values: Annotated[
-        tuple[SweptQuantity, ...], Field(min_length=1, max_length=MOST_CASES), AfterValidator(unique("value"))
-    ] = ()
+    values: Annotated[tuple[SweptQuantity, ...], Several(1, MOST_CASES, unlike="value")] = ()
     """its values, like ["45 deg", "60 deg"]; or give from, to and count"""
     start: SweptQuantity | None = Field(None, alias="from")
     """the first of evenly spaced values"""
     to: SweptQuantity | None = None
     """the last of them"""
-    count: Annotated[StrictInt, Field(ge=2, le=MOST_CASES)] | None = None
+    count: Annotated[int, Number(least=2, most=MOST_CASES)] | None = None
     """how many, with both ends"""
 
     @model_validator(mode="after")
@@ -167,7 +165,7 @@ DEFAULT_SHARES: Mapping[str, float] = {
     "p": 0.05,
 }
 """By how much each parameter is varied where the project does not say it: judgement, not taken from a standard."""
-VaryingShare = Annotated[Ratio, Field(ge=0, lt=1)]
+VaryingShare = Annotated[float, Number("ratio", least=0, below=1)]
 
 
 class Change(NamedTuple):
@@ -207,7 +205,7 @@ def _or_amount(kind: str) -> str:
     return "" if kind == "ratio" else f', or an amount like "{KINDS[kind].example}"'
 
 
-def _described(kind: str) -> WithJsonSchema:
+def _change_schema(kind: str) -> WithJsonSchema:
     words = f"a share like 0.05{_or_amount(kind)}; false: not varied"
     return WithJsonSchema(
         {"type": ["number", "string", "boolean"], "description": words, PATTERN_MARK: [kind, "change"]}
@@ -222,11 +220,11 @@ def _default_share(parameter: str) -> Any:
     return Field(default_factory=share)
 
 
-LengthChange = Annotated[Change | None, BeforeValidator(_change("length")), _described("length")]
-DensityChange = Annotated[Change | None, BeforeValidator(_change("density")), _described("density")]
-StressChange = Annotated[Change | None, BeforeValidator(_change("stress")), _described("stress")]
-ShareChange = Annotated[Change | None, BeforeValidator(_change("ratio")), _described("ratio")]
-ForceChange = Annotated[Change | None, BeforeValidator(_change("force")), _described("force")]
+LengthChange = Annotated[Change | None, BeforeValidator(_change("length")), _change_schema("length")]
+DensityChange = Annotated[Change | None, BeforeValidator(_change("density")), _change_schema("density")]
+StressChange = Annotated[Change | None, BeforeValidator(_change("stress")), _change_schema("stress")]
+ShareChange = Annotated[Change | None, BeforeValidator(_change("ratio")), _change_schema("ratio")]
+ForceChange = Annotated[Change | None, BeforeValidator(_change("force")), _change_schema("force")]
 
 
 class Sensitivity(ProjectSection):
@@ -258,7 +256,7 @@ class Sensitivity(ProjectSection):
     """frequency parameter of an equivalent-block"""
 
 
-def _switched(value: Any) -> Any:
+def _table_or_none(value: Any) -> Any:
     """Replace `true` by the table of defaults and `false` by none."""
     return {} if value is True else None if value is False else value
 
@@ -267,7 +265,9 @@ def _or_switch(schema: dict[str, Any]) -> None:
     schema["anyOf"].append({"type": "boolean"})
 
 
-SensitivityOrSwitch = Annotated[Sensitivity | None, BeforeValidator(_switched), Field(json_schema_extra=_or_switch)]
+SensitivityOrSwitch = Annotated[
+    Sensitivity | None, BeforeValidator(_table_or_none), Field(json_schema_extra=_or_switch)
+]
 FEWEST_SAMPLES, MOST_SAMPLES = 16, 65536  # samples
 
 
@@ -288,11 +288,11 @@ class Uncertainty(ProjectSection):
 
     evidence = SAMPLING
 
-    samples: Annotated[StrictInt, Field(ge=FEWEST_SAMPLES, le=MOST_SAMPLES), AfterValidator(_power_of_two)] = 128
+    samples: Annotated[int, Number(least=FEWEST_SAMPLES, most=MOST_SAMPLES), AfterValidator(_power_of_two)] = 128
     """values of each number, a power of two"""
-    seed: Annotated[StrictInt, Field(ge=0, lt=2**32)] = 1
+    seed: Annotated[int, Number(least=0, below=2**32)] = 1
     """of the scrambled Sobol sequence"""
-    thickness: Annotated[Ratio, Field(gt=0, lt=1), SCATTER] | None = None
+    thickness: Annotated[float, Number("ratio", above=0, below=1), SCATTER] | None = None
     """coefficient of variation of the size of all blocks along their direction, like 0.05, lognormal: of bodies whose
     thickness is no number of this file, as meshes"""
 
@@ -359,18 +359,18 @@ EPISTEMIC = Evidence(
 )
 
 
+Dispersion = Annotated[float, Number("ratio", least=0, most=2)]
+
+
 class Fragility(ProjectSection):
     """Fragility curves of `assess fragility`: measures of intensity, states, and how records are run."""
 
     evidence = RUNS_OF_CURVES
 
-    measures: (
-        Annotated[tuple[MeasureText, ...], Field(min_length=1), AfterValidator(unique("measure")), FORM_OF_CURVES]
-        | None
-    ) = None
+    measures: Annotated[tuple[MeasureText, ...], Several(1, unlike="measure"), FORM_OF_CURVES] | None = None
     """measures of intensity, the one that records are scaled by first: "pga", "pgv", "sa(0.5 s)", "sa-average",
     "sa-average(0.2 s, 0.5 s, 1 s)", "pga/(g tan alpha)", "p pgv/(g tan alpha)"; all that apply if absent"""
-    states: Annotated[tuple[StateValue, ...], Field(min_length=1), AfterValidator(unique("state")), FORM_OF_CURVES] = (
+    states: Annotated[tuple[StateValue, ...], Several(1, unlike="state"), FORM_OF_CURVES] = (
         "rocking",
         0.5,
         "overturning",
@@ -379,18 +379,18 @@ class Fragility(ProjectSection):
     method: Annotated[Literal["ida", "stripes", "cloud"], FORM_OF_CURVES] = "ida"
     """"ida": every record at many rising scales; "stripes": all records at few intensities; "cloud": every record once,
     as it is, times [records] factor"""
-    samples: Annotated[StrictInt, Field(ge=3, le=1000)] | None = None
+    samples: Annotated[int, Number(least=3, most=1000)] | None = None
     """intensities at which each record is run; 50 by ida and 10 by stripes if absent"""
     largest: float | str | None = None
     """largest intensity of the first measure, like "1.5 g"; if absent up to where every record overturns, twice in a
     row"""
-    largest_factor: Annotated[Ratio, Field(ge=1, le=1000)] = 10.0
+    largest_factor: Annotated[float, Number("ratio", least=1, most=1000)] = 10.0
     """largest scale factor on a record; above 4 they are marked"""
-    seed: Annotated[StrictInt, Field(ge=0)] = 1
+    seed: Annotated[int, Number(least=0)] = 1
     """of the bootstrap: the same seed gives the same intervals"""
-    draws: Annotated[StrictInt, Field(ge=100, le=10_000)] = 500
+    draws: Annotated[int, Number(least=100, most=10_000)] = 500
     """draws of the bootstrap, by earthquake"""
-    epistemic: Annotated[dict[Name, Annotated[Ratio, Field(ge=0, le=2)]], EPISTEMIC] = Field(default_factory=dict)
+    epistemic: Annotated[dict[Name, Dispersion], EPISTEMIC] = Field(default_factory=dict)
     """dispersions of what is not known, by name, like { model = 0.2 }; kept apart from that of the records. A target is
     met only with them: without any, no rate is shown to be within it"""
 
@@ -449,9 +449,9 @@ class PlaceSection(ProjectSection):
 
     evidence = Evidence("defines", "either", "as stated")
 
-    longitude: Annotated[Ratio, Field(ge=-180, le=360)]
+    longitude: Annotated[float, Number("ratio", least=-180, most=360)]
     """degrees east, like 13.40"""
-    latitude: Annotated[Ratio, Field(ge=-90, le=90)]
+    latitude: Annotated[float, Number("ratio", least=-90, most=90)]
     """degrees north, like 42.35"""
 
 
@@ -461,7 +461,7 @@ TARGET = Evidence("chosen", "up", "absent: the rate is compared with nothing", j
 class Risk(ProjectSection):
     """Hazard of the site, which fragility makes a rate of: rows, a file, or the rows of an Italian site if absent."""
 
-    hazard: Annotated[tuple[HazardPoint, ...], Field(min_length=2)] | None = None
+    hazard: Annotated[tuple[HazardPoint, ...], Several(2)] | None = None
     """rows [{ return_period | rate, pga }, …], of falling rate; those of [site.spectrum] if absent"""
     curve: Annotated[InputFile | None, Evidence("defines", "either", "as stated")] = None
     """hazard curves of OpenQuake as CSV, like "hazard_curve-mean-PGA.csv", in place of hazard"""
@@ -484,7 +484,6 @@ class Risk(ProjectSection):
         return self
 
 
-Levels = Annotated[tuple[PositiveAcceleration, ...], Field(min_length=1), AfterValidator(unique("level"))]
 STUDIED_LEVELS = Evidence("free", "none", "nothing", judged="the action of the site decides whatever stands here")
 FURTHER_PROCEDURES = Evidence("free", "none", "nothing", judged="the methods that decide run whatever stands here")
 EQUATION = Evidence("chosen", "either", '"exact", "linearised" of equivalent blocks; the other stands beside it')
@@ -499,12 +498,7 @@ SCAN = Evidence(
 class Analysis(ProjectSection):
     """What is asked."""
 
-    levels: (
-        Annotated[
-            tuple[PositiveAcceleration, ...], Field(min_length=1), AfterValidator(unique("level")), STUDIED_LEVELS
-        ]
-        | None
-    ) = None
+    levels: Annotated[tuple[PositiveAcceleration, ...], Several(1, unlike="level"), STUDIED_LEVELS] | None = None
     """peak ground accelerations at which demands are compared; the site's own if absent"""
     procedures: Annotated[ProcedureNames | None, FURTHER_PROCEDURES] = None
     """code procedures to apply; if absent all that apply at the site"""

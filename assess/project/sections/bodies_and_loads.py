@@ -2,55 +2,28 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Annotated, Any, Literal
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal
 
 from pydantic import Discriminator, Tag
 
 from assess.declaration import (
     UNCERTAIN,
     Evidence,
-    MasonryStrength,
     Name,
-    NotNegativeRatio,
-    NotNegativeStress,
-    PlanePoint,
-    PositiveDensity,
-    PositiveInertia,
     PositiveLength,
-    PositiveMass,
-    PositiveStress,
     SpacePoint,
 )
 from assess.geometry.solid import Corners
 from assess.loads.load import LOADS, LoadDefinition
-from assess.project.section import ProjectSection
+from assess.model.bodies import Material, PointValues
+from assess.project.section import DeclaredSection, ProjectSection, table_of
 from assess.project.tables import table_by_kind
 from assess.project.values import InputFile, LengthUnit
 
-DENSITY = Evidence(
-    "defines",
-    "either",
-    "as stated, within the range of the type of masonry",
-    judged="weight holds a wall against thrusts and drives one that crushes; alone on a rigid base it changes nothing",
-)
-MODULUS = Evidence(
-    "measured",
-    "either",
-    "the worst over the range of its type, joints up to 100 GPa/m",
-    judged="it sets the stiffness of joints and the first mode of the building, and a softer one may rock more or less",
-)
-COMPRESSION = Evidence("measured", "up", "the lower bound of the type of masonry, that of LC1; never above 50 MPa")
-TENSION = Evidence(
-    "measured",
-    "either",
-    "the worse of 0 and what is stated",
-    judged="no procedure counts on it; eq. 3.27 places a crack by it, which may be the weaker or the stronger place",
-)
 Disintegration = Annotated[
     Literal["excluded", "possible"] | None,
     Evidence("measured", ("possible", "excluded"), '"possible", by which no Italian procedure passes'),
 ]
-FRICTION = Evidence("measured", "up", "absent: whether anything slides is not answered")
 GIVEN = Evidence("defines", "either", "as stated")
 SIZE = Evidence("defines", "either", "as drawn, the tolerance of the survey either way")
 THICKNESS = Evidence(
@@ -66,29 +39,22 @@ HEIGHT = Evidence(
     judged="of two walls of one thickness the taller lifts off and overturns at less",
 )
 PLACE = Evidence("drawn", "either", "as drawn")
-INERTIA = Evidence(
-    "defines",
-    "either",
-    "as stated",
-    judged="more of it slows the wall, which records overturn less easily, and lets an impact take less from it",
-)
 
 
-class MaterialSection(ProjectSection):
-    """A masonry."""
+class MaterialKeys(ProjectSection):
+    """What a project file says of a masonry beside its numbers."""
 
-    density: Annotated[PositiveDensity, UNCERTAIN, DENSITY]
-    """mass per volume, like "2240 kg/m^3\""""
-    young_modulus: Annotated[PositiveStress, UNCERTAIN, MODULUS] | None = None
-    """modulus of elasticity, like "6.89 GPa\""""
-    compressive_strength: Annotated[MasonryStrength, UNCERTAIN, COMPRESSION] | None = None
-    """strength in compression, like "1.0 MPa\""""
-    tensile_strength: Annotated[NotNegativeStress, UNCERTAIN, TENSION] | None = None
-    """strength of the mortar in tension"""
+    first: ClassVar = ("density", "young_modulus", "compressive_strength", "tensile_strength", "disintegration")
     disintegration: Disintegration = None
     """whether the masonry may fall apart: "excluded" (by survey, quality index or test) or "possible\""""
-    friction: Annotated[NotNegativeRatio, UNCERTAIN, FRICTION] | None = None
-    """coefficient of friction"""
+
+
+if TYPE_CHECKING:
+    MaterialSection = DeclaredSection
+    PointSection = DeclaredSection
+else:
+    MaterialSection = table_of(Material, file_keys=MaterialKeys)
+    PointSection = table_of(PointValues)
 
 
 class BoxSection(ProjectSection):
@@ -147,17 +113,9 @@ class ProfileBody(ProjectSection):
     """length along y, like "3.0 m\""""
 
 
-class DirectBody(ProjectSection):
+class DirectBody(PointSection):
     """A body by its mass, centroid and inertia, without geometry."""
 
-    evidence = GIVEN
-
-    mass: Annotated[PositiveMass, UNCERTAIN]
-    """mass, like "12000 kg\""""
-    centroid: PlanePoint
-    """centre of mass [x, z]"""
-    inertia: Annotated[PositiveInertia, UNCERTAIN, INERTIA]
-    """moment of inertia about the centroid, like "5200 kg*m^2\""""
     disintegration: Disintegration = None
     """whether its masonry may fall apart: "excluded" (by survey, quality index or test) or "possible\""""
 

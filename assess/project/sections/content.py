@@ -19,9 +19,17 @@ from assess.declaration import (
     FREE,
     Evidence,
     Name,
+    Several,
 )
 from assess.loads.load import body_faults
-from assess.project.section import KeyPath, ProjectSection, error_at, errors_at, quote_names, value_text
+from assess.project.key_errors import (
+    KeyPath,
+    error_at,
+    errors_at,
+    quote_names,
+    value_text,
+)
+from assess.project.section import ProjectSection
 from assess.project.sections.analysis import Analysis
 from assess.project.sections.bodies_and_loads import (
     BodySection,
@@ -131,11 +139,11 @@ class Report(ProjectSection):
     """status of the report, like "for approval\""""
     reference: TextLine = ""
     """the office's number of the job"""
-    revisions: Annotated[tuple[RevisionSection, ...], Field(max_length=MOST_REVISIONS)] = ()
+    revisions: Annotated[tuple[RevisionSection, ...], Several(most=MOST_REVISIONS)] = ()
     """[ { number, date, description, author }, … ], the oldest first"""
     logo: InputFile | None = None
     """PNG or JPEG of the office, path relative to the project file"""
-    figures: Annotated[tuple[FigureSection, ...], Field(max_length=MOST_FIGURES)] = ()
+    figures: Annotated[tuple[FigureSection, ...], Several(most=MOST_FIGURES)] = ()
     """[ { file, caption }, … ]: photographs and drawings, PNG or JPEG"""
     seismic_zone: NumberText = ""
     """of the municipality, like 2 or "3S\""""
@@ -202,7 +210,7 @@ class Content(ProjectSection):
     """a table [materials.NAME] for each material"""
     bodies: dict[Name, BodySection] = Field(default_factory=dict)
     """a table [bodies.NAME] for each body"""
-    mechanisms: Annotated[dict[Name, MechanismSection], Field(min_length=1)]
+    mechanisms: Annotated[dict[Name, MechanismSection], Several(1)]
     """add a table [mechanisms.NAME] for each way to collapse"""
     records: Records = Field(default_factory=Records)
     """a table [records]"""
@@ -284,8 +292,8 @@ def checklist(report: Report, mechanisms: Mapping[str, MechanismSection]) -> tup
     if building_type is None:
         _refuse_items(report, mechanisms)
         return ()
-    examined = _examined(building_type, mechanisms)
-    absent = _absent(report, building_type, examined)
+    examined = _mechanisms_by_item(building_type, mechanisms)
+    absent = _absent_items(report, building_type, examined)
     reasons = _reasons(report, building_type, absent)
     return tuple(_item(each, examined, absent, reasons) for each in CHECKLISTS[building_type])
 
@@ -315,7 +323,9 @@ def _refuse_items(report: Report, mechanisms: Mapping[str, MechanismSection]) ->
             raise error_at(key, 'names items of no list; write building_type = "house" or "church" in [report]')
 
 
-def _examined(building_type: BuildingType, mechanisms: Mapping[str, MechanismSection]) -> dict[str, list[str]]:
+def _mechanisms_by_item(
+    building_type: BuildingType, mechanisms: Mapping[str, MechanismSection]
+) -> dict[str, list[str]]:
     """Return the names of the mechanisms that examine each item."""
     found: dict[str, list[str]] = {}
     for name, mechanism in mechanisms.items():
@@ -343,7 +353,7 @@ def _items_by_kind(building_type: BuildingType, mechanism: MechanismSection) -> 
     return ()
 
 
-def _absent(report: Report, building_type: BuildingType, examined: Mapping[str, Sequence[str]]) -> list[str]:
+def _absent_items(report: Report, building_type: BuildingType, examined: Mapping[str, Sequence[str]]) -> list[str]:
     where: KeyPath = ("report", "absent")
     keys = [_listed_item(building_type, key, where).key for key in report.absent]
     for place, key in enumerate(keys):

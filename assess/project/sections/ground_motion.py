@@ -31,20 +31,21 @@ from assess.declaration import (
     PositiveYears,
     Safe,
 )
-from assess.project.section import DeclaredSection, ProjectSection, error_at, plain_data, quote_names, table_of
+from assess.project.key_errors import error_at, quote_names
+from assess.project.section import DeclaredSection, ProjectSection, plain_data, table_of
 from assess.project.tables import table_by_code
 from assess.project.values import AccelerationUnit, FilePlace, InputFile, InputFiles
 from records.compliance import CodeName
 from records.selection import CandidateFilters
 from records.synthetic import SUITE_SIZE, ArtificialRecords
 from spectra import ntc
-from spectra.design_spectra import SPECTRA, USE_CLASSES, NtcHazardSpectrum, Nzs1170Spectrum, way_of
+from spectra.design_spectra import SPECTRA, USE_CLASSES, NtcHazardSpectrum, Nzs1170Spectrum, spectrum_class
 
 LIMIT_STATES = tuple(ntc.EXCEEDANCE)  # of a hazard over return periods
 if TYPE_CHECKING:
     SpectrumSection = DeclaredSection
 else:
-    SpectrumSection = table_by_code(SPECTRA, way_of)
+    SpectrumSection = table_by_code(SPECTRA, spectrum_class)
 
 
 SITE_PGA = Evidence(
@@ -215,7 +216,7 @@ class Recipe(DeclaredSection):
     )
     """code whose rules on suites are to be met, as far as they can be answered: the factor on the records, their number
     and records that break a rule by themselves are changed, or an error says which rule no suite meets"""
-    count: Annotated[Count, Field(le=200), SUITE_SIZE] = 7
+    count: Annotated[int, Number(least=1, most=200), SUITE_SIZE] = 7
     """how many records; with components = "together" how many recordings"""
     periods: Annotated[tuple[PositiveTime, PositiveTime], IsRange()] | None = None
     """[from, to] over which spectra are to fit; 0.2 times the least to 1.2 times the largest equivalent period of the

@@ -8,11 +8,11 @@ from operator import or_
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, cast
 
 from pydantic import (
-    AfterValidator,
     BeforeValidator,
     Discriminator,
     Field,
     GetJsonSchemaHandler,
+    StrictStr,
     Tag,
     WithJsonSchema,
     model_validator,
@@ -25,6 +25,7 @@ from assess.declaration import (
     UNCERTAIN_RESTITUTION,
     Coordinate,
     Evidence,
+    IsPlace,
     Length,
     Name,
     NotNegativeLength,
@@ -32,24 +33,18 @@ from assess.declaration import (
     PositiveLength,
     PositiveRatio,
     Safe,
+    Several,
 )
 from assess.interfaces.contact import Interface
 from assess.loads.load import Place
 from assess.mechanisms.assembly import MechanismKind
 from assess.mechanisms.kinds import MECHANISM_KINDS
 from assess.mechanisms.mechanism import DRAWN_HINGES, BlockMechanism
-from assess.mechanisms.restitution import BY_FORMULA, RESTITUTION_NUMBER, RESTITUTIONS, Restitution, RestitutionRule
-from assess.project.section import (
-    A_POINT,
-    DeclaredSection,
-    ProjectSection,
-    SoughtDirection,
-    quote_names,
-    table_of,
-)
+from assess.mechanisms.restitution import RESTITUTION_NUMBER, RESTITUTIONS, Restitution
+from assess.project.key_errors import error_at, quote_names
+from assess.project.section import DeclaredSection, ProjectSection, table_of
 from assess.project.sections.bodies_and_loads import Disintegration, LoadSection
-from assess.project.units import KINDS, key_value
-from assess.project.values import CHECKLIST, ItemKeys, unique
+from assess.project.values import CHECKLIST, ItemKeys
 
 
 def _block_names(value: Any) -> Any:
@@ -59,15 +54,14 @@ def _block_names(value: Any) -> Any:
 
 BlockNames = Annotated[
     tuple[Name, ...],
-    Field(min_length=1),
-    AfterValidator(unique("body")),
+    Several(1, unlike="body"),
     WithJsonSchema({"anyOf": [{"type": "string"}, {"type": "array", "items": {"type": "string"}, "minItems": 1}]}),
 ]
 Blocks = Annotated[tuple[BlockNames, ...], BeforeValidator(_block_names)]
 
 
 HingeCoordinate = Annotated[Coordinate, UNCERTAIN_COORDINATE]
-UncertainPoint = Annotated[tuple[HingeCoordinate, ...], A_POINT, Field(min_length=2, max_length=3)]
+UncertainPoint = Annotated[tuple[HingeCoordinate, ...], IsPlace()]
 
 
 class HingesSection(ProjectSection):
@@ -113,7 +107,8 @@ ArchHingesValue = Annotated[
 ]
 
 
-HingeName = Literal["A", "B", "C", "D"]
+HingeName = Annotated[StrictStr, WithJsonSchema({"enum": list("ABCD"), "type": "string"})]
+"""Which hinges a mechanism has is among its faults."""
 
 
 class _OneForBoth:
@@ -128,44 +123,20 @@ class _OneForBoth:
 ONE_FOR_BOTH = _OneForBoth()
 
 
-def _restitution(value: Any) -> float | str:
-    if isinstance(value, str) and value in RESTITUTIONS:
-        return value
-    number = RESTITUTION_NUMBER
-    if isinstance(value, str):
-        raise ValueError(number.form)
-    found = key_value(value, KINDS["ratio"])
-    if fault := number.fault(found):
-        raise ValueError(fault)
-    return found
+if TYPE_CHECKING:
+    RestitutionKeys = DeclaredSection
+else:
+    RestitutionKeys = table_of(Restitution)
 
 
-RestitutionValue = Annotated[
-    float | RestitutionRule,
-    BeforeValidator(_restitution),
-    Field(description='a number in [0, 1], or "thesis", "housner", "sorrentino", "momentum"'),
-    KINDS["ratio"],
-    UNCERTAIN_RESTITUTION,
-]
-
-
-class RestitutionSection(ProjectSection):
+class RestitutionSection(RestitutionKeys):
     """Velocity after over velocity before the impact that ends a rotation, for each direction."""
-
-    positive: Annotated[RestitutionValue | None, BY_FORMULA] = None
-    """if absent, momentum where a load moves with the mechanism, else the thesis' rule for the kind; of two blocks its
-    rule times what the loads change by momentum"""
-    negative: Annotated[RestitutionValue | None, BY_FORMULA] = None
-    """the same for the impact that ends negative rotation"""
-
-    @property
-    def plain(self) -> Restitution:
-        """The data that the table stands for."""
-        return Restitution(self.positive, self.negative)
 
     @model_validator(mode="before")
     @classmethod
     def _one_for_both(cls, value: Any) -> Any:
+        if isinstance(value, list):
+            raise error_at((), RESTITUTION_NUMBER.form)
         return value if isinstance(value, dict | RestitutionSection) else {"positive": value, "negative": value}
 
 
@@ -271,7 +242,6 @@ class ChainKeys(ProjectSection):
         "examines",
         "kind",
     )
-    direction: SoughtDirection | None = None
     loads: tuple[LoadSection, ...] = ()
     restitution: Annotated[RestitutionSection, ONE_FOR_BOTH, UNCERTAIN_RESTITUTION] = Field(
         default_factory=RestitutionSection
@@ -290,7 +260,7 @@ class ChainKeys(ProjectSection):
 class SingleBlockKeys(ChainKeys):
     """What a project file says of one block in its own form."""
 
-    blocks: Annotated[Blocks, Field(min_length=1, max_length=1)]
+    blocks: Annotated[Blocks, Several(1, 1)]
     hinges: HingesSection | None = None
     hinges_negative: HingesSection | None = None
 
@@ -298,7 +268,7 @@ class SingleBlockKeys(ChainKeys):
 class TwoBlockKeys(ChainKeys):
     """What a project file says of a wall of two blocks in its own form."""
 
-    blocks: Annotated[Blocks, Field(min_length=1, max_length=2)]
+    blocks: Annotated[Blocks, Several(1, 2)]
     hinges: ThreeHingesSection | None = None
     hinges_negative: ThreeHingesSection | None = None
 
@@ -306,7 +276,7 @@ class TwoBlockKeys(ChainKeys):
 class ThreeBlockKeys(ChainKeys):
     """What a project file says of three blocks in its own form."""
 
-    blocks: Annotated[Blocks, Field(min_length=1, max_length=3)]
+    blocks: Annotated[Blocks, Several(1, 3)]
     hinges: FourHingesSection | None = None
     hinges_negative: FourHingesSection | None = None
 
@@ -314,7 +284,7 @@ class ThreeBlockKeys(ChainKeys):
 class FourHingeKeys(ChainKeys):
     """What a project file says of a frame or an arch in its own form."""
 
-    blocks: Annotated[Blocks, Field(min_length=1, max_length=3)]
+    blocks: Annotated[Blocks, Several(1, 3)]
     hinges: ArchHingesValue
     hinges_negative: FourHingesSection | None = None
 

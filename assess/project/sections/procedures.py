@@ -5,7 +5,6 @@ from __future__ import annotations
 from typing import Annotated, Literal, get_args
 
 from pydantic import (
-    AfterValidator,
     Discriminator,
     Field,
     StrictStr,
@@ -24,16 +23,17 @@ from assess.declaration import (
     Evidence,
     Name,
     NotNegativeLength,
+    Number,
     PositiveDensity,
     PositiveLength,
     PositiveRatio,
     PositiveStress,
     PositiveTime,
-    Ratio,
     Safe,
+    Several,
 )
-from assess.project.section import ProjectSection, default_table, error_at, quote_names
-from assess.project.values import unique
+from assess.project.key_errors import error_at, quote_names
+from assess.project.section import ProjectSection, default_table
 
 Procedure = Literal[
     "asce43-05-spectrum",
@@ -52,7 +52,7 @@ Procedure = Literal[
     "asce43-05-sliding",
     "sliding",
 ]
-ProcedureNames = Annotated[tuple[Procedure, ...], Field(min_length=1), AfterValidator(unique("procedure"))]
+ProcedureNames = Annotated[tuple[Procedure, ...], Several(1, unlike="procedure")]
 PROCEDURES: tuple[Procedure, ...] = get_args(Procedure)
 BasisName = Literal["ntc2018", "dmi2008", "nzsee2017", "asce41-13", "asce43-05", "ec8", "own"]
 
@@ -154,7 +154,7 @@ class Italian(ProjectSection):
     1.35 wherever it is not"""
     knowledge_levels: Annotated[dict[Name, KnowledgeLevel], KNOWLEDGE] = Field(default_factory=dict)
     """{ MECHANISM = "LC2" }: of single mechanisms, in place of knowledge_level"""
-    confidence_factor: Annotated[Ratio, Field(ge=1), CONFIDENCE_FACTOR] | None = None
+    confidence_factor: Annotated[float, Number("ratio", least=1), CONFIDENCE_FACTOR] | None = None
     """FC in place of the code's: a larger one decides, a lower one is shown for comparison"""
 
 
@@ -166,9 +166,9 @@ FURTHER_STATES = Evidence(
 class Dmi2008(Italian):
     """Options of the Italian procedure of DM 2008 with Circolare 617/2009."""
 
-    limit_states: Annotated[
-        tuple[Literal["SLD", "SLV"], ...], Field(min_length=1), AfterValidator(unique("limit state")), FURTHER_STATES
-    ] = ("SLV",)
+    limit_states: Annotated[tuple[Literal["SLD", "SLV"], ...], Several(1, unlike="limit state"), FURTHER_STATES] = (
+        "SLV",
+    )
     """limit states to check: "SLD" by dmi2008-linear, "SLV" by all"""
 
 
@@ -209,8 +209,7 @@ class Ntc2018(Italian):
 
     limit_states: Annotated[
         tuple[Literal["SLD", "SLV", "SLC"], ...],
-        Field(min_length=1),
-        AfterValidator(unique("limit state")),
+        Several(1, unlike="limit state"),
         FURTHER_STATES,
     ] = ("SLV",)
     """limit states to check: "SLD" by ntc2018-linear, "SLC" by ntc2018-nonlinear and -history, "SLV" by all"""

@@ -107,7 +107,7 @@ def test_a_table_is_read_from_its_file(tmp_path: Path) -> None:
             'ag = 1: unknown key; did you mean "a_g"',
         ),
         ("ec8", {"a_g": 1.0}, "ground_type: missing; ground type"),
-        ("ec8", {**EC8, "a_g": "0.25 g"}, "a_g = '0.25 g': give a number in SI units"),
+        ("ec8", {**EC8, "a_g": "0.25 g"}, "a_g = '0.25 g': not a number; give one in SI units"),
         ("ec8", {**EC8, "a_g": -1.0}, "a_g = -1: must be greater than 0"),
         ("ec8", {**EC8, "pga": -1.0}, "pga = -1: must be greater than 0"),
         ("ec8", {**EC8, "damping": -0.1}, "damping = -0.1: must be greater than 0"),

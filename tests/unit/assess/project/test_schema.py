@@ -345,7 +345,7 @@ def test_json_schema_is_closed_and_strict() -> None:
         assert set(table.get("required", [])) <= set(table["properties"])
         assert [key for key in table.get("required", []) if not table["properties"][key].get("description")] == []
     thickness = definitions["BoxSection"]["properties"]["thickness"]
-    length = {"$ref": "#/$defs/quantity-of-length"}
+    length = {"$ref": "#/$defs/quantity-of-length", "exclusiveMinimum": 0}
     assert thickness["anyOf"] == [length, {"$ref": "#/$defs/UncertainNumber-of-length"}]
     assert thickness["description"] == 'size along x, like "1.25 m"'
 

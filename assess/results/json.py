@@ -410,7 +410,8 @@ def _field_faults(value: Any, where: str) -> Iterator[str]:
             yield f"{where}: columns of unequal length: {counted}"
     if type(value) in _WITH_INDICES:
         yield from _index_faults(value, where)
-    for name in _field_names(type(value)):
+    kind: Any = type(value)
+    for name in _field_names(kind):
         each = getattr(value, name)
         if type(each) not in _FREE:
             yield from faults(each, f"{where}.{name}".lstrip("."))

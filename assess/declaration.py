@@ -256,6 +256,33 @@ NO_THEN_YES: Order = (False, True)
 
 
 @dataclass(frozen=True)
+class Tried:
+    """One value of a range, which is tried in place of the one stated.
+
+    value : as a project file has it, or `Safe.ABSENT` for what the code or the drawing gives
+    words : what it is called; empty: as the value
+    beside : keys of the same table that change with it, with their values
+    """
+
+    value: float | str | Safe
+    words: str = ""
+    beside: tuple[tuple[str, float | str | Safe], ...] = ()
+
+
+@dataclass(frozen=True)
+class Range:
+    """The plausible values of an input that may help the wall or not: where no source vouches for it, the worst counts.
+
+    values : that are tried; where a source vouches, the first alone, to show what the stated one is worth
+    up_to : what gives the far end of further values, which begin at the stated one, by its name in
+        `assess.project.overrides`; empty for none
+    """
+
+    values: tuple[Tried, ...]
+    up_to: str = ""
+
+
+@dataclass(frozen=True)
 class Evidence(Mark):
     """Who vouches for an input, and which way it helps the wall.
 
@@ -271,7 +298,7 @@ class Evidence(Mark):
     helps: Literal["up", "down", "either", "none"] | Order
     instead: str
     judged: str = ""
-    safe: float | Drawn | Safe = Safe.STATED
+    safe: float | Drawn | Range | Safe = Safe.STATED
 
 
 ITS_KIND = Evidence(

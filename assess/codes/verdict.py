@@ -101,6 +101,7 @@ class Override(ShortRepr):
     """A value that helps, with the outcome of the building where something else stands in its place.
 
     key, value : as the project file has them; instead : what code or drawing give
+    of_range : whether that is the worst over the plausible range of the value
     source : who vouches for it; empty where nobody does
     margin_instead : PGA at capacity over the action's; 0 for what falls at rest, None where it is not known
     """
@@ -111,6 +112,7 @@ class Override(ShortRepr):
     outcome_instead: Decision
     source: str = ""
     margin_instead: float | None = None
+    of_range: bool = False
 
     @property
     def message(self) -> Message:
@@ -119,11 +121,13 @@ class Override(ShortRepr):
         values: dict[str, Quantity | Term | Message | str] = {
             "key": self.key,
             "value": self.value,
+            "instead": Term(self.instead),
             "source": self.source,
             "outcome": OUTCOME_TERMS[self.outcome_instead],
             "margin": Quantity(self.margin_instead or 0.0, "ratio", 3),
         }
-        key = f"override-{'sourced' if self.source else 'unsourced'}{end}"
+        kind = "range-" if self.of_range else ""
+        key = f"override-{kind}{'sourced' if self.source else 'unsourced'}{end}"
         return message(key, values, severity=Severity.WARNING, where=self.key)
 
 

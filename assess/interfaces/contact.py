@@ -15,7 +15,18 @@ from typing import Annotated, Literal
 import numpy as np
 from numpy.typing import ArrayLike
 
-from assess.declaration import UNCERTAIN, Evidence, Fault, Forms, JointStiffness, PositiveLength, Safe, Strength
+from assess.declaration import (
+    UNCERTAIN,
+    Evidence,
+    Fault,
+    Forms,
+    JointStiffness,
+    PositiveLength,
+    Range,
+    Safe,
+    Strength,
+    Tried,
+)
 from assess.errors import InterfaceError
 from assess.interfaces.section import CONTACT_SIZES, ContactSection, Shape, mirror
 from assess.messages.message import Message, Quantity, warning
@@ -23,7 +34,21 @@ from assess.short_repr import ShortRepr
 from spectra.arrays import FloatArray
 
 JointModel = Literal["rigid", "flexible", "semi-flexible", "flexible-thesis"]
-WORST_JOINT = "the worst over rigid joints and the range of stiffness of its masonry, up to 100 GPa/m"
+STIFFNESSES = ("0.15 GPa/m", "4 GPa/m", "100 GPa/m")
+"""From a metre of the softest cracked masonry, E = 0.15 GPa, that deforms about the joint, to a stiff bed, and one
+between; thesis 7.2.3 takes a metre too, and 85 MPa/m to 13.5 GPa/m on soil."""
+WORST_JOINT = "the worst over rigid joints and stiffnesses from 0.15 to 100 GPa/m"
+RIGID_JOINT = Tried(Safe.ABSENT, 'model = "rigid"', (("model", "rigid"),))
+OF_STIFFNESS = Evidence(
+    "measured", "either", WORST_JOINT, safe=Range((*(Tried(each) for each in STIFFNESSES), RIGID_JOINT))
+)
+OF_COURSE = Evidence(
+    "measured",
+    "either",
+    WORST_JOINT,
+    safe=Range((*(Tried(Safe.ABSENT, each, (("stiffness", each),)) for each in STIFFNESSES), RIGID_JOINT)),
+)
+OF_MODEL = Evidence("measured", "either", '"flexible"', safe=Range((Tried("flexible"),)))
 OUTLINE_OR_SIZE = Forms("outline", tuple(CONTACT_SIZES.items()))
 OWN_STRENGTH = Evidence(
     "measured",
@@ -38,12 +63,12 @@ OWN_STRENGTH = Evidence(
 class Interface:
     """What a hinge presses on: without tension, linear up to the strength, then plastic without memory."""
 
-    model: Annotated[JointModel, Evidence("measured", "either", WORST_JOINT)] = "rigid"
+    model: Annotated[JointModel, OF_MODEL] = "rigid"
     """"rigid" (with strength: crushing only), "flexible"; with its moment, but inertia about a fixed hinge:
     "semi-flexible", about the resultant: "flexible-thesis\""""
-    stiffness: Annotated[JointStiffness, UNCERTAIN, Evidence("measured", "either", WORST_JOINT)] | None = None
+    stiffness: Annotated[JointStiffness, UNCERTAIN, OF_STIFFNESS] | None = None
     """normal stiffness per area, like "10 GPa/m"; or give course_thickness"""
-    course_thickness: Annotated[PositiveLength, UNCERTAIN, Evidence("measured", "either", WORST_JOINT)] | None = None
+    course_thickness: Annotated[PositiveLength, UNCERTAIN, OF_COURSE] | None = None
     """thickness of the layer that yields: stiffness = young_modulus of the material / course_thickness"""
     strength: Annotated[Strength, UNCERTAIN, OWN_STRENGTH] | None = None
     """in compression, like "1 MPa", or "inf"; the material's if absent (not for a rigid one)"""

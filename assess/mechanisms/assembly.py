@@ -33,7 +33,7 @@ from assess.mechanisms.restitution import (
     RestitutionCoefficient,
     find_restitution,
 )
-from assess.messages.message import Message, Quantity, Term, distinct, message, warning, whole_number
+from assess.messages.message import Message, Quantity, Term, distinct, lengths, message, warning, whole_number
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -195,20 +195,40 @@ def hinges_in_plane(hinges: Sequence[Place] | None, definition: BlockMechanism) 
 
 
 NEAR = 0.01  # of the size of a block: a hinge this far outside it still touches it
+TOUCH = 0.01  # m: blocks this near each other touch, as joints are no thicker
+OUTSIDE = 0.05  # of the width of a base or block: a hinge farther beside it is none
+HINGE_BESIDE = "hinge-beside"
+"""Begins the keys of warnings on hinges beside their contacts. A project that states such a hinge is refused; one that
+a variation of its numbers moves there is not (`assess.model.directions`)."""
 
 
 def loose_hinges(hinges: Sequence[Point], outlines: Sequence[Outline], *, mark: str = "") -> Iterator[Message]:
-    """Yield a warning for each hinge, counted from the base, that does not touch a block it joins."""
+    """Yield a warning for each hinge, counted from the base, that does not touch a block it joins.
+
+    Blocks touch in their contact, so that a hinge outside either is outside their contact. Blocks that do not touch
+    have none: that the drawing contradicts itself is told elsewhere (`assess.model.bodies.contradictions_of_blocks`).
+    """
     areas = [shapely.union_all([shapely.Polygon(ring) for ring in rings]) for rings in outlines]
     for number, (hinge_name, hinge) in enumerate(zip("ABCD", hinges, strict=False)):
-        for block in (number - 1, number):
-            if not 0 <= block < len(areas) or areas[block].is_empty:
-                continue
+        joined = [block for block in (number - 1, number) if 0 <= block < len(areas) and not areas[block].is_empty]
+        apart = len(joined) > 1 and areas[joined[0]].distance(areas[joined[1]]) > TOUCH
+        for block in joined:
             gap = float(areas[block].distance(shapely.Point(hinge)))
             if gap > NEAR * float(areas[block].length) / 4.0:
                 away, number_of_block = Quantity(gap, "length", 3), whole_number(block)
                 named = f"{hinge_name}{mark}"
-                yield warning("loose-hinge", hinge=named, gap=away, block=number_of_block, **point_values(hinge))
+                values = {"hinge": named, "gap": away, "block": number_of_block, **point_values(hinge)}
+                if apart or gap <= OUTSIDE * _thickness(areas[block]):
+                    yield warning("loose-hinge", **values)
+                    continue
+                nearest = shapely.get_coordinates(shapely.shortest_line(areas[block], shapely.Point(hinge)))[0]
+                yield warning(f"{HINGE_BESIDE}-block", **values, **lengths(near_x=nearest[0], near_z=nearest[1]))
+
+
+def _thickness(area: shapely.Geometry) -> float:
+    """Return the shorter side of the rectangle about a block [m]."""
+    corners = shapely.get_coordinates(shapely.minimum_rotated_rectangle(area))
+    return float(np.linalg.norm(np.diff(corners[:3], axis=0), axis=1).min())
 
 
 ASKEW = "askew"

@@ -13,7 +13,7 @@ from typing import Annotated, Literal, get_args
 
 import numpy as np
 
-from assess.declaration import UNCERTAIN_RESTITUTION, Evidence, Number, Safe, one_of
+from assess.declaration import UNCERTAIN_RESTITUTION, Evidence, Number, Range, Safe, Tried, one_of
 from assess.errors import MechanismError
 from assess.loads.load import PointMass, source_phrase
 from assess.mechanisms.chain import Chain, move, trace_point
@@ -39,9 +39,9 @@ RESTITUTION_NUMBER = Number(
 BY_FORMULA = Evidence(
     "measured",
     "either",
-    "the formula's, less 0.05 at most",
+    "the formula's, on one side over its range in histories",
     judged="less of it takes more energy; of one-sided rocking it also shortens the way back",
-    safe=Safe.ABSENT,
+    safe=Range((Tried(Safe.ABSENT, str(Term("that of the formula"))),)),
 )
 
 

@@ -27,6 +27,8 @@ from assess.geometry.cut import Piece
 from assess.geometry.planar import PlanarBody
 from assess.loads.load import Load, Place, Point
 from assess.mechanisms.assembly import (
+    HINGE_BESIDE,
+    OUTSIDE,
     MechanismKind,
     MechanismPieces,
     assemble,
@@ -98,8 +100,8 @@ def single_block(
     if sides == "one" and hinge_negative is not None:
         raise MechanismError(f'mechanism "{name}": hinges_negative with sides = "one"; remove one of them')
     off_base = (
-        *_off_base_warnings(body, hinge, "A", name=name),
-        *_off_base_warnings(body, hinge_negative, "A'", name=name),
+        *_off_base_warnings(body, hinge, "A"),
+        *_off_base_warnings(body, hinge_negative, "A'"),
     )
     block = RigidBlock(body.mass, body.centroid, body.inertia)
     positive = Chain((block,), (hinge or _edge_hinge(body, "positive", name=name),), loads)
@@ -255,14 +257,8 @@ def _require_stable(chain: Chain, *, name: str, towards: str) -> None:
         )
 
 
-OUTSIDE = 0.05  # of the width of the base: a hinge farther beside it is none
-
-
-def _off_base_warnings(body: PlanarBody, hinge: Point | None, label: str, *, name: str) -> list[Message]:
-    """Return a warning if a given hinge lies above or below the base of the body.
-
-    Raises MechanismError for one that lies beside it.
-    """
+def _off_base_warnings(body: PlanarBody, hinge: Point | None, label: str) -> list[Message]:
+    """Return a warning if a given hinge lies beside, above or below the base of the body."""
     if hinge is None or body.base is None:
         return []
     low, high = body.base
@@ -271,14 +267,9 @@ def _off_base_warnings(body: PlanarBody, hinge: Point | None, label: str, *, nam
     elevation = low[1] + (hinge[0] - low[0]) * (high[1] - low[1]) / (width or 1.0)
     if low[0] - tolerance <= hinge[0] <= high[0] + tolerance and abs(hinge[1] - elevation) <= tolerance:
         return []
-    beside = OUTSIDE * width  # a survey's tolerance may bring a hinge at the edge just beyond it
-    if not low[0] - beside <= hinge[0] <= high[0] + beside:
-        raise MechanismError(
-            f'mechanism "{name}": hinge {label} at x = {hinge[0]:.4g} m lies outside its contact, '
-            f"from x = {low[0]:.4g} to {high[0]:.4g} m; give a point of it"
-        )
+    beside = not low[0] - OUTSIDE * width <= hinge[0] <= high[0] + OUTSIDE * width
     ends = lengths(low_x=low[0], low_z=low[1], high_x=high[0], high_z=high[1])
-    return [warning("hinge-off-base", hinge=label, **point_values(hinge), **ends)]
+    return [warning(f"{HINGE_BESIDE}-base" if beside else "hinge-off-base", hinge=label, **point_values(hinge), **ends)]
 
 
 def _edge_hinge(body: PlanarBody, towards: Literal["positive", "negative"], *, name: str) -> Point:

@@ -76,6 +76,12 @@ GEOMETRY_TEXTS: Mapping[str, str] = {
     "four-hinges": "A at x = {ax}, z = {az}; B at x = {bx}, z = {bz}; C at x = {cx}, z = {cz}; D at x = {dx}, z = {dz}",
     # hinges
     "loose-hinge": "hinge {hinge} at x = {x}, z = {z} is {gap} away from block {block}; check it",
+    "hinge-beside-block": "hinge {hinge} at x = {x}, z = {z} lies {gap} outside block {block}, whose nearest point is "
+    "x = {near_x}, z = {near_z}; give a point of their contact",
+    "hinge-beside-base": "hinge {hinge} at x = {x}, z = {z} lies outside its contact, which reaches from x = {low_x}, "
+    "z = {low_z} to x = {high_x}, z = {high_z}; give a point of it",
+    "hinge-beside-contact": "interface {interface}: the hinge lies {distance} outside the edge of its contact, which "
+    "is {depth} deep; give a point of the contact",
     "hinge-in-tension": "hinge {hinge} would have to pull its block down with {pull} when the mechanism starts, which "
     "masonry cannot: check hinges and loads",
     "hinge-off-base": "hinge {hinge} at x = {x}, z = {z} is not on the base of the body, which reaches from x = "

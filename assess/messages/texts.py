@@ -200,6 +200,17 @@ TEXTS: Mapping[str, str] = {
     "override-unsourced": "{key} = {value} has no source; without it: {outcome}, up to {margin} times the action",
     "override-unsourced-falls": "{key} = {value} has no source; without it what it holds falls under its own loads",
     "override-unsourced-unknown": "{key} = {value} has no source; without it: {outcome}",
+    "override-range-unsourced": "{key} = {value} has no source; with the worst of its range, {instead}: {outcome}, up "
+    "to {margin} times the action",
+    "override-range-unsourced-falls": "{key} = {value} has no source; with the worst of its range, {instead}, what it "
+    "bears on falls under its own loads",
+    "override-range-unsourced-unknown": "{key} = {value} has no source; with the worst of its range, {instead}: "
+    "{outcome}",
+    "override-range-sourced": "{key} = {value} ({source}); without it, with {instead}: "
+    "{outcome}, up to {margin} times the action",
+    "override-range-sourced-falls": "{key} = {value} ({source}); without it, with {instead}, "
+    "what it bears on falls under its own loads",
+    "override-range-sourced-unknown": "{key} = {value} ({source}); without it, with {instead}: {outcome}",
     "override-sourced": "{key} = {value} ({source}); without it: {outcome}, up to {margin} times the action",
     "override-sourced-falls": "{key} = {value} ({source}); without it what it holds falls under its own loads",
     "override-sourced-unknown": "{key} = {value} ({source}); without it: {outcome}",

@@ -29,7 +29,9 @@ from assess.declaration import (
     PositiveLength,
     PositiveMass,
     PositiveStress,
+    Range,
     SpacePoint,
+    Tried,
 )
 from assess.errors import GeometryError
 from assess.faults import argument_problems, declared_problems
@@ -61,8 +63,9 @@ DENSITY = Evidence(
 MODULUS = Evidence(
     "measured",
     "either",
-    "the worst over the range of its type, joints up to 100 GPa/m",
+    "where it gives the stiffness of joints, the worst from 0.15 to 15 GPa; as stated elsewhere",
     judged="it sets the stiffness of joints and the first mode of the building, and a softer one may rock more or less",
+    safe=Range((Tried("0.15 GPa"), Tried("1.5 GPa"), Tried("15 GPa"))),
 )
 COMPRESSION = Evidence("measured", "up", "the lower bound of the type of masonry, that of LC1; never above 50 MPa")
 TENSION = Evidence(
@@ -70,6 +73,7 @@ TENSION = Evidence(
     "either",
     "the worse of 0 and what is stated",
     judged="no procedure counts on it; eq. 3.27 places a crack by it, which may be the weaker or the stronger place",
+    safe=Range((Tried(0.0),)),
 )
 FRICTION = Evidence("measured", "up", "absent: whether anything slides is not answered")
 AS_GIVEN = Evidence("defines", "either", "as stated")

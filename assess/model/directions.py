@@ -30,7 +30,7 @@ from assess.geometry.planar import (
 from assess.geometry.solid import Solid
 from assess.loads.body_loads import BlockContact, Surroundings, find_block_contact
 from assess.loads.load import BodyLoad, bodies_of, point_in_plane
-from assess.mechanisms.assembly import ASKEW, LEVEL_RISE
+from assess.mechanisms.assembly import ASKEW, HINGE_BESIDE, LEVEL_RISE
 from assess.mechanisms.branch_table import rigid_branch
 from assess.mechanisms.chain import Chain, virtual_work
 from assess.mechanisms.directions import DirectionCandidate, DirectionSweep, direction_angle, direction_at
@@ -67,8 +67,16 @@ def mechanism_in_direction(name: str, definition: Definition, bodies: Bodies) ->
     Raises
     ------
     ProjectError : the direction must be given; the text lists the candidates
-    MechanismError or GeometryError : it cannot rock as described
+    MechanismError or GeometryError : it cannot rock as described, or a hinge is stated beside its contact
     """
+    built = _built_in_direction(name, definition, bodies)
+    beside = next((each for each in built.mechanism.warnings if each.key.startswith(HINGE_BESIDE)), None)
+    if beside is not None:
+        raise MechanismError(f'mechanism "{name}": {beside.text}')
+    return built
+
+
+def _built_in_direction(name: str, definition: Definition, bodies: Bodies) -> Built:
     if (
         not isinstance(definition, BlockMechanism)
         or not MECHANISM_KINDS[definition.kind].direction_sought

@@ -7,7 +7,7 @@ for each key that the file gives. Whether the value helps is found by assessing 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from functools import cache, partial
 
 import numpy as np
@@ -16,7 +16,7 @@ from assess.codes.context import default_period
 from assess.codes.procedures import PROCEDURES
 from assess.codes.question import methods_of
 from assess.codes.verdict import SAME_MARGIN
-from assess.declaration import Drawn, Evidence, Safe
+from assess.declaration import Drawn, Evidence, Range, Safe
 from assess.geometry.solid import Solids
 from assess.project import sections
 from assess.project.key_errors import KeyPath, key_text, look_up, value_text
@@ -27,7 +27,7 @@ from assess.project.section import ProjectSection
 from assess.study.study import Replaceable, Study, follows_motion
 
 SAME_MULTIPLIER = 1.0 - 1.0 / 1.1  # of a direction or crack: no more than 10 % above that of the weakest
-BETWEEN = 3  # periods tried between that of the building as stated and the code's
+BETWEEN = 3  # values tried between the one stated and the far end of its range
 NEAR_TOP = 0.98  # of the height of a wall: its crack where nothing presses on it
 ONE_MODE = 2.0 / 3.0  # of the height: the resultant of a linear mode of even mass (Circolare 7/2019, C7.2.10)
 
@@ -48,27 +48,37 @@ def replaceables_of(
     touching = {each.name: each.adjacent_bodies for each in study.mechanisms}
     methods = methods_of(study.question)
     found = []
-    for path, evidence in given_keys(content, ()):
-        setting = _setting(path, evidence, content, solids, study)
-        if setting is None or not _bears_on(path, methods):
+    for path, evidence in _keys_as_written(project):
+        if not _bears_on(path, methods, content):
             continue
-        for each in (setting, *_settings_between(path, content)):
-            place, value = next(iter(each.items()))
+        for each in _substitutes(path, evidence, content, solids, study):
             found.append(
                 Replaceable(
                     key=key_text(path),
                     value=value_text(look_up(project.raw, path)[1]),
-                    instead=evidence.instead if isinstance(value, Safe) else _value_text(value),
+                    instead=each.words,
                     source=content.report.source_of(".".join(map(str, path))),
                     either_way=evidence.helps == "either",
+                    of_range=isinstance(evidence.safe, Range),
                     same=SAME_MULTIPLIER if evidence.safe is Safe.WEAKEST else SAME_MARGIN,
                     mechanisms=dependents(content, path, touching=touching),
-                    place=place,
-                    setting=each,
-                    study_at=_built_once(partial(study_at, each)),
+                    place=next(iter(each.setting)),
+                    setting=each.setting,
+                    study_at=_built_once(partial(study_at, each.setting)),
                 )
             )
     return tuple(found)
+
+
+def _keys_as_written(project: Project) -> Iterator[tuple[KeyPath, Evidence]]:
+    """Yield each key that the file gives, where it stands in the file: one number may stand for both directions."""
+    found: dict[KeyPath, Evidence] = {}
+    for path, evidence in given_keys(project.content, ()):
+        written = path
+        while not look_up(project.raw, written)[0]:
+            written = written[:-1]
+        found.setdefault(written, evidence)
+    yield from found.items()
 
 
 def replace_values(project: Project, values: Sequence[Replaceable]) -> Project:
@@ -101,10 +111,18 @@ def _built_once(build: Callable[[], Callable[[str], Study]]) -> Callable[[str], 
     return lambda mechanism: read()(mechanism)
 
 
-def _bears_on(path: KeyPath, methods: Sequence[str]) -> bool:
-    """Return whether a key can bear on the methods that decide: records on histories, options of a code on its own."""
+def _bears_on(path: KeyPath, methods: Sequence[str], content: sections.Content) -> bool:
+    """Return whether a key can bear on the methods that decide.
+
+    Records bear on histories, options of a code on its own methods, and a modulus without a source where joints have
+    their stiffness by it.
+    """
     if path[0] == "records":
         return any(map(follows_motion, methods))
+    if path[-1] == "young_modulus":
+        chains = (each for each in content.mechanisms.values() if isinstance(each, sections.ChainSection))
+        joints = (joint for each in chains for joint in (each.interface, *each.interfaces.values()))
+        return any(joint.course_thickness is not None for joint in joints)
     if path[0] != "procedures":
         return True
     options = {PROCEDURES[name].options.replace("_", "-") for name in methods}
@@ -120,6 +138,27 @@ def _below(path: KeyPath, value: object) -> Iterator[tuple[KeyPath, Evidence]]:
     elif isinstance(value, tuple):
         for place, each in enumerate(value):
             yield from _below((*path, place), each)
+
+
+@dataclass(frozen=True)
+class _Substitute:
+    """What the file says in place of a value, first at the place that is changed; and in words."""
+
+    setting: Setting
+    words: str
+
+
+def _substitutes(
+    path: KeyPath, evidence: Evidence, content: sections.Content, solids: Solids, study: Study
+) -> tuple[_Substitute, ...]:
+    """Return what stands in place of a value: several of a range; none where the value does not help."""
+    if isinstance(evidence.safe, Range):
+        return tuple(_values_of_range(path, evidence.safe, content))
+    setting = _setting(path, evidence, content, solids, study)
+    if setting is None:
+        return ()
+    value = next(iter(setting.values()))
+    return (_Substitute(setting, evidence.instead if isinstance(value, Safe) else _value_text(value)),)
 
 
 def _setting(
@@ -149,15 +188,19 @@ def _setting(
     return {path: safe}
 
 
-def _settings_between(path: KeyPath, content: sections.Content) -> tuple[Setting, ...]:
-    """Return what lies between the stated first mode of the building and that of the code, as either may be worse."""
-    if path not in (("building", "period"), ("building", "natural_frequency")):
-        return ()
-    height = None if content.building is None else content.building.height
-    if height is None:
-        return ()
-    code = default_period(height) if path[-1] == "period" else 1.0 / default_period(height)
-    return tuple({path: float(value)} for value in np.geomspace(value_at(content, path), code, BETWEEN + 2)[1:-1])
+def _values_of_range(path: KeyPath, safe: Range, content: sections.Content) -> Iterator[_Substitute]:
+    """Yield the values of a range but the one stated, and what lies between that and its far end, evenly in ratio."""
+    given = value_at(content, path)
+    for each in safe.values:
+        if each.value != given:
+            beside = {(*path[:-1], key): value for key, value in each.beside}
+            yield _Substitute({path: each.value, **beside}, each.words or _value_text(each.value))
+    if not safe.up_to:
+        return
+    find, unit = FAR_ENDS[safe.up_to]
+    if (end := find(content)) is not None:
+        for value in map(float, np.geomspace(given, end, BETWEEN + 2)[1:-1]):
+            yield _Substitute({path: value}, f"{value:.4g} {unit}")
 
 
 def _crack_without(path: KeyPath, content: sections.Content, solids: Solids) -> Setting:
@@ -209,6 +252,25 @@ def _resultant_height(content: sections.Content, solids: Solids) -> float | None
     drawn, stated = _drawn_height(content, solids), None if content.building is None else content.building.height
     known = [each for each in (drawn, stated) if each is not None]
     return ONE_MODE * min(known) if known else None
+
+
+def _code_period(content: sections.Content) -> float | None:
+    """Return the first period of the building by the code [s]; None where its height is not known."""
+    height = None if content.building is None else content.building.height
+    return None if height is None else default_period(height)
+
+
+def _code_frequency(content: sections.Content) -> float | None:
+    """Return the first frequency of the building by the code [Hz]; None where its height is not known."""
+    period = _code_period(content)
+    return None if period is None else 1.0 / period
+
+
+FAR_ENDS: Mapping[str, tuple[Callable[[sections.Content], float | None], str]] = {
+    "period": (_code_period, "s"),
+    "frequency": (_code_frequency, "Hz"),
+}
+"""What gives the far end of a range that begins at the stated value, by its name, and its unit."""
 
 
 def _lowest_foot(content: sections.Content, solids: Solids) -> float | None:

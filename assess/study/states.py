@@ -1,16 +1,18 @@
 """The two states of a project: as typed, and with every value replaced that helps and that no source vouches for.
 
 What a value is worth is found with it alone replaced, by the methods that decide without histories; where histories
-alone decide, by one suite at the site's action, without the scan. The state in which all are replaced at once is
-assessed as the project itself is, and the worse of the two decides.
+alone decide, by one suite at the site's action, without the scan. Of a value that may help or not, the worst over its
+plausible range counts, by all methods that decide where no source vouches for it. The state in which all are replaced
+at once is assessed as the project itself is, and the worse of the two decides.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
-from functools import partial, reduce
+from functools import cache, partial, reduce
 from itertools import groupby
+from typing import Protocol
 
 from assess.codes.check import Check
 from assess.codes.procedures import uses_histories
@@ -81,13 +83,13 @@ def find_overrides(
     if not tried or study.question.basis is None:
         return Overrides()
     outcome = partial(_outcome, whole=study, motions=motions, jobs=jobs)
-    alone = {each.name: outcome(partial(_alone, study, each.name)) for each in study.mechanisms}
-    typed = {name: found for name, found in alone.items() if found is not None}
+    as_typed = cache(partial(_outcomes_as_typed, study, motions, jobs))
     overrides: list[Override] = []
     replaced: list[Replaceable] = []
     least: tuple[Replaceable, Outcome] | None = None
     for _, of_one_key in groupby(tried, key=lambda value: value.key):
-        each_way = [(value, _outcomes(value, outcome)) for value in of_one_key]
+        each_way = [(value, _outcomes(value, outcome)) for value in _values_to_try(tuple(of_one_key))]
+        typed = as_typed(_by_all_methods(each_way[0][0]))
         known = [(value, without) for value, without in each_way if without]
         if not known:
             continue  # the project cannot be read without it: it says what the case is
@@ -111,7 +113,7 @@ def _hidden(
     study: Study,
     tried: Sequence[Replaceable],
     replaced: Sequence[Replaceable],
-    outcome: Callable[[Callable[[], Study]], Outcome | None],
+    outcome: OutcomeOf,
 ) -> Iterator[_Way]:
     """Yield the values that help either way, only where what is replaced does not stand: each hides the other.
 
@@ -121,37 +123,61 @@ def _hidden(
     left = [value for value in tried if value.either_way and not value.source and value.key not in places]
     if not replaced or not left or study.replaced is None:
         return
-    replace_all = study.replaced
+    replace_all, everything = study.replaced, tuple(each.name for each in study.mechanisms)
 
-    def outcomes(values: Sequence[Replaceable]) -> dict[str, Outcome]:
+    def outcomes(values: Sequence[Replaceable], *, mechanisms: Sequence[str], by_all: bool) -> dict[str, Outcome]:
         try:
             there = replace_all(values)
         except (AssessError, RecordError, SpectrumError):
             return {}
         standing = {each.name for each in there.mechanisms}
         every = {
-            each.name: outcome(partial(_alone, there, each.name)) if each.name in standing else (Decision.FAIL, FALLING)
-            for each in study.mechanisms
+            name: outcome(partial(_alone, there, name), by_all=by_all) if name in standing else (Decision.FAIL, FALLING)
+            for name in mechanisms
         }
         return {name: found for name, found in every.items() if found is not None}
 
-    without_others = outcomes(replaced)
+    def outcomes_of_others(by_all: bool) -> dict[str, Outcome]:
+        return outcomes(replaced, mechanisms=everything, by_all=by_all)
+
+    without_others = cache(outcomes_of_others)
     for key, of_one_key in groupby(left, key=lambda value: value.key):
         for value in of_one_key:
-            without = outcomes((*replaced, value))
+            by_all = _by_all_methods(value)
+            without = outcomes((*replaced, value), mechanisms=value.mechanisms, by_all=by_all)
             worse = any(
-                is_worse(*found, than=without_others[name], same=value.same)
+                is_worse(*found, than=without_others(by_all)[name], same=value.same)
                 for name, found in without.items()
-                if name in without_others
+                if name in without_others(by_all)
             )
             if worse and key not in places:
                 places.add(key)
                 yield value, without
 
 
-def _outcomes(value: Replaceable, outcome: Callable[[Callable[[], Study]], Outcome | None]) -> dict[str, Outcome]:
+def _by_all_methods(value: Replaceable) -> bool:
+    """Return whether a value is tried by all methods that decide, as the worst of its range is not known beforehand."""
+    return value.of_range and not value.source
+
+
+def _values_to_try(of_one_key: tuple[Replaceable, ...]) -> tuple[Replaceable, ...]:
+    """Return what is tried in place of a value: beside one with a source, which stands, the first of its range."""
+    return of_one_key[:1] if of_one_key[0].source else of_one_key
+
+
+def _outcomes_as_typed(study: Study, motions: tuple[ScaledRecord, ...], jobs: int, by_all: bool) -> dict[str, Outcome]:
+    """Return the outcome of each mechanism as typed, those that are not built left out."""
+    every = {
+        each.name: _outcome(partial(_alone, study, each.name), whole=study, motions=motions, jobs=jobs, by_all=by_all)
+        for each in study.mechanisms
+    }
+    return {name: found for name, found in every.items() if found is not None}
+
+
+def _outcomes(value: Replaceable, outcome: OutcomeOf) -> dict[str, Outcome]:
     """Return the outcome without a value of each mechanism that it bears on; empty where one cannot be built so."""
-    every = {name: outcome(partial(value.study_at, name)) for name in value.mechanisms}
+    by_all = _by_all_methods(value)
+    every = {name: outcome(partial(value.study_at, name), by_all=by_all) for name in value.mechanisms}
     without = {name: found for name, found in every.items() if found is not None}
     return without if len(without) == len(every) else {}
 
@@ -197,6 +223,13 @@ Outcome = tuple[Decision, float | None]
 """The outcome of a mechanism, and the PGA at capacity over the action's where that is known."""
 
 
+class OutcomeOf(Protocol):
+    """Finds the outcome of the one mechanism of a study that is built when it is asked for; None if it cannot be."""
+
+    def __call__(self, build: Callable[[], Study], *, by_all: bool) -> Outcome | None:
+        """Find it, by all methods that decide or by the least work."""
+
+
 @dataclass(frozen=True)
 class _CheckedMechanism:
     name: str
@@ -208,7 +241,7 @@ def _alone(study: Study, name: str) -> Study:
 
 
 def _outcome(
-    build: Callable[[], Study], *, whole: Study, motions: tuple[ScaledRecord, ...], jobs: int
+    build: Callable[[], Study], *, whole: Study, motions: tuple[ScaledRecord, ...], jobs: int, by_all: bool
 ) -> Outcome | None:
     """Return the outcome of the one mechanism of a study; one that falls under its loads fails. None if not built.
 
@@ -217,6 +250,7 @@ def _outcome(
     build : builds the study
     whole, motions : the study that it varies, and the motions of that
     jobs : number of threads
+    by_all : whether by all methods that decide; else by those without histories, where there are any
     """
     try:
         study = build()
@@ -226,8 +260,10 @@ def _outcome(
         return None
     try:
         methods = methods_of(study.question)
-        least_work = tuple(each for each in methods if not uses_histories(each)) or methods
-        asked = replace(study, procedures=least_work, suite_faults=whole.suite_faults)
+        without_histories = tuple(each for each in methods if not uses_histories(each))
+        asked = replace(
+            study, procedures=methods if by_all else without_histories or methods, suite_faults=whole.suite_faults
+        )
         there: tuple[ScaledRecord, ...] = ()
         if needs_motions(asked):
             there = motions_of_case(study, whole, motions, jobs=jobs)
@@ -259,6 +295,7 @@ def _override(value: Replaceable, outcomes: dict[str, Outcome]) -> Override:
         key=value.key,
         value=value.value,
         instead=value.instead,
+        of_range=value.of_range,
         outcome_instead=worst_outcome(outcome for outcome, _ in outcomes.values()),
         source=value.source,
         margin_instead=None if None in margins else min(each for each in margins if each is not None),

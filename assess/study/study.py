@@ -282,7 +282,8 @@ class Replaceable:
 
     key, value : as the file has them; instead : what stands in its place; source : who vouches for it, may be empty
     mechanisms : those that it can change, by name
-    either_way : whether more of it may help or not; same : share by which a margin may fall without it
+    either_way : whether more of it may help or not; of_range : whether it is one of several that are plausible
+    same : share by which a margin may fall without it
     place : what is changed; setting : what the file says at this and other keys without it
     study_at : returns the study of one mechanism with that
     """
@@ -292,6 +293,7 @@ class Replaceable:
     instead: str
     source: str
     either_way: bool
+    of_range: bool
     same: float
     mechanisms: tuple[str, ...]
     place: tuple[str | int, ...]

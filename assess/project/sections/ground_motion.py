@@ -29,7 +29,9 @@ from assess.declaration import (
     PositiveRatio,
     PositiveTime,
     PositiveYears,
+    Range,
     Safe,
+    Tried,
 )
 from assess.project.key_errors import error_at, quote_names
 from assess.project.section import DeclaredSection, ProjectSection, plain_data, table_of
@@ -143,10 +145,15 @@ FIRST_PERIOD = Evidence(
     "measured",
     "either",
     "the worst from it to 0.05 H^0.75; beyond 0.5 to 4 times that only a test counts",
-    safe=Safe.ABSENT,
+    safe=Range((Tried(Safe.ABSENT, "0.05 H^0.75"),), up_to="period"),
 )
 FIRST_DAMPING = Evidence("measured", "up", "5 %; above 10 % only measured, never above 30 %", safe=0.05)
-FIRST_FREQUENCY = Evidence("measured", "either", "the worst from it to that of 0.05 H^0.75", safe=Safe.ABSENT)
+FIRST_FREQUENCY = Evidence(
+    "measured",
+    "either",
+    "the worst from it to that of 0.05 H^0.75",
+    safe=Range((Tried(Safe.ABSENT, "1 / (0.05 H^0.75)"),), up_to="frequency"),
+)
 EFFECTIVE_HEIGHT = Evidence(
     "measured",
     "up",

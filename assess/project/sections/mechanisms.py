@@ -32,8 +32,10 @@ from assess.declaration import (
     PositiveFrequency,
     PositiveLength,
     PositiveRatio,
+    Range,
     Safe,
     Several,
+    Tried,
 )
 from assess.interfaces.contact import Interface
 from assess.loads.load import Place
@@ -41,6 +43,7 @@ from assess.mechanisms.assembly import MechanismKind
 from assess.mechanisms.kinds import MECHANISM_KINDS
 from assess.mechanisms.mechanism import DRAWN_HINGES, BlockMechanism
 from assess.mechanisms.restitution import RESTITUTION_NUMBER, RESTITUTIONS, Restitution
+from assess.messages.message import Term
 from assess.project.key_errors import error_at, quote_names
 from assess.project.section import DeclaredSection, ProjectSection, table_of
 from assess.project.sections.bodies_and_loads import Disintegration, LoadSection
@@ -142,7 +145,10 @@ class RestitutionSection(RestitutionKeys):
 
 AMPLIFIED = Evidence("chosen", "either", "the other methods that can be computed stand beside it")
 FIRST_MODE = Evidence(
-    "measured", "either", "the worst over the range that holds the code's value and Rayleigh's", safe=Safe.ABSENT
+    "measured",
+    "either",
+    "the worst of it and that of the building, or Rayleigh's",
+    safe=Range((Tried(Safe.ABSENT, str(Term("that of the building or Rayleigh's"))),)),
 )
 
 

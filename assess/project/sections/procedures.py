@@ -29,8 +29,10 @@ from assess.declaration import (
     PositiveRatio,
     PositiveStress,
     PositiveTime,
+    Range,
     Safe,
     Several,
+    Tried,
 )
 from assess.project.key_errors import error_at, quote_names
 from assess.project.section import ProjectSection, default_table
@@ -176,7 +178,7 @@ AS_DRAWN = Evidence("drawn", "either", "as drawn")
 CRACKED_MODULUS = Evidence(
     "measured",
     "either",
-    "the worst from it to a quarter of the least modulus of its type, 0.15 GPa where none is named",
+    "as its table, which gives a period before uplift",
 )
 
 
@@ -201,7 +203,12 @@ GivenFreePeriod = Annotated[
 ]
 
 
-FREE_PERIOD = Evidence("measured", "either", "the largest demand over 0 to 6.2 (cantilever; 2.2 spanning) L^2/t √(ρ/E)")
+FREE_PERIOD = Evidence(
+    "measured",
+    "either",
+    "none: rigid before it lifts off, where that is worse",
+    safe=Range((Tried(Safe.ABSENT, "0 s"),)),
+)
 
 
 class Ntc2018(Italian):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from math import cos, inf, pi, radians, sin, sqrt, tan
 
 import numpy as np
@@ -228,9 +229,65 @@ def test_a_hinge_away_from_the_edge_is_told(tmp_path):
 
 
 def test_a_hinge_outside_its_contact_is_refused_with_both_numbers(tmp_path):
-    words = r"hinge A at x = 0.6 m lies outside its contact, from x = -0.5 to 0.5 m"
+    words = "hinge A at x = 0.6 m, z = 0 m lies outside its contact, which reaches from x = -0.5 m, z = 0 m to x = 0.5"
     with pytest.raises(MechanismError, match=words):
         mechanism_of(tmp_path, STONE, SINGLE, "hinges = { A = [0.6, 0, 0] }\n" + SOFT)
+
+
+TWO_BLOCKS = """
+[materials.stone]
+density = 1800
+[bodies.low]
+material = "stone"
+box = { thickness = 0.6, length = 2, height = 2 }
+[bodies.high]
+material = "stone"
+box = { thickness = 0.4, length = 2, height = 1.5, base = [0, 0, 2] }
+[building]
+height = 3.5
+[mechanisms.wall]
+kind = "two-block"
+direction = [1, 0, 0]
+blocks = ["low", "high"]
+sides = "one"
+"""
+
+
+def hinged(a: float = 0.3, b: float = -0.2, c: float = 0.2) -> str:
+    return f"hinges = {{ A = [{a}, 0], B = [{b}, 2], C = [{c}, 3.5] }}\n"
+
+
+@pytest.mark.parametrize(
+    ("hinges", "words"),
+    [
+        (hinged(a=0.34), "A at x = 0.34 m, z = 0 m lies 0.04 m outside block 0, whose nearest point is x = 0.3 m, z"),
+        (hinged(b=-0.3), "B at x = -0.3 m, z = 2 m lies 0.1 m outside block 1, whose nearest point is x = -0.2 m, z"),
+        (hinged(c=0.25), "C at x = 0.25 m, z = 3.5 m lies 0.05 m outside block 1, whose nearest point is x = 0.2 m, z"),
+    ],
+)
+def test_a_hinge_of_a_chain_outside_its_contact_is_refused_with_both_numbers(tmp_path, hinges, words):
+    """B at the edge of the wider block below is outside the contact with the narrower one above."""
+    with pytest.raises(MechanismError, match=re.escape(words)):
+        mechanism_of(tmp_path, TWO_BLOCKS, hinges)
+
+
+def test_a_hinge_of_a_portal_outside_its_contact_is_refused(tmp_path):
+    with pytest.raises(MechanismError, match=r"hinge B at x = -0.4 m, z = 3 m lies 0.1 m outside block 0"):
+        mechanism_of(tmp_path, STONE, LEGS.replace("B = [-0.3, 3]", "B = [-0.4, 3]"))
+
+
+def test_an_honest_hinge_at_the_edge_stays_where_drawings_and_surveys_put_it(tmp_path):
+    """To 5 % of the thickness; the survey's 20 mm, here all of that, and 50 mm are tried all the same."""
+    assert not [each for each in mechanism_of(tmp_path, TWO_BLOCKS, hinged()).warnings if "hinge" in each.key]
+    (told,) = [each for each in mechanism_of(tmp_path, TWO_BLOCKS, hinged(c=0.219)).warnings if "hinge" in each.key]
+    assert told.key == "loose-hinge"
+    study = study_of(tmp_path, TWO_BLOCKS + hinged() + '[verdict]\nsurvey_tolerance = "50 mm"\n')
+    moved = [each for each in study.survey("wall") if each.parameter == "hinge"]
+    assert {each.key.rpartition(".")[2] for each in moved} == set("ABC")
+    for each in moved:
+        for shift in (each.low, each.high):
+            (there,) = each.study_at(shift).mechanisms
+            assert there.positive.hinges != study.mechanisms[0].positive.hinges
 
 
 def test_a_hinge_at_the_wrong_face_of_a_portal_is_told(tmp_path):

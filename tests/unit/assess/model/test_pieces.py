@@ -176,8 +176,8 @@ CHAINS = {
     "two-block": """["w"], ["v"]]
 """,
     "four-hinge": """["w"], ["v"], ["u"]]
-hinges = { A = [0.3, 0], B = [-0.3, 4.3], C = [3.7, 4.3], D = [4.3, 0] }
-hinges_negative = { A = [-0.3, 0], B = [0.3, 4.3], C = [4.3, 4.3], D = [3.7, 0] }
+hinges = { A = [0.3, 0], B = [-0.3, FOOT], C = [3.7, FOOT], D = [4.3, 0] }
+hinges_negative = { A = [-0.3, 0], B = [0.3, FOOT], C = [4.3, FOOT], D = [3.7, 0] }
 """,
 }
 
@@ -191,7 +191,7 @@ def test_blocks_of_one_chain_that_overlap_are_told(
     leg, beam = (0.6, 4, 4.5), (width, 4, 1.2)
     boxes = ("w", leg), ("v", beam, ((width - 0.6) / 2, 0, 4.5 - deep)), ("u", leg, (4, 0, 0))
     bodies = "".join(box_toml(*each, material="stone") for each in boxes)
-    chain = f'[mechanisms.m]\nkind = "{kind}"\nblocks = [{CHAINS[kind]}'
+    chain = f'[mechanisms.m]\nkind = "{kind}"\nblocks = [{CHAINS[kind]}'.replace("FOOT", str(4.5 - deep))
     warnings = of_bodies(study_of(tmp_path, HEAD + bodies + chain))
     told = [(each.key, each.where, each.text.split(" one,")[0]) for each in warnings]
     share = 100 * deep * 0.6 * 4 / min(0.6 * 4 * 4.5, width * 4 * 1.2)

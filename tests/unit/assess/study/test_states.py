@@ -8,11 +8,12 @@ import numpy as np
 import pytest
 
 from assess.codes.verdict import Decision, State, Verdict
-from assess.project.build import build
-from assess.project.project_file import load
+from assess.project.build import build, build_to_decide
+from assess.project.project_file import load, load_tree
 from assess.study.run import find_verdict, run_study
+from assess.study.study import Replaceable
 from tests.support.projects import NTC, block, lines, project_toml, wall
-from tools.adversary.projects import PROJECTS
+from tools.adversary.projects import HISTORIES, ITALY, PROJECTS
 from tools.adversary.trials import answer
 
 BUILDING = {"storeys": 2, "ground_elevation": 0.0, "use_class": "II"}
@@ -216,3 +217,120 @@ def test_two_values_that_hide_each_other_are_both_replaced() -> None:
     assert found is not None
     assert found.outcome == Decision.FAIL
     assert "procedures.asce41-13.position" in found.named
+
+
+JOINT = "mechanisms.wall.interface"
+TESTED = "measured: a test of the joint"
+RANGE = ("0.15 GPa/m", "4 GPa/m", "100 GPa/m")
+
+
+def on_joint(interface: dict[str, Any], *, source: str = "", modulus: str = "", of_modulus: str = "") -> dict[str, Any]:
+    """Return a wall on a joint."""
+    tables = copy.deepcopy(PROJECTS["ntc-joint"])
+    tables["mechanisms"]["wall"]["interface"] = interface
+    if modulus:
+        tables["materials"]["stone"]["young_modulus"] = modulus
+    given = {JOINT: source, "materials.stone.young_modulus": of_modulus}
+    tables["report"] = {"sources": tables["report"]["sources"] | {key: text for key, text in given.items() if text}}
+    return tables
+
+
+def verdict_on(tables: dict[str, Any]) -> Verdict:
+    """Return the verdict on a project."""
+    return find_verdict(build_to_decide(load_tree(copy.deepcopy(tables), Path("project.toml"), sha256="")))
+
+
+def substitutes(tables: dict[str, Any], key: str) -> list[Replaceable]:
+    """Return what is tried in place of the value at a key."""
+    study = build_to_decide(load_tree(copy.deepcopy(tables), Path("project.toml"), sha256=""))
+    return [each for each in study.replaceables if each.key == key]
+
+
+@pytest.mark.parametrize("stiffness", ["2 TPa/m", "10 GPa/m", "0.1 GPa/m"])
+def test_of_a_joint_without_a_source_the_worst_stiffness_of_masonry_decides(stiffness: str) -> None:
+    """One softer than any of the range is itself the worst."""
+    tested = {
+        each: verdict_on(on_joint({"model": "flexible", "stiffness": each}, source=TESTED)).mechanisms[0].margin
+        for each in (*RANGE, stiffness)
+    }
+    worst = min(tested, key=lambda each: tested[each] or 0.0)
+    found = verdict_on(on_joint({"model": "flexible", "stiffness": stiffness}))
+    assert found.mechanisms[0].margin == pytest.approx(tested[worst], rel=1e-9)
+    assert [(each.key, each.instead) for each in found.overrides] == (
+        [] if worst == stiffness else [(f"{JOINT}.stiffness", worst)]
+    )
+    assert all(f"with the worst of its range, {each.instead}: fail" in each.message.text for each in found.overrides)
+
+
+@pytest.mark.parametrize("key", [JOINT, f"{JOINT}.stiffness"])
+def test_a_source_for_a_joint_or_its_stiffness_lets_it_stand_with_its_worth(key: str) -> None:
+    tables = on_joint({"model": "flexible", "stiffness": "100 GPa/m"})
+    tables["report"]["sources"][key] = TESTED
+    shown = run_study(build(load_tree(tables, Path("project.toml"), sha256="")), jobs=1).verdict
+    soft = verdict_on(on_joint({"model": "flexible", "stiffness": "0.15 GPa/m"}, source=TESTED))
+    assert shown is not None
+    (line,) = shown.overrides
+    assert (shown.state, line.instead, line.source) == (State.AS_TYPED, "0.15 GPa/m", TESTED)
+    assert line.margin_instead == pytest.approx(soft.mechanisms[0].margin, rel=1e-9)
+    assert shown.mechanisms[0].margin > 1.2 * line.margin_instead  # type: ignore[operator]
+
+
+def test_the_softest_joint_of_the_range_overturns_where_moments_say() -> None:
+    """By hand: N (t/2 - a/3) = N phi h/2 with the contact a = sqrt(2 N / (k phi l)) of a triangle of stress."""
+    tables = on_joint({"model": "flexible", "stiffness": "10 GPa/m"})
+    (soft,) = (each for each in substitutes(tables, f"{JOINT}.stiffness") if each.instead == "0.15 GPa/m")
+    t, h, k, weight = 0.4, 4.5, 0.15e9, 1900 * 9.80665 * 0.4 * 4.5
+    phi = 0.08
+    for _ in range(50):
+        phi = 2 * (t / 2 - (2 * weight / (k * phi)) ** 0.5 / 3) / h
+    (mechanism,) = soft.study_at("wall").mechanisms
+    assert mechanism.oscillator.positive.unstable == pytest.approx(phi, rel=5e-3)
+
+
+def test_a_course_or_a_modulus_without_a_source_is_worth_no_more_than_the_range() -> None:
+    """0.15 GPa over a course of 0.2 m is 0.75 GPa/m; without a source for the course the joint is as soft as any."""
+    course = {"model": "flexible", "course_thickness": "0.2 m"}
+    for joint, source, of_modulus, worst in (
+        (course, TESTED, "", "0.75 GPa/m"),
+        (course, "", TESTED, "0.15 GPa/m"),
+        ({"model": "semi-flexible", "stiffness": "20 GPa/m"}, "", "", "0.15 GPa/m"),
+    ):
+        found = verdict_on(on_joint(joint, source=source, modulus="20 GPa", of_modulus=of_modulus))
+        soft = verdict_on(on_joint({"model": "flexible", "stiffness": worst}, source=TESTED))
+        margin, expected = found.mechanisms[0].margin, soft.mechanisms[0].margin
+        assert margin == pytest.approx(expected, rel=1e-9 if joint is course else 0.01), (joint, source)
+    sourced = verdict_on(on_joint(course, source=TESTED, modulus="20 GPa", of_modulus=TESTED))
+    assert (sourced.state, sourced.overrides) == (State.AS_TYPED, ())
+
+
+@pytest.mark.parametrize("sides", ["two", "one"])
+@pytest.mark.parametrize("written", [0.3, {"positive": 0.3, "negative": 0.3}])
+def test_a_restitution_without_a_source_stands_beside_that_of_the_formula(written: Any, sides: str) -> None:
+    """Housner: 1 - 3/2 sin^2 alpha; on one side the rebound of 3.45 with its range, which histories go over."""
+    tables = copy.deepcopy(HISTORIES["own-histories"])
+    tables["mechanisms"]["wall"] |= {"restitution": written, "sides": sides}
+    keys = ("restitution",) if isinstance(written, float) else ("restitution.positive", "restitution.negative")
+    housner = 1 - 1.5 * 0.4**2 / (0.4**2 + 4.5**2)
+    expected = housner if sides == "two" else housner**2 * (1.5 * 4.5**2 / (0.4**2 + 4.5**2) - 1)
+    for number, key in enumerate(keys):
+        (found,) = substitutes(tables, f"mechanisms.wall.{key}")
+        (mechanism,) = found.study_at("wall").mechanisms
+        if number == 0 or sides == "two":
+            assert mechanism.restitution[number] == pytest.approx(expected, rel=1e-9)
+            assert mechanism.rebounds == ((1.0,) if sides == "two" else (1.0, 0.5, 1.5))
+        assert (found.of_range, found.source) == (True, "")
+
+
+def test_a_restitution_written_as_one_number_buys_no_pass_by_histories() -> None:
+    """Also where a method without histories may decide too, on which it has no bearing."""
+    tables = copy.deepcopy(HISTORIES["own-histories"])
+    tables["mechanisms"]["wall"]["restitution"] = 0.5
+    tables["site"] = {"spectrum": ITALY | {"a_g": "0.12 g"}, "limit_state": "SLV"}
+    tables["verdict"] = {"basis": "ntc2018", "procedures": ["ntc2018-history", "ntc2018-nonlinear"]}
+    found = verdict_on(tables)
+    (line,) = found.overrides
+    assert (found.outcome, line.key) == (Decision.FAIL, "mechanisms.wall.restitution")
+    assert found.other_state is not None
+    assert found.other_state.outcome == Decision.PASS
+    tables["report"]["sources"]["mechanisms.wall.restitution"] = TESTED
+    assert verdict_on(tables).outcome == Decision.PASS

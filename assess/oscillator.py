@@ -22,14 +22,16 @@ from __future__ import annotations
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
-from typing import Literal
+from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 from scipy.constants import g
-from scipy.interpolate import CubicSpline, PPoly
 
 from assess.messages.message import Message, Term
 from spectra.arrays import FloatArray
+
+if TYPE_CHECKING:
+    from scipy.interpolate import PPoly
 
 BranchName = Literal["positive", "negative"]
 BRANCH_NAMES: tuple[BranchName, BranchName] = ("positive", "negative")
@@ -234,6 +236,11 @@ def interpolant(rotation: FloatArray, values: FloatArray) -> PPoly:
     rotation : not decreasing [n] [rad]
     values : at the nodes [n, …]
     """
+    from scipy.interpolate import (
+        CubicSpline,
+        PPoly,
+    )  # late: to read a project or results needs none
+
     coefficients = np.zeros((4, rotation.size - 1, *values.shape[1:]))
     ends = [0, *(np.flatnonzero(np.diff(rotation) == 0.0) + 1).tolist(), rotation.size]
     for first, last in pairwise(ends):

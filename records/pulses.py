@@ -26,8 +26,6 @@ from math import ceil, exp, floor, isfinite, log, pi, sqrt
 import numpy as np
 from numpy.polynomial.hermite_e import hermeval
 from numpy.typing import ArrayLike
-from scipy.fft import irfft, next_fast_len, rfft
-from scipy.optimize import minimize
 
 from assess.messages.message import Quantity, note
 from records.errors import RecordError
@@ -351,6 +349,8 @@ def _grid(record: Record, period: ArrayLike, *, shape: PulseShape) -> FloatArray
 def _best_at_each(record: Record, period: FloatArray, *, shape: PulseShape) -> list[_Fit]:
     """Return for each `period` the start, at a sample or before the record, with the largest correlation."""
     a, dt = record.acceleration, record.dt
+    from scipy.fft import irfft, next_fast_len, rfft
+
     size = next_fast_len(a.size + ceil(shape.duration(1.0 / period[-1]) / dt) + 1, real=True)
     spectrum = rfft(a, size)
     fits = []
@@ -387,6 +387,8 @@ def _refine(record: Record, fit: _Fit, *, shape: PulseShape, grid: FloatArray) -
         return -near(x).explained_energy / fit.explained_energy
 
     simplex = np.array([[0.0, 0.0], [0.5 * width, 0.0], [0.0, 0.5 * width]])
+    from scipy.optimize import minimize
+
     minimum = minimize(
         lost,
         simplex[0],

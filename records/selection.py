@@ -19,9 +19,6 @@ from math import comb, inf, isclose, log, sqrt
 from typing import Annotated, Literal
 
 import numpy as np
-from scipy.sparse import coo_array
-from scipy.sparse.csgraph import connected_components
-from scipy.spatial import KDTree
 
 from assess.declaration import Acceleration, IsRange, Length, Ratio, Speed, Time
 from records.candidates import DAMPING, PERIODS, Candidate
@@ -315,6 +312,9 @@ def event_groups(recordings: Sequence[Recording], *, one_per_event: bool) -> Int
     if one_per_event:
         pairs.append(_same_earthquake(recordings))
     first, second = np.concatenate(pairs).T
+    from scipy.sparse import coo_array
+    from scipy.sparse.csgraph import connected_components
+
     graph = coo_array((np.ones(first.size), (first, second)), shape=(len(recordings), len(recordings)))
     return np.asarray(connected_components(graph, directed=False)[1], dtype=np.int64)
 
@@ -327,6 +327,8 @@ def same_motion(recordings: Sequence[Recording]) -> IntArray:
         return np.empty((0, 2), dtype=np.int64)
     log = np.log(np.maximum(spectra, 1e-300))
     shape = log - log.max(axis=1, keepdims=True)
+    from scipy.spatial import KDTree
+
     near = KDTree(shape[:, ::COARSE]).query_pairs(SAME_SHAPE, p=np.inf, output_type="ndarray").reshape(-1, 2)
     alike = np.abs(shape[near[:, 0]] - shape[near[:, 1]]).max(axis=1) <= SAME_SHAPE
     return np.asarray(recording_of[near[alike]], dtype=np.int64)

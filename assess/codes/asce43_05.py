@@ -23,7 +23,6 @@ from typing import Annotated, Literal
 
 import numpy as np
 from scipy.constants import g
-from scipy.optimize import brentq
 
 from assess.codes.calculation_sheet import (
     Given,
@@ -425,6 +424,8 @@ def thesis_limit(branch: Branch, *, mass: float) -> float:
         return rotation - thesis_limit_ratio(block) * block.slenderness
 
     low, high = 1e-3 * branch.unstable, branch.unstable
+    from scipy.optimize import brentq
+
     return float(brentq(excess, low, high, xtol=1e-12)) if excess(low) < 0.0 < excess(high) else high
 
 

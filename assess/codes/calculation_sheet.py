@@ -12,16 +12,18 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import lru_cache
 from math import isclose, pi
-from typing import Literal
+from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 from scipy.constants import g
-from scipy.interpolate import PPoly
 
 from assess.messages.message import DIMENSIONS
 from assess.oscillator import Branch, linear_multiplier, multiplier
 from assess.short_repr import ShortRepr
 from spectra.arrays import FloatArray
+
+if TYPE_CHECKING:
+    from scipy.interpolate import PPoly
 
 Bound = Literal["", "<=", ">="]
 CONSTANTS: Mapping[str, float] = {"g": g, "π": pi}

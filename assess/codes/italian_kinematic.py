@@ -17,7 +17,6 @@ from math import isclose, pi
 
 import numpy as np
 from scipy.constants import g
-from scipy.optimize import brentq
 
 from assess.codes.calculation_sheet import (
     Given,
@@ -377,6 +376,8 @@ def rotation_at(branch: Branch, moved: float, *, mass: float) -> float:
     float [rad]
     """
     integral = branch.excitation_integral
+    from scipy.optimize import brentq
+
     return float(brentq(lambda phi: float(integral(phi)) / mass - moved, 0.0, branch.unstable, xtol=1e-15))
 
 

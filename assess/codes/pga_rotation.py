@@ -20,7 +20,6 @@ from math import inf
 
 import numpy as np
 from scipy.constants import g
-from scipy.optimize import brentq
 
 from assess.codes.check import Outcome, PgaCurve, Reason, reason_message
 from assess.codes.context import Context
@@ -113,6 +112,8 @@ def rotation_demand(curve: PgaRotation, level: float) -> float | None:
 
     def excess(rotation: float) -> float:
         return float(curve.pga_of(np.array([rotation]))[0]) - level
+
+    from scipy.optimize import brentq
 
     return float(brentq(excess, low, high, xtol=1e-14)) if excess(low) < 0 else float(low)
 

@@ -24,7 +24,6 @@ from math import inf, pi
 
 import numpy as np
 from scipy.constants import g
-from scipy.optimize import brentq
 
 from assess.codes.asce43_05 import EDITION, Asce4305Options, warn_at_height
 from assess.codes.calculation_sheet import UNANSWERED, Given, Step, step
@@ -190,6 +189,8 @@ def longest_sliding_period(context: Context, level: float, coefficient: float) -
     if not above.size:
         return 0.0
     last = int(above[-1])
+    from scipy.optimize import brentq
+
     return None if last == periods.size - 1 else float(brentq(excess, periods[last], periods[last + 1], xtol=1e-12))
 
 

@@ -14,18 +14,20 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Literal, TypeVar
+from typing import TYPE_CHECKING, Literal, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy.constants import g
-from scipy.interpolate import CubicHermiteSpline, PPoly
 
 from assess.dynamics.kernel import columns
 from assess.errors import MechanismError
 from assess.oscillator import Branch, Oscillator, elastic_frequency, energy, interpolant
 from assess.short_repr import ShortRepr
 from spectra.arrays import BoolArray, FloatArray, IntArray
+
+if TYPE_CHECKING:
+    from scipy.interpolate import CubicHermiteSpline, PPoly
 
 Equation = Literal["exact", "linearised"]
 T = TypeVar("T")
@@ -146,6 +148,8 @@ class CanonicalBranch(ShortRepr):
 
 def linear_form(turn: float) -> CanonicalBranch:
     """Return the coordinate of the linearised equation, y = phi / turn: its inertia is constant and needs no table."""
+    from scipy.interpolate import CubicHermiteSpline, PPoly
+
     ends, none = np.array([0.0, 1.0]), np.empty((4, 0))
     line, one = CubicHermiteSpline(ends, turn * ends, [turn, turn]), PPoly([[1.0]], turn * ends)
     return CanonicalBranch(turn, ends, none, none, np.empty(0), np.empty((0, 2), dtype=np.int64), line, one)
@@ -170,6 +174,8 @@ def canonical_form(branch: Branch) -> CanonicalBranch:
     def over_y(cubics: FloatArray) -> FloatArray:
         value, slope = _values(cubics, ends), _values(_slopes(cubics), ends)
         return _hermite(value / s, (slope - value * bend / s) * turn / s**2, w) / (at_rest * turn)
+
+    from scipy.interpolate import CubicHermiteSpline, PPoly
 
     restoring, y = over_y(moment), np.r_[0.0, np.cumsum(w)]
     work = w * (((restoring[0] * w / 4 + restoring[1] / 3) * w + restoring[2] / 2) * w + restoring[3])

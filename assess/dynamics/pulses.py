@@ -29,7 +29,6 @@ from math import ceil, log, pi, sqrt
 import numpy as np
 from numpy.typing import NDArray
 from scipy.constants import g
-from scipy.interpolate import BPoly, PPoly
 
 from assess.dynamics.kernel import columns
 from assess.dynamics.packing import Equation, PackedOscillator, branches_of, check_jobs, kernel_array, pack, tables_of
@@ -353,6 +352,8 @@ def _has_closed_form(shape: PulseShape, equation: Equation) -> bool:
 def _fit_polynomials(shape: PulseShape, pieces: int) -> FloatArray:
     """Fit the polynomials [pieces, 6], once for all mechanisms: this takes longer than the histories of one."""
     theta = np.linspace(shape.start, shape.end, pieces + 1)
+    from scipy.interpolate import BPoly, PPoly
+
     fitted = PPoly.from_bernstein_basis(BPoly.from_derivatives(theta, shape.derivatives(theta)[:3].T))
     coefficients = np.ascontiguousarray(fitted.c[::-1].T)
     coefficients.flags.writeable = False

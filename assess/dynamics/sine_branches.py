@@ -21,7 +21,6 @@ from itertools import pairwise
 from math import asin, cos, exp, expm1, isfinite, nan, pi, sin, sqrt
 
 import numpy as np
-from scipy.optimize import brentq
 
 SCAN = 400
 """Number of amplitudes scanned for a branch that can turn back: a band thinner than a step can be missed."""
@@ -175,6 +174,8 @@ def _roots(f: Callable[[float], float], low: float, high: float) -> tuple[float,
 
 
 def _root(f: Callable[[float], float], low: float, high: float) -> float:
+    from scipy.optimize import brentq
+
     return float(brentq(f, low, high, xtol=1e-14, rtol=8.9e-16, maxiter=200))
 
 

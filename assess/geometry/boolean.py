@@ -12,7 +12,6 @@ from math import inf
 from typing import Any
 
 import numpy as np
-from scipy.spatial import KDTree
 
 from assess.errors import GeometryError
 from assess.geometry.solid import THINNEST, Solid, polyhedron
@@ -119,6 +118,8 @@ def shortest_distance(first: Solid, second: Solid, *, limit: float = inf) -> flo
         return limit
     origin = (first.vertices.min(axis=0) + first.vertices.max(axis=0)) / 2.0
     one, two = (_manifold_of_solid(solid, origin) for solid in (first, second))
+    from scipy.spatial import KDTree
+
     reach = min(limit, float(np.min(KDTree(first.vertices).query(second.vertices)[0])) * (1.0 + THINNEST))
     fine = len(first.triangles) * len(second.triangles) > MANY_PAIRS
     looked = min(reach, NEAR_FINE_MESHES) if fine else reach

@@ -7,10 +7,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 import shapely
-from scipy.spatial import KDTree
 
 from assess.errors import GeometryError
 from assess.geometry.shells import unify_shells
@@ -30,6 +30,9 @@ from assess.geometry.surface import (
 )
 from assess.messages.message import Message, Quantity, count_noun, note, whole_number
 from spectra.arrays import FloatArray, IntArray
+
+if TYPE_CHECKING:
+    from scipy.spatial import KDTree
 
 NEAR = 1e-4  # of the body's size: corners of an open border nearer than this are one
 Steps = tuple[Message, ...]
@@ -162,6 +165,8 @@ def _count_open_edges(surface: Surface) -> int:
 
 def _weld_borders(surface: Surface) -> tuple[Surface, Steps]:
     """Merge corners of open borders that nearly coincide."""
+    from scipy.spatial import KDTree
+
     vertices, triangles = surface
     rim = np.unique(open_edges(find_edges(triangles)))
     reach = NEAR * float(np.ptp(vertices, axis=0).max())
@@ -196,6 +201,8 @@ def _split_edges(surface: Surface) -> tuple[Surface, Steps]:
 
 def _split_each_once(vertices: FloatArray, triangles: IntArray) -> tuple[IntArray, int]:
     """Split each triangle along one open edge at most; return the triangles and how many were split."""
+    from scipy.spatial import KDTree
+
     edges = find_edges(triangles)
     rim = np.unique(open_edges(edges))
     if not len(rim):

@@ -10,8 +10,6 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.sparse import coo_array, csr_array
-from scipy.sparse.csgraph import connected_components
 
 from assess.messages.message import Quantity, Value, lengths
 from spectra.arrays import BoolArray, FloatArray, IntArray
@@ -148,6 +146,9 @@ def connected_groups(pairs: IntArray, *, count: int) -> IntArray:
     -------
     number of the group, from 0 [count]
     """
+    from scipy.sparse import coo_array
+    from scipy.sparse.csgraph import connected_components
+
     links = coo_array((np.ones(len(pairs), dtype=np.int8), (pairs[:, 0], pairs[:, 1])), shape=(count, count))
     return np.asarray(connected_components(links, directed=False)[1], dtype=np.int64)
 
@@ -156,6 +157,9 @@ def connected_groups_across(across: NDArray[np.int32]) -> IntArray:
     """Return the connected group [m] of each triangle, from 0, by their neighbours [m, 3]."""
     m = len(across)
     starts = np.arange(0, 3 * m + 1, 3, dtype=np.int32)
+    from scipy.sparse import csr_array
+    from scipy.sparse.csgraph import connected_components
+
     links = csr_array((np.ones(3 * m), across.ravel(), starts), shape=(m, m))
     return np.asarray(connected_components(links, directed=False)[1], dtype=np.int64)
 

@@ -13,7 +13,6 @@ from itertools import pairwise
 from math import hypot, inf
 
 import numpy as np
-from scipy.optimize import brentq
 
 from assess.errors import MechanismError
 from assess.loads.load import Force, ForceOrTie, PointMass, Tie, lasts
@@ -229,6 +228,8 @@ def rotation_reaching(
     last = int(beyond[0])
     if last == 0:
         return 0.0
+    from scipy.optimize import brentq
+
     found = brentq(lambda phi: float(over(np.array([0.0, phi]))[1]), scan[last - 1], scan[last], xtol=1e-15, rtol=1e-14)
     return float(found)
 
@@ -259,6 +260,8 @@ def _first_downward_crossing(
     first = int(falling[0])
     if rotation[first] == rotation[first + 1]:  # it falls at the end of a stage
         return float(rotation[first])
+    from scipy.optimize import brentq
+
     found = brentq(lambda phi: value_at(phi, first), rotation[first], rotation[first + 1], xtol=1e-15, rtol=1e-14)
     return float(found)
 
@@ -310,6 +313,8 @@ def _remove_actions(chain: Chain, absent: Sequence[int]) -> Chain:
 
 def _sign_changes(number: int, moment: FloatArray, moments: ActionMoments, *, after: float) -> set[float]:
     """Return the rotations after one at which the moment of an action changes its sign [rad]."""
+    from scipy.optimize import brentq
+
     scan = moments.scan
     changes = np.flatnonzero((moment[:-1] < 0.0) != (moment[1:] < 0.0))
 

@@ -10,7 +10,6 @@ from typing import Literal
 
 import numpy as np
 from scipy.constants import g
-from scipy.optimize import minimize_scalar
 
 from assess.errors import CrackError
 from assess.geometry.contact import CONTACT_TOLERANCE, find_contact
@@ -216,6 +215,8 @@ def find_least_multiplier(
             "base and top controls; give an overburden load, the material's tensile_strength, a crack elevation, or "
             "hinges"
         )
+    from scipy.optimize import minimize_scalar
+
     found = minimize_scalar(multiplier, bounds=bounds, method="bounded", options={"xatol": FINE * (high - low)})
     return float(found.x)
 

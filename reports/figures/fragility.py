@@ -9,7 +9,6 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import LogLocator, NullLocator
-from scipy.special import ndtr, ndtri
 
 from assess.results.fragility import (
     LARGE_SCALE,
@@ -86,6 +85,8 @@ def intensity_reach(curve: FragilityCurve) -> float:
     points = [point.intensity for point in curve.empirical]
     needed = [point.intensity for point in curve.empirical if point.share < NEARLY_ALL]
     if curve.lognormal is not None:
+        from scipy.special import ndtri
+
         needed.append(curve.lognormal.median * float(np.exp(ndtri(NEARLY_ALL) * curve.lognormal.dispersion)))
     if curve.method == "cloud" and curve.lognormal is not None:
         return BEYOND_LAST_POINT * max([*points, min(max(needed), 2.0 * curve.lognormal.median)])
@@ -250,6 +251,8 @@ def _intensities(curve: FragilityCurve) -> FloatArray:
 def _shares(fitted: LognormalResult, x: FloatArray) -> FloatArray:
     """Return the share by a lognormal at each intensity, 0 at zero."""
     with np.errstate(divide="ignore"):
+        from scipy.special import ndtr
+
         return np.asarray(ndtr(np.log(x / fitted.median) / fitted.dispersion), dtype=np.float64)
 
 

@@ -18,8 +18,6 @@ import shapely
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.patches import Patch
-from scipy.sparse import coo_array
-from scipy.sparse.csgraph import connected_components
 
 from assess.codes.verdict import Decision, worst_outcome
 from assess.geometry.surface import simplify
@@ -308,6 +306,9 @@ def body_numbers(surface: TriangleSurface) -> IntArray:
     a, b, c = surface.triangles.T
     start, end = np.concatenate([a, b]), np.concatenate([b, c])
     size = len(surface.vertices)
+    from scipy.sparse import coo_array
+    from scipy.sparse.csgraph import connected_components
+
     _, body = connected_components(coo_array((np.ones(len(start)), (start, end)), shape=(size, size)), directed=False)
     return np.asarray(body[a])
 

@@ -54,6 +54,20 @@ def test_help_loads_nothing_heavy(arguments: list[str]) -> None:
     assert not {name.split(".")[0] for name in done.stderr.split()} & HEAVY
 
 
+def test_a_command_loads_what_it_needs(tmp_path: Path) -> None:
+    """A rigid wall has splines but no joints and no histories; a schema has neither."""
+    told = "import atexit, sys; atexit.register(lambda: print(*sys.modules, file=sys.stderr))"
+    program = f"{told}; from assess.cli import main; main()"
+    project = tmp_path / "project.toml"
+    project.write_text(WALL, encoding="utf-8")
+    for arguments, unneeded in (
+        (["schema"], {"numba", "matplotlib", "scipy.interpolate", "scipy.optimize", "scipy.spatial", "scipy.sparse"}),
+        (["parameters", str(project)], {"numba", "matplotlib", "reportlab"}),
+    ):
+        done = subprocess.run([sys.executable, "-c", program, *arguments], capture_output=True, text=True, check=True)
+        assert not set(done.stderr.split()) & unneeded, arguments
+
+
 @pytest.mark.parametrize("command", COMMANDS)
 def test_every_command_has_help(command: str, capsys: pytest.CaptureFixture[str]) -> None:
     assert ended(command, "--help") == 0

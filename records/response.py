@@ -18,7 +18,7 @@ from records.record import Record
 from spectra.arrays import FloatArray
 
 COARSEST = 1000.0  # longest step, in periods, that is worth dividing
-SPECTRA_KEPT = 64  # spectra that are kept in memory, of the records used last
+SPECTRA_KEPT = 256  # spectra that are kept in memory, of the records used last
 
 
 def response_spectrum(record: Record, period: ArrayLike, *, damping: float = 0.05) -> FloatArray:

@@ -13,7 +13,7 @@ import os
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
-from functools import partial
+from functools import lru_cache, partial
 from typing import Annotated
 
 import numpy as np
@@ -99,10 +99,9 @@ def artificial_records(
     seed = seed_of_target(spectrum, duration=duration) if seed is None else seed
     _check(count=count, seed=seed, duration=duration, dt=dt, band=band)
     target = _target_ordinates(spectrum, band=band)
-    basis = _harmonic_basis(target, duration=duration, dt=dt)
+    recipe = _Recipe(spectrum.code, target.period.tobytes(), target.ordinate.tobytes(), target.pga, seed, duration, dt)
     with ThreadPoolExecutor(threads or os.cpu_count() or 1) as pool:
-        make = partial(_make_artificial, target, basis, spectrum.code, seed)
-        return tuple(pool.map(make, range(1, count + 1)))
+        return tuple(pool.map(partial(_make_artificial, recipe), range(1, count + 1)))
 
 
 def seed_of_target(spectrum: Spectrum, *, duration: float) -> int:
@@ -123,6 +122,7 @@ def seed_of_target(spectrum: Spectrum, *, duration: float) -> int:
 
 DAMPING = 0.05
 ROUNDS = 40
+RECORDS_KEPT, SETS_KEPT = 128, 4  # in the memory of a process, of those used last
 RISE, STATIONARY = 0.1, 0.5  # shares of the duration
 END_LEVEL = 0.05  # of the envelope at the end of the duration
 TAPER = 0.05  # share of the duration over which the end is brought to zero
@@ -255,8 +255,34 @@ def _target_ordinates(spectrum: Spectrum, *, band: tuple[float, float]) -> Targe
     )
 
 
-def _make_artificial(target: TargetOrdinates, basis: HarmonicBasis, code: str, seed: int, index: int) -> Record:
-    """Make record `index` of the set of `seed` with the first set of phases whose fit is within the bounds."""
+@dataclass(frozen=True)
+class _Recipe:
+    """All that a set of artificial records follows from.
+
+    code : of the target; period [k] [s], ordinate [k] [m/s2] : as bytes; pga : its zero-period ordinate [m/s2]
+    seed : of the set; duration, dt : length and step of each [s]
+    """
+
+    code: str
+    period: bytes
+    ordinate: bytes
+    pga: float
+    seed: int
+    duration: float
+    dt: float
+
+    @property
+    def target(self) -> TargetOrdinates:
+        return TargetOrdinates(np.frombuffer(self.period), np.frombuffer(self.ordinate), self.pga)
+
+
+@lru_cache(maxsize=RECORDS_KEPT)
+def _make_artificial(recipe: _Recipe, index: int) -> Record:
+    """Make record `index` of a set with the first set of phases whose fit is within the bounds.
+
+    Once a process: a town has many walls and few targets, and what is made is frozen.
+    """
+    target, basis, code, seed = recipe.target, _basis_of(recipe), recipe.code, recipe.seed
     random = np.random.default_rng([seed, index])
     fits = []
     for _ in range(TRIALS):
@@ -273,6 +299,11 @@ def _make_artificial(target: TargetOrdinates, basis: HarmonicBasis, code: str, s
         f"(rms {best.rms:.1%}) of the {code} target over {target.period[0]:g} s to {target.period[-1]:g} s; "
         f"{-SHORTFALL:.0%} and rms {LARGEST_RMS:.0%} are the bounds; a longer duration may help"
     )
+
+
+@lru_cache(maxsize=SETS_KEPT)
+def _basis_of(recipe: _Recipe) -> HarmonicBasis:
+    return _harmonic_basis(recipe.target, duration=recipe.duration, dt=recipe.dt)
 
 
 def _history(

@@ -1,6 +1,6 @@
 """What all tests share: cases drawn by hypothesis, kernels compiled before the tests are dealt out, garbage, Ctrl-C.
 
-The command line is made of its functions, and each artificial record of its seed, once in a process.
+The command line is made of its functions once in a process.
 """
 
 from __future__ import annotations
@@ -49,13 +49,6 @@ def pytest_collection() -> Generator[None, object, object]:
     finally:
         gc.freeze()
         gc.enable()
-
-
-@pytest.fixture(scope="session", autouse=True)
-def _artificial_records() -> None:
-    from tests.support.artificial import make_artificial_once
-
-    make_artificial_once()
 
 
 @pytest.hookimpl(wrapper=True)

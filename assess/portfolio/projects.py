@@ -12,7 +12,6 @@ import os
 import re
 import tomllib
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from copy import deepcopy
 from dataclasses import dataclass
 from difflib import get_close_matches
 from functools import lru_cache
@@ -174,24 +173,25 @@ def keys_of(template: Mapping[str, Any]) -> dict[str, KeyPath]:
     return {".".join(map(str, place)): place for place in _places(template, ())} | {TITLE: (TITLE,)}
 
 
-def with_row(template: Mapping[str, Any], cells: Mapping[str, tuple[str, str]]) -> dict[str, Any]:
-    """Return the tables of a template with the values of a row.
+def with_row(
+    template: Mapping[str, Any], cells: Mapping[str, tuple[str, str]], known: Mapping[str, KeyPath] | None = None
+) -> dict[str, Any]:
+    """Return the tables of a template with the values of a row; those without one are the template's own.
 
     Parameters
     ----------
     template : its tables
     cells : by key, the text of the cell and the unit of its column
+    known : `keys_of` the template, where many rows change it
 
     Raises
     ------
     ProjectError : a number has a decimal comma
     """
-    tables, known = deepcopy(dict(template)), keys_of(template)
+    tables, places = dict(template), keys_of(template) if known is None else known
     for key, (text, unit) in cells.items():
-        place = known[key]
-        value = value_of(text, unit, like=_value_at(template, place), key=key)
-        holder = _value_at(tables, place[:-1])
-        holder[place[-1]] = value
+        place = places[key]
+        tables = _with_value(tables, place, value_of(text, unit, like=_value_at(template, place), key=key))
     return tables
 
 
@@ -328,7 +328,7 @@ def _tasks_of_table(source: Path, template: Path, unit_fault: UnitFault) -> Iter
     for column in columns:
         if column and column.unit and (fault := unit_fault(template, tables, column)):
             raise ProjectError(f"{source}: column {quote(f'{column.key} [{column.unit}]')}: {fault}")
-    start, hash_of = hashlib.sha256(template.read_bytes()), _files_hash()
+    start, hash_of, known = hashlib.sha256(template.read_bytes()), _files_hash(), keys_of(tables)
     for line in lines:
         key = _row_key(line, header)
         if key in seen:
@@ -336,7 +336,7 @@ def _tasks_of_table(source: Path, template: Path, unit_fault: UnitFault) -> Iter
                 f"{source}: lines {seen[key]} and {line.number}: {quote(key)} twice; give each row its own id"
             )
         seen[key] = line.number
-        yield _task_of_row(source, line, key, columns, template, tables, start.copy(), hash_of)
+        yield _task_of_row(source, line, key, columns, template, tables, known, start.copy(), hash_of)
     if not seen:
         raise ProjectError(f"{source}: no row below the header; add one for each project")
 
@@ -362,6 +362,7 @@ def _task_of_row(
     columns: Sequence[KeyColumn | None],
     template: Path,
     tables: Mapping[str, Any],
+    known: Mapping[str, KeyPath],
     start: Any,
     hash_of: FilesHash,
 ) -> Task:
@@ -372,7 +373,7 @@ def _task_of_row(
     row: dict[str, Any] = {"cells": cells}
     title, named = next((text for name, text, _ in cells if name == TITLE), _title(tables)), tables
     try:
-        named = with_row(tables, {name: (text, unit) for name, text, unit in cells})
+        named = with_row(tables, {name: (text, unit) for name, text, unit in cells}, known)
         _check_number(line, columns)
     except ProjectError as error:
         row = {"fault": str(error)}
@@ -556,6 +557,14 @@ def _check_column(key: str, unit: str, known: Mapping[str, KeyPath], template: M
         raise ProjectError(
             f"column {quote(key)}: the template has {quote(str(value))} there, which takes no unit; leave out [{unit}]"
         )
+
+
+def _with_value(tables: Any, place: KeyPath, value: Any) -> Any:
+    """Return tables or a list with another value at a place; only what leads there is copied."""
+    step, rest = place[0], place[1:]
+    copied = dict(tables) if isinstance(tables, Mapping) else list(tables)
+    copied[step] = _with_value(copied[step], rest, value) if rest else value
+    return copied
 
 
 def _value_at(tables: Any, place: KeyPath) -> Any:

@@ -1,7 +1,6 @@
 """Artificial records: what they promise of spectrum, peak, baseline, envelope and seed."""
 
 import hashlib
-from collections.abc import Iterator
 from dataclasses import replace
 from itertools import pairwise
 
@@ -18,22 +17,44 @@ from records.selection import target_mark
 from records.synthetic import artificial_records, end_weights, envelope, seed_of_target, with_peak
 from spectra.asce7 import design_spectrum
 from spectra.table import table_spectrum
-from tests.support.artificial import make_artificial
 
 TARGET = design_spectrum(s_ds=0.1667 * g, s_d1=0.0533 * g, t_l=6.0)
 
 
-@pytest.fixture(scope="module", autouse=True)
-def _each_is_made() -> Iterator[None]:
-    """Records are made here whenever they are asked for, so that two can be compared."""
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(synthetic, "_make_artificial", make_artificial)
-        yield
+@pytest.fixture(autouse=True)
+def _each_is_made() -> None:
+    """Records are made again in each test, so that two can be compared."""
+    synthetic._make_artificial.cache_clear()
 
 
 @pytest.fixture(scope="module")
 def seven() -> tuple[Record, ...]:
     return artificial_records(TARGET, count=7, seed=1)
+
+
+def test_a_set_is_made_once_a_process_and_never_another_in_its_place(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Whatever a set follows from makes another one: target, seed, duration, step, band, the name of the code."""
+    made: list[int] = []
+    make = synthetic._fit_rounds
+    monkeypatch.setattr(synthetic, "_fit_rounds", lambda *one, **more: made.append(1) or make(*one, **more))
+    usual = {"spectrum": TARGET, "count": 1, "seed": 3, "duration": 12.0, "band": (0.04, 2.0)}
+    (first,) = artificial_records(**usual)
+    (again, second) = artificial_records(**usual | {"count": 2})
+    assert again is first
+    assert second.id == "artificial-2"
+    assert len(made) == 2
+    others = [
+        {"spectrum": design_spectrum(s_ds=0.1667 * g, s_d1=0.0534 * g, t_l=6.0)},
+        {"spectrum": replace(TARGET, code="another")},
+        {"seed": 4},
+        {"duration": 12.01},
+        {"dt": 0.005},
+        {"band": (0.04, 2.01)},
+    ]
+    for number, change in enumerate(others, start=3):
+        (other,) = artificial_records(**usual | change)
+        assert len(made) >= number
+        assert other.processing_history != first.processing_history or other.dt != first.dt
 
 
 def test_every_record_follows_the_target(seven: tuple[Record, ...]) -> None:

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import json
+from copy import deepcopy
 from pathlib import Path
 
 import pytest
 
 from assess.errors import ProjectError
 from assess.portfolio.projects import KeyColumn, Task, find_tasks, project_tree, read_template, row_fault
+from assess.project.build import build
 from assess.project.project_file import Project, load, load_tree
 from assess.verbs import unit_fault
 from tests.support.files import write_file
@@ -38,6 +40,17 @@ def test_row_gives_the_project_that_the_file_with_its_values_gives(tmp_path: Pat
     (tmp_path / "one.toml").write_text(text)
     assert project(task).content == load(tmp_path / "one.toml").content
     assert project(task).sha256 == task.sha256
+
+
+def test_a_row_leaves_the_template_to_the_others(tmp_path: Path) -> None:
+    """What no cell changes is not copied: nothing that reads a project may write into its tables."""
+    header = f"{THICKNESS},mechanisms.wall.loads.0.force,site.spectrum.t_l,title"
+    first, second = table(tmp_path, f"{header}\n0.45,3 kN,7,One\n,,,\n" + '"","","",Two\n')
+    before = deepcopy(read_template(first.path))
+    assert project_tree(first)["bodies"]["wall"]["box"]["thickness"] == 0.45
+    build(project(first))
+    assert read_template(first.path) == before
+    assert project_tree(second) == {**before, "title": "Two"}
 
 
 @pytest.mark.parametrize("separator", [",", ";", "\t"])

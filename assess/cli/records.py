@@ -266,6 +266,12 @@ def select(
             "--lock", help="Also write records.lock.toml beside the project (or target): files, factors, hashes."
         ),
     ] = False,
+    table: Annotated[
+        Path | None,
+        typer.Option(
+            metavar="TABLE.csv", help="With --lock, of a template: lock a suite for each target of the table's rows."
+        ),
+    ] = None,
     jobs: JobsOption = None,
     as_json: Annotated[
         bool, typer.Option("--json", help="Print records and ground_motion as in results.json.")
@@ -281,6 +287,8 @@ def select(
     refuse_two_formats(as_json=as_json, as_csv=as_csv)
     check_figure_path(output)
     _refuse_without_target(context, target, places)
+    if table is not None and (target is not None or not lock):
+        raise typer.BadParameter("--table goes with --lock, and with the template of the table in place of --target")
     from assess.project.suites import SuiteOptions, lock_project, lock_target, select_for_target, suite_of_project
     from assess.workers import process_pool
     from records.formats.header import HeaderOverrides
@@ -289,7 +297,7 @@ def select(
     if target is None:
         with progress(), process_pool(jobs) as executor:
             if lock:
-                found, written = lock_project(places[0], executor=executor)
+                found, written = lock_project(places[0], table=table, executor=executor)
             else:
                 found = suite_of_project(places[0], executor=executor)
     else:
@@ -402,7 +410,7 @@ def _write_record(text: str, path: Path, *, inputs: Sequence[Path]) -> None:
         made.write_text(text, encoding="utf-8", newline="\n")
 
 
-NOT_CRITERIA = ("places", "jobs", "as_json", "as_csv", "output", "target", "lock")
+NOT_CRITERIA = ("places", "table", "jobs", "as_json", "as_csv", "output", "target", "lock")
 
 OPTION_NAMES = {"code": "for"}
 """Options that are not named after their argument."""

@@ -562,7 +562,7 @@ def _check_column(key: str, unit: str, known: Mapping[str, KeyPath], template: M
 def _with_value(tables: Any, place: KeyPath, value: Any) -> Any:
     """Return tables or a list with another value at a place; only what leads there is copied."""
     step, rest = place[0], place[1:]
-    copied = dict(tables) if isinstance(tables, Mapping) else list(tables)
+    copied: Any = dict(tables) if isinstance(tables, Mapping) else list(tables)
     copied[step] = _with_value(copied[step], rest, value) if rest else value
     return copied
 

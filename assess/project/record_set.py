@@ -13,10 +13,10 @@ from scipy.constants import g
 
 from assess.errors import ProjectError
 from assess.mechanisms.mechanism import Mechanism
-from assess.messages.message import Message, note, warning
+from assess.messages.message import Message, first_names, note, warning
 from assess.project import sections
 from assess.project.sections.ground_motion import Records
-from assess.project.suite_lock import AGAIN, LockedArtificial, LockedChoice, LockedRecord, SuiteLock, read_lock
+from assess.project.suite_lock import AGAIN, LockedArtificial, LockedChoice, LockedRecord, LockedSuite, read_lock
 from assess.results.provenance import file_sha256
 from assess.study.study import Fitting, GivenFactors, Study
 from assess.study.suites import (
@@ -141,6 +141,7 @@ def vertical_record_messages(records: Sequence[Record]) -> Iterator[Message]:
 
 
 LOCK_KEY = "records.lock"
+MOST_TARGETS = 3  # that an error lists
 
 KEYS_OF_MAKING = ("files", "select", "flatfile", "unit", "step", "response", "synthetic", "scale_to", "factor")
 """Keys of [records] that say how a lock is made."""
@@ -159,13 +160,7 @@ def locked_records(path: Path, *, folder: Path, spectrum: Spectrum) -> RecordSet
     ------
     ProjectError : the lock is of another spectrum, or a file is missing or was changed
     """
-    lock, _ = read_lock(path)
-    target = TargetMark(lock.target.code, lock.target.pga_g * g, lock.target.sha256)
-    if not target.is_of(spectrum):
-        raise ProjectError(
-            f"{LOCK_KEY}: {path.name} was made for another target ({target.code}, PGA {lock.target.pga_g:.4g} g) than "
-            f"the site's spectrum ({spectrum.code}, PGA {spectrum.pga / g:.4g} g), its factors do not apply; {AGAIN}"
-        )
+    lock, target = _suite_for(spectrum, path)
     recorded = [(_locked_record(one, path=path, folder=folder), one.scale_factor) for one in lock.records]
     made = [] if lock.artificial is None else _artificial_records_of(lock.artificial, spectrum)
     both = [*recorded, *((one, lock.artificial.scale_factor) for one in made if lock.artificial is not None)]
@@ -186,6 +181,21 @@ def locked_records(path: Path, *, folder: Path, spectrum: Spectrum) -> RecordSet
     return RecordSet(tuple(record for record, _ in both), fitting)
 
 
+def _suite_for(spectrum: Spectrum, path: Path) -> tuple[LockedSuite, TargetMark]:
+    """Return the suite of a lock that was made for a spectrum, with its target."""
+    suites = read_lock(path)[0].suites
+    for suite in suites:
+        target = TargetMark(suite.target.code, suite.target.pga_g * g, suite.target.sha256)
+        if target.is_of(spectrum):
+            return suite, target
+    listed = first_names([f"{each.target.code}, PGA {each.target.pga_g:.4g} g" for each in suites], MOST_TARGETS)
+    table = ", or with `--table TABLE.csv` for the targets of all rows of a table" if len(suites) == 1 else ""
+    raise ProjectError(
+        f"{LOCK_KEY}: {path.name} was made for another target ({listed}) than the site's spectrum ({spectrum.code}, "
+        f"PGA {spectrum.pga / g:.4g} g), its factors do not apply; {AGAIN}{table}"
+    )
+
+
 def lock_messages(path: Path, section: Records) -> Iterator[Message]:
     """Say which keys of [records] the lock stands for, and whether it was changed by hand."""
     beside = ", ".join(key for key in KEYS_OF_MAKING if section.has_key(key))
@@ -197,7 +207,7 @@ def lock_messages(path: Path, section: Records) -> Iterator[Message]:
 
 def files_of_lock(path: Path) -> tuple[Path, ...]:
     """Return the lock and every file that it names."""
-    records = read_lock(path)[0].records
+    records = [one for suite in read_lock(path)[0].suites for one in suite.records]
     named = [name for one in records for name in (one.file, one.response) if name is not None]
     return (path, *(path.parent / name for name in dict.fromkeys(named)))
 
@@ -286,7 +296,7 @@ def _band_of(chosen: LockedChoice) -> Band:
         raise ProjectError(f"{LOCK_KEY}: chosen: {error}; {AGAIN}") from None
 
 
-def _selection_of(lock: SuiteLock) -> Selection | None:
+def _selection_of(lock: LockedSuite) -> Selection | None:
     """Return how the records of a lock were chosen, without the candidates; None if all were taken."""
     chosen = lock.chosen
     if chosen.how == "all":

@@ -1,7 +1,7 @@
 """The lock of a suite, `records.lock.toml`: its records with their factors, and the target that these hold for.
 
-The file is written by `assess records select --lock` alone. Its seal, the SHA-256 of all that follows it, tells
-whether it was changed since.
+A lock of a table holds a suite for each target of its rows. The file is written by `assess records select --lock`
+alone. Its seal, the SHA-256 of all that follows it, tells whether it was changed since.
 """
 
 from __future__ import annotations
@@ -148,13 +148,9 @@ class LockedRecord(ProjectSection):
     """of that file"""
 
 
-class SuiteLock(ProjectSection):
-    """All that a lock says."""
+class LockedSuite(ProjectSection):
+    """A suite, and what it holds for."""
 
-    format: Literal[1]
-    """version of this format"""
-    seal: StrictStr
-    """SHA-256 of all that follows"""
     target: LockedTarget
     """a table [target]"""
     chosen: LockedChoice
@@ -163,6 +159,22 @@ class SuiteLock(ProjectSection):
     """a table [artificial]"""
     records: tuple[LockedRecord, ...] = ()
     """a table [[records]] for each record of a file"""
+
+
+class SuiteLock(LockedSuite):
+    """All that a lock says; of several suites it is the first."""
+
+    format: Literal[1]
+    """version of this format"""
+    seal: StrictStr
+    """SHA-256 of all that follows"""
+    others: tuple[LockedSuite, ...] = ()
+    """a table [[others]] for each further target"""
+
+    @property
+    def suites(self) -> tuple[LockedSuite, ...]:
+        """All of them, each for another target."""
+        return (self, *self.others)
 
 
 def read_lock(path: Path) -> tuple[SuiteLock, bool]:
@@ -198,7 +210,7 @@ DIGITS = 12  # after the point, of a peak ground acceleration in g
 COMMAND = "records select --lock"
 
 
-def suite_text(
+def suite_to_lock(
     motions: Sequence[ScaledRecord],
     spectrum: Spectrum,
     fitting: Fitting,
@@ -209,8 +221,8 @@ def suite_text(
     further_factor: float = 1.0,
     overrides: HeaderOverrides = NO_OVERRIDES,
     recipe: tuple[ArtificialRecords, tuple[float, float]] | None = None,
-) -> str:
-    """Return the text of the lock of a suite.
+) -> LockedSuite:
+    """Return a suite as its lock has it.
 
     Parameters
     ----------
@@ -238,14 +250,26 @@ def suite_text(
         )
         for motion, candidate in zip(recorded, candidates or [None] * len(recorded), strict=True)
     ]
-    return _lock_text(
-        LockedTarget(code=mark.code, pga_g=round(mark.pga / g, DIGITS), sha256=mark.sha256),
-        _locked_choice(fitting, scale_to, further_factor),
+    return LockedSuite(
+        target=LockedTarget(code=mark.code, pga_g=round(mark.pga / g, DIGITS), sha256=mark.sha256),
+        chosen=_locked_choice(fitting, scale_to, further_factor),
         artificial=None
         if recipe is None
         else _locked_artificial(*recipe, [m for m in motions if m.record.artificial], spectrum),
-        records=records,
+        records=tuple(records),
     )
+
+
+def lock_text(suite: LockedSuite, *others: LockedSuite) -> str:
+    """Return the text of a lock of suites, each for another target, with its seal.
+
+    Parameters
+    ----------
+    suite : the first
+    others : the further ones
+    """
+    body = "".join((_suite_text(suite), *(f"\n[[others]]\n{_suite_text(each, within='others.')}" for each in others)))
+    return f'{HEAD}format = 1\nseal = "{_sha256(body)}"\n{body}'
 
 
 def write_lock(path: Path, text: str) -> None:
@@ -276,21 +300,14 @@ def _parse_lock(path: Path, sha256: str) -> tuple[SuiteLock, bool]:
         ) from None
 
 
-def _lock_text(
-    target: LockedTarget,
-    chosen: LockedChoice,
-    *,
-    artificial: LockedArtificial | None,
-    records: Sequence[LockedRecord],
-) -> str:
-    """Return the text of a lock, with its seal."""
-    single = {"target": target, "chosen": chosen, "artificial": artificial}
+def _suite_text(suite: LockedSuite, *, within: str = "") -> str:
+    """Return the tables of a suite; within : what their names begin with."""
+    single = {"target": suite.target, "chosen": suite.chosen, "artificial": suite.artificial}
     tables: list[tuple[str, ProjectSection]] = [
-        ("[" + name + "]", table) for name, table in single.items() if table is not None
+        (f"[{within}{name}]", table) for name, table in single.items() if table is not None
     ]
-    tables += [("[[records]]", record) for record in records]
-    body = "".join("\n".join(("", head, *_table_lines(table), "")) for head, table in tables)
-    return f'{HEAD}format = 1\nseal = "{_sha256(body)}"\n{body}'
+    tables += [(f"[[{within}records]]", record) for record in suite.records]
+    return "".join("\n".join(("", head, *_table_lines(table), "")) for head, table in tables)
 
 
 def _sha256(text: str) -> str:

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from concurrent.futures import Executor
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from math import isnan
 from pathlib import Path
@@ -13,11 +14,12 @@ from scipy.constants import g
 
 from assess.errors import AssessError
 from assess.messages.message import Message
+from assess.portfolio.projects import find_tasks, project_tree
 from assess.project.build import build
-from assess.project.project_file import load
+from assess.project.project_file import Project, load, load_tree
 from assess.project.record_set import horizontal_records, overrides_of
 from assess.project.site_and_structure import site_of, spectrum_of
-from assess.project.suite_lock import LOCK_NAME, suite_text, write_lock
+from assess.project.suite_lock import LOCK_NAME, LockedSuite, lock_text, suite_to_lock, write_lock
 from assess.results import GroundMotionResult, RecordResult
 from assess.study import suites
 from assess.study.ground_motion import ground_motion, ground_motion_result, record_result
@@ -33,10 +35,12 @@ from assess.study.suites import (
 from records.candidates import PERIODS
 from records.code_suites import SuiteTarget, band_for, select_for
 from records.compliance import REQUIREMENTS, SELECTION_RULES, CodeName
+from records.errors import RecordError
 from records.formats.header import HeaderOverrides
 from records.reading import read_with_overrides
 from records.scaling import Scaling, band, misfit, scale_to_ordinate, truncate_band
 from records.selection import CandidateFilters, Components, Fit, Range, ScaleTo, SuiteCriteria, select
+from spectra.errors import SpectrumError
 from spectra.spectrum import Spectrum
 from spectra.table import read_table
 
@@ -87,12 +91,16 @@ def suite_of_project(path: Path, *, executor: Executor | None = None) -> ScaledS
     return _suite_of(study, motions_of(replace(study, artificial=None), require_spectrum(study)))
 
 
-def lock_project(path: Path, *, executor: Executor | None = None) -> tuple[ScaledSuite, Path]:
+def lock_project(
+    path: Path, *, table: Path | None = None, executor: Executor | None = None
+) -> tuple[ScaledSuite, Path]:
     """Write the lock of a project: its records as [records] finds, makes and scales them, whatever its lock says.
 
     Parameters
     ----------
     path : of the project
+    table : of a portfolio, whose template the project is: the lock then has a suite for each target of its rows, found
+        with the first row that has it
     executor : processes that share the reading of many records
 
     Returns
@@ -107,23 +115,46 @@ def lock_project(path: Path, *, executor: Executor | None = None) -> tuple[Scale
     given = project.content.records
     if given.lock is not None and not given.files and not given.has_key("synthetic"):
         raise AssessError(f"{project.path}: records.files: missing; add what the lock is to be made of, or `synthetic`")
-    section = given.model_copy(update={"lock": None})
+    lock = given.lock or project.folder / LOCK_NAME
+    found, suite = _found_suite(project, lock.parent, executor=executor)
+    suites = {suite.target: suite}
+    for each in () if table is None else _suites_of_rows(table, project.path, lock.parent, executor=executor):
+        suites.setdefault(each.target, each)
+    write_lock(lock, lock_text(*suites.values()))
+    return found, lock
+
+
+def _found_suite(project: Project, place: Path, *, executor: Executor | None) -> tuple[ScaledSuite, LockedSuite]:
+    """Return the suite that [records] of a project describes, and how its lock has it; place : folder of the lock."""
+    section = project.content.records.model_copy(update={"lock": None})
     study = build(replace(project, content=project.content.model_copy(update={"records": section})), executor=executor)
     spectrum, made = require_spectrum(study), study.artificial
-    motions, lock = motions_of(study, spectrum), given.lock or project.folder / LOCK_NAME
-    text = suite_text(
+    motions = motions_of(study, spectrum)
+    if not motions:
+        raise AssessError(f"{project.path}: every mechanism falls under its own loads; no records are chosen for it")
+    locked = suite_to_lock(
         motions,
         spectrum,
         study.fitting,
-        place=lock.parent,
+        place=place,
         folder=project.folder,
         scale_to=study.scale_to,
         further_factor=study.record_factor,
         overrides=overrides_of(section),
         recipe=None if made is None else (made, artificial_band(study, spectrum, duration=made.duration)),
     )
-    write_lock(lock, text)
-    return _suite_of(study, motions), lock
+    return _suite_of(study, motions), locked
+
+
+def _suites_of_rows(table: Path, template: Path, place: Path, *, executor: Executor | None) -> Iterator[LockedSuite]:
+    """Yield the suite of each site that the rows of a table have, found with the first of its rows that has one."""
+    done = list[Any]()
+    for task in find_tasks(table, template):
+        with suppress(AssessError, RecordError, SpectrumError):  # what is wrong with a row its batch tells
+            tables = project_tree(task)
+            if tables.get("site") not in done:
+                yield _found_suite(load_tree(tables, template, sha256=task.sha256), place, executor=executor)[1]
+                done.append(tables.get("site"))
 
 
 def lock_target(target: Path, found: SelectedSuite) -> Path:
@@ -143,10 +174,10 @@ def lock_target(target: Path, found: SelectedSuite) -> Path:
     AssessError : a file is there that is no lock, or was changed by hand
     """
     folder = (target if target.is_dir() else target.parent).absolute()
-    text = suite_text(
+    suite = suite_to_lock(
         found.motions, found.spectrum, found.fitting, place=folder, folder=Path.cwd(), scale_to=found.scale_to
     )
-    write_lock(folder / LOCK_NAME, text)
+    write_lock(folder / LOCK_NAME, lock_text(suite))
     return folder / LOCK_NAME
 
 

@@ -75,6 +75,39 @@ def test_a_locked_suite_gives_the_results_that_it_was_locked_from(folder: Path) 
     assert loads(dumps(after)) == after
 
 
+TABLE = "id,site.spectrum.s_d1\na,\nb,0.09 g\nc,0.09 g\nd,nonsense\ne,0.12 g\n"
+
+
+@pytest.mark.parametrize("records", [SELECT, 'synthetic = { count = 2, duration = "20 s" }'])
+def test_a_lock_of_a_table_has_a_suite_for_each_target_of_its_rows(folder: Path, records: str) -> None:
+    """Each is the suite that the row alone would find; a row that cannot be read is left to its batch."""
+    (folder / "t.csv").write_text(TABLE)
+    path = write_project(folder, project(records))
+    assert ended("records", "select", path, "--lock", "--table", folder / "t.csv") == 0
+    text = (folder / LOCK_NAME).read_text()
+    assert is_sealed(text)
+    assert text.count("[others.target]") == 2
+    usual = project(records)
+    assert usual.count(f's_d1 = "{ASCE7["s_d1"]}"') == 1
+    for s_d1 in (ASCE7["s_d1"], "0.09 g", "0.12 g"):
+        before, after = (
+            results_of(folder, text.replace(f's_d1 = "{ASCE7["s_d1"]}"', f's_d1 = "{s_d1}"'))
+            for text in (usual, project(f'lock = "{LOCK_NAME}"\n{records}'))
+        )
+        assert [one.scale_factor for one in after.records] == [one.scale_factor for one in before.records]
+        assert [one.spectrum for one in after.records] == [one.spectrum for one in before.records]
+        assert [one.histories for one in after.mechanisms] == [one.histories for one in before.mechanisms]
+    with pytest.raises(ProjectError, match=r"made for another target \(.*, .*, .*\) than the site's spectrum"):
+        study_of(folder, project(LOCKED).replace(f's_d1 = "{ASCE7["s_d1"]}"', 's_d1 = "0.15 g"'))
+
+
+def test_a_table_goes_with_a_lock_of_its_template(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = write_project(folder, project(SELECT))
+    for more in (("--table", "t.csv"), ("--table", "t.csv", "--lock", "--target", folder)):
+        assert ended("records", "select", path, *more) == 2
+        assert "--table goes with --lock" in capsys.readouterr().err
+
+
 def test_one_wall_edited_changes_the_earthquakes_of_another_only_without_the_lock(folder: Path) -> None:
     lock(folder)
     for records, same in ((SELECT, False), (LOCKED, True)):
@@ -146,8 +179,8 @@ def test_a_lock_of_another_spectrum_is_an_error(folder: Path, site: Table) -> No
     [
         (None, "no such file; make it"),
         ("[records", "not valid TOML"),
-        ("format = 1", "seal: missing"),
-        ("format = 2", "seal: missing"),
+        ("format = 1", "target: missing"),
+        ("format = 2", "target: missing"),
     ],
 )
 def test_what_is_no_lock_is_one_line(folder: Path, text: str | None, said: str) -> None:

@@ -25,7 +25,7 @@ from records.reading import relative_path
 from records.record import Record
 
 FileStates = Mapping[Path, FileState | None]
-"""The state of each file; None for one that is not there."""
+"""The state of each file; None for one that is not there, and for a folder."""
 
 
 def note_states(project: Project) -> FileStates:
@@ -81,7 +81,8 @@ def _model_and_table_files(content: sections.Content) -> Iterator[Path]:
 
 
 def _state(path: Path) -> FileState | None:
+    """Return the state of a file; None if there is none, or of a folder, where a catalogue is written meanwhile."""
     try:
-        return file_state(path)
+        return None if path.is_dir() else file_state(path)
     except (OSError, ValueError):
         return None

@@ -318,7 +318,13 @@ Gap = dict[str, Value]
 
 
 def solids_of_block(block: Sequence[str], bodies: Bodies) -> tuple[Solid, ...]:
-    """Return the solids of the bodies of a block, so that what they share belongs to the first of them alone."""
+    """Return the solids of the bodies of a block, so that what they share belongs to the first of them alone.
+
+    Parameters
+    ----------
+    block : names of its bodies, which move as one
+    bodies : of the building, by name
+    """
     return count_once(_known_solids(block, bodies))
 
 

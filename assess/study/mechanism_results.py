@@ -82,7 +82,13 @@ def parameters(study: Study, *, views: bool = True) -> tuple[MechanismResult, ..
 
 
 def case_parameters(study: Study, *, views: bool = True) -> tuple[MechanismResult, ...]:
-    """Return the `parameters` of every case of every sweep; each mechanism is named with its case."""
+    """Return the `parameters` of every case of every sweep; each mechanism is named with its case.
+
+    Parameters
+    ----------
+    study : with its sweeps
+    views : whether the bodies are drawn in space, for the report
+    """
     named = []
     for sweep in study.sweeps:
         for case in sweep.cases:

@@ -46,6 +46,7 @@ FIELDS: tuple[tuple[Column, Callable[[int, ProjectRow], Cell]], ...] = (
     (LIMIT_STATE, lambda place, row: _name(row.limit_state)),
     (METHOD, lambda place, row: short_title(row.procedure) if row.procedure else None),
     (Column(say("Missing inputs")), lambda place, row: row.missing or None),
+    (Column(say("Without a source")), lambda place, row: _name(row.unsourced)),
     (Column(say("Warnings")), lambda place, row: row.warnings or None),
     (Column(say("Report")), lambda place, row: Link(say("report"), row.report) if row.report else None),
     (Column(say("Results")), lambda place, row: Link(say("results"), row.results) if row.results else None),

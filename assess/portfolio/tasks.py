@@ -89,6 +89,7 @@ class ProjectRow:
     report : link to the report, relative to the table; "" for none
     results : link to results.json, relative to the table; "" for none
     exit_code : that of `assess run`: 0 pass, 1 fail, 3 incomplete, 2 wrong input, 70 a bug
+    unsourced : keys of the values that help and that no source vouches for; the outcome is that of the worse state
     """
 
     key: str
@@ -109,6 +110,7 @@ class ProjectRow:
     report: str = ""
     results: str = ""
     exit_code: int = 0
+    unsourced: str = ""
 
 
 Runner = Callable[[Job], ProjectRow]
@@ -190,6 +192,7 @@ def row_of_verdict(
         demand_capacity=None if answer is None else answer.ratio,
         procedure="" if answer is None else answer.procedure,
         missing=len(found.missing),
+        unsourced=", ".join(each.key for each in found.overrides if not each.source),
         warnings=warnings,
         mechanisms=len(found.mechanisms),
         report=report,

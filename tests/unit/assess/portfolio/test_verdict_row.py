@@ -14,8 +14,12 @@ from assess.portfolio.projects import Task
 from assess.portfolio.tasks import Job, Keep, folder_name, row_of_verdict
 from assess.project import build
 from assess.verbs import assess_project
+from tests.support.honest_projects import SURVEY, honest
+from tests.support.honest_projects import block as block_of
+from tests.support.honest_projects import wall as wall_of
 from tests.support.portfolios import task
 from tests.support.projects import NTC, block, project_toml, wall
+from tools.adversary.projects import ITALY
 
 SAID = message("missing-key", {"key": "site", "text": "why"}, where="site")
 
@@ -74,6 +78,23 @@ def test_the_row_alone_is_the_row_of_a_full_run(tmp_path: Path, monkeypatch: pyt
     assert whole == replace(alone, results=f"{place}/results.json")
     assert (tmp_path / "out" / place / "results.json").is_file()
     assert alone.worst_mechanism == "high"
+
+
+@pytest.mark.parametrize("keep", ["rows", "results"])
+@pytest.mark.parametrize("sourced", [False, True])
+def test_a_row_that_hangs_on_a_value_without_a_source_is_that_of_the_worse_state(
+    tmp_path: Path, keep: Keep, sourced: bool
+) -> None:
+    """A stiff joint: with its source a pass, of which the row need not tell; without it a fail that names it."""
+    joint = {"model": "flexible", "stiffness": "100 GPa/m"}
+    project = honest("ntc2018", ITALY | {"a_g": "0.22 g"}, wall_of(0.6, 3.0), block_of(interface=joint))
+    if sourced:
+        project["report"]["sources"]["mechanisms.wall.interface"] = SURVEY
+    (tmp_path / "project.toml").write_text(project_toml(**project))
+    one = Task("Tied", "", tmp_path / "project.toml", None, "")
+    row = assess_project(Job(one, tmp_path / "out", keep, ""))
+    assert row.outcome == ("pass" if sourced else "fail")
+    assert row.unsourced == ("" if sourced else "mechanisms.wall.interface.stiffness")
 
 
 @pytest.mark.parametrize("keep", ["rows", "results"])

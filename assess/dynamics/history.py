@@ -328,11 +328,20 @@ def _events(happened: FloatArray, one: PackedOscillator) -> Events:
     )
 
 
-def _motions(motions: Sequence[Record]) -> tuple[FloatArray, IntArray, FloatArray, FloatArray]:
-    """Return all accelerations end to end, where each starts (and the last ends), their time steps and peaks."""
+def _motions(motions: Sequence[Record]) -> tuple[FloatArray, IntArray, FloatArray, IntArray, FloatArray]:
+    """Return all accelerations end to end and where each starts (the last ends), the same of their extremes, and dt."""
     offset = np.cumsum([0, *(motion.npts for motion in motions)], dtype=np.int64)
     ground = np.concatenate([np.empty(0), *(motion.acceleration for motion in motions)])
-    return ground, offset, np.array([m.dt for m in motions]), np.array([m.pga for m in motions])
+    each = [_extremes(motion.acceleration) for motion in motions]
+    block_offset = np.cumsum([0, *map(len, each)], dtype=np.int64)
+    return ground, offset, np.concatenate([np.empty((0, 2)), *each]), block_offset, np.array([m.dt for m in motions])
+
+
+def _extremes(acceleration: FloatArray) -> FloatArray:
+    """Return the least and the largest sample, both ends included, of every whole block of intervals [blocks, 2]."""
+    n, size = (acceleration.size - 1) // columns.BLOCK, columns.BLOCK
+    inner, end = acceleration[: n * size].reshape(n, size), acceleration[size : n * size + 1 : size]
+    return np.stack([np.minimum(inner.min(axis=1), end), np.maximum(inner.max(axis=1), end)], axis=1)
 
 
 def _release_coordinate(one: PackedOscillator, rotation: float) -> float:
@@ -346,16 +355,20 @@ def _linearised(oscillators: Sequence[PackedOscillator], motions: Sequence[Recor
     """Return the linearised kernel with oscillators and motions filled in; it has no error to tolerate."""
     from assess.dynamics.kernel import linearised  # brings numba
 
-    return partial(linearised.rock_linearised, branches_of(oscillators), *_motions(motions))
+    return partial(
+        linearised.rock_linearised, branches_of(oscillators), *_motions(motions), np.array([m.pga for m in motions])
+    )
 
 
 def _exact(oscillators: Sequence[PackedOscillator], motions: Sequence[Record], tolerance: float) -> RunHistory:
     """Return the exact kernel with oscillators and motions filled in."""
     from assess.dynamics.kernel import exact  # brings numba
 
-    ground, offset, dt, _ = _motions(motions)
     tables = tables_of(oscillators)
-    return partial(exact.rock_exact, branches_of(oscillators), *tables, tolerance, ground, offset, dt)
+    ground, offset, blocks, block_offset, dt = _motions(motions)
+    return partial(
+        exact.rock_exact, branches_of(oscillators), *tables, tolerance, ground, offset, blocks, block_offset, dt
+    )
 
 
 _RUNS: dict[Equation, Callable[[Sequence[PackedOscillator], Sequence[Record], float], RunHistory]] = {

@@ -11,3 +11,5 @@ PEAK, IMPACT, UPLIFT = range(3)
 # columns of `table` [segments, 11]: ends of the segment, the cubics of r and b, highest power first, and the potential
 # at its start
 LEFT, RIGHT, R3, R2, R1, R0, B3, B2, B1, B0, STORED = range(11)
+# columns of `blocks` [n, 2] of a record, one row for every BLOCK intervals: least and largest acceleration
+BLOCK, LOWEST, HIGHEST = 32, 0, 1

@@ -140,9 +140,9 @@ march_exact = make_march(exact_advance, exact_step, exact_potential)
 
 @entry
 def rock_exact(branches: FloatArray, table: FloatArray, smooth: IntArray, spans: IntArray, tolerance: float,
-               ground: FloatArray, offset: IntArray, dt: FloatArray, oscillator: IntArray, motion: IntArray,
-               scale: FloatArray, release: float, found: FloatArray, path: FloatArray,
-               events: FloatArray) -> int:  # fmt: skip
+               ground: FloatArray, offset: IntArray, blocks: FloatArray, block_offset: IntArray, dt: FloatArray,
+               oscillator: IntArray, motion: IntArray, scale: FloatArray, release: float, found: FloatArray,
+               path: FloatArray, events: FloatArray) -> int:  # fmt: skip
     """Run all jobs by the exact equation and fill `found` [jobs, 8]; return the samples passed by the last job.
 
     table [segments, 11]: the cubics of all branches; smooth [segments, 2]: first and last segment without a jump
@@ -160,8 +160,8 @@ def rock_exact(branches: FloatArray, table: FloatArray, smooth: IntArray, spans:
         flow = (table, smooth, span, hint, 1.0 / tolerance, slow, pace)
         pace[0] = math.inf
         samples = march_exact(
-            flow, branch, ground[offset[m] : offset[m + 1]], dt[m], scale[j], release, found[j], path, events,
-            False,
+            flow, branch, ground[offset[m] : offset[m + 1]], blocks[block_offset[m] : block_offset[m + 1]], dt[m],
+            scale[j], release, found[j], path, events, False,
         )  # fmt: skip
     return samples
 
@@ -172,7 +172,7 @@ def overturns_exact(job: Any, scale: float) -> bool:
     flow, branch, ground, dt, found, path, events = job
     _, _, span, hint, _, _, pace = flow
     hint[0], hint[1], pace[0] = span[0, 0], span[1, 0], math.inf
-    march_exact(flow, branch, ground, dt, scale, 0.0, found, path, events, True)
+    march_exact(flow, branch, ground, path, dt, scale, 0.0, found, path, events, True)
     return bool(found[OVERTURNED] > 0.0)
 
 

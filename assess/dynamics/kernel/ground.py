@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 
+from assess.dynamics.kernel.columns import BLOCK, HIGHEST, LOWEST
 from assess.kernel import compiled
 from spectra.arrays import FloatArray
 
@@ -55,11 +56,24 @@ def ground_at(a: Ground, x: float) -> float:
 
 
 @compiled
-def skip_idle(ground: FloatArray, scale: float, lowest: float, highest: float, i: int, until: int) -> int:
-    """Return the first interval from i to `until` in which the ground acceleration leaves [lowest, highest]."""
+def skip_idle(
+    ground: FloatArray, blocks: FloatArray, scale: float, lowest: float, highest: float, i: int, until: int
+) -> int:
+    """Return the first interval from i to `until` in which the ground acceleration leaves [lowest, highest].
+
+    blocks [n, 2]: least and largest sample of every BLOCK intervals, which are passed by one look at these.
+    """
     if ground.ndim == 1:
         while i < until and lowest <= scale * ground[i] <= highest and lowest <= scale * ground[i + 1] <= highest:
             i += 1
+            if i % BLOCK == 0:
+                n = i // BLOCK
+                while (
+                    i + BLOCK <= until
+                    and lowest <= scale * blocks[n, LOWEST] <= highest
+                    and lowest <= scale * blocks[n, HIGHEST] <= highest
+                ):
+                    i, n = i + BLOCK, n + 1
     return i
 
 

@@ -138,14 +138,16 @@ march_linearised = make_march(linearised_advance, linearised_step, linearised_po
 
 
 @entry
-def rock_linearised(branches: FloatArray, ground: FloatArray, offset: IntArray, dt: FloatArray, peak: FloatArray,
-                    oscillator: IntArray, motion: IntArray, scale: FloatArray, release: float, found: FloatArray,
-                    path: FloatArray, events: FloatArray) -> int:  # fmt: skip
+def rock_linearised(branches: FloatArray, ground: FloatArray, offset: IntArray, blocks: FloatArray,
+                    block_offset: IntArray, dt: FloatArray, peak: FloatArray, oscillator: IntArray, motion: IntArray,
+                    scale: FloatArray, release: float, found: FloatArray, path: FloatArray,
+                    events: FloatArray) -> int:  # fmt: skip
     """Run all jobs by the linearised equation and fill `found` [jobs, 8]; return the samples passed by the last job.
 
-    branches [oscillators, 2, 6]; ground: all motions end to end, motion m from offset[m] to offset[m + 1]; dt, peak
-    (largest |a|) of each motion; oscillator, motion, scale of each job. A body beyond y = 1 + peak / threshold (1 in
-    free motion) with y' >= 0 has overturned, because its acceleration stays positive.
+    branches [oscillators, 2, 6]; ground: all motions end to end, motion m from offset[m] to offset[m + 1]; blocks: the
+    same of their extremes, as for `skip_idle`, by block_offset; dt, peak (largest |a|) of each motion; oscillator,
+    motion, scale of each job. A body beyond y = 1 + peak / threshold (1 in free motion) with y' >= 0 has overturned,
+    because its acceleration stays positive.
     """
     samples = 0
     branch, sides, pushes = np.empty((2, 6)), np.empty((2, 8)), np.empty((2, 0, 2))
@@ -157,8 +159,8 @@ def rock_linearised(branches: FloatArray, ground: FloatArray, offset: IntArray, 
             branch[side, LIMIT] = 1.0 + abs(scale[j]) * peak[m] / branch[side, THRESHOLD]
         fill_sides(sides, branch, dt[m])
         samples = march_linearised(
-            (sides, pushes), branch, ground[offset[m] : offset[m + 1]], dt[m], scale[j], release, found[j], path,
-            events, False,
+            (sides, pushes), branch, ground[offset[m] : offset[m + 1]], blocks[block_offset[m] : block_offset[m + 1]],
+            dt[m], scale[j], release, found[j], path, events, False,
         )  # fmt: skip
     return samples
 
@@ -169,7 +171,7 @@ def overturns_linearised(job: Any, scale: float) -> bool:
     flow, branch, ground, dt, found, path, events = job
     for side in range(2):
         branch[side, LIMIT] = 1.0 + abs(scale) / branch[side, THRESHOLD]
-    march_linearised(flow, branch, ground, dt, scale, 0.0, found, path, events, True)
+    march_linearised(flow, branch, ground, path, dt, scale, 0.0, found, path, events, True)
     return bool(found[OVERTURNED] > 0.0)
 
 

@@ -166,13 +166,14 @@ def make_march(advance_quiet: Advance, step: StepMarch, potential: Potential) ->
         return False
 
     @reachable
-    def march(flow: Any, branch: FloatArray, ground: FloatArray, dt: float, scale: float, release: float,
-              found: FloatArray, path: FloatArray, events: FloatArray, ends: bool) -> int:  # fmt: skip
+    def march(flow: Any, branch: FloatArray, ground: FloatArray, blocks: FloatArray, dt: float, scale: float,
+              release: float, found: FloatArray, path: FloatArray, events: FloatArray, ends: bool) -> int:  # fmt: skip
         """Run one job and fill `found` [8]; return the number of samples passed.
 
-        ground: the motion [n], or [n, 6] of a pulse, at step dt, times `scale`. release: initial y of the positive
-        branch, 0 for rest. path [n or 0, 3]: filled with y, y' and the side (-1 at rest) at the samples if not empty;
-        events [capacity + 1, 4]: filled if there is room. ends: overturning alone is asked, at the end of the motion.
+        ground: the motion [n], or [n, 6] of a pulse, at step dt, times `scale`. blocks: extremes of a record, as for
+        `skip_idle`; of a pulse they are not read. release: initial y of the positive branch, 0 for rest. path [n or 0,
+        3]: filled with y, y' and the side (-1 at rest) at the samples if not empty; events [capacity + 1, 4]: filled if
+        there is room. ends: overturning alone is asked, at the end of the motion.
 
         After the record the motion is free, and is followed until no later peak can be larger: until the energy shows
         so, or each side has peaked, or the body is at rest or overturned. A body still balanced after the last piece,
@@ -195,7 +196,7 @@ def make_march(advance_quiet: Advance, step: StepMarch, potential: Potential) ->
             a, begun, until = still_ground(ground), i, i + 1 if traced else last
             if i < last:
                 if side < 0:
-                    i = skip_idle(ground, scale, lowest, highest, i, until)
+                    i = skip_idle(ground, blocks, scale, lowest, highest, i, until)
                 else:
                     top = -1.0 if every_peak else found[LARGEST + side]
                     i, y, v = advance_quiet(flow, side, y, v, ground, scale, dt, i, until, top, branch[side, LIMIT])

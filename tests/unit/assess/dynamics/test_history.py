@@ -10,6 +10,7 @@ import pytest
 from scipy.constants import g
 
 from assess.dynamics.history import Jobs, free_rocking, peaks, product, trace
+from assess.dynamics.kernel.columns import BLOCK
 from assess.errors import MechanismError
 from assess.oscillator import Oscillator
 from records.record import make_record
@@ -124,6 +125,24 @@ def test_a_record_that_starts_beyond_uplift_and_reverses_within_a_step_lifts_the
     found = peaks([block(nodes=65)], [motion], product(1, 1, [1.0, -1.0]), equation=equation)
     assert found.max_rotation[0] == -found.max_rotation[1] != 0.0
     assert found.impacts[0] == found.impacts[1]
+
+
+@pytest.mark.parametrize("equation", ["exact", "linearised"])
+def test_one_strong_sample_lifts_the_body_wherever_it_stands(equation: str) -> None:
+    """Stretches at rest are passed by the extremes of many samples: within them, at their ends, and after the last."""
+    body, samples, dt = block(nodes=65), 3 * BLOCK + 6, 0.01
+    threshold = (
+        min(side.restoring[0] / side.excitation[0] for side in body.branches)
+        if equation == "exact"
+        else (g * min(side.linearised.multiplier for side in body.branches))
+    )
+    for strong, lifts in ((1.01, True), (0.99, False)):
+        motions = [make_record(f"strong at {k}", strong * threshold * np.eye(samples)[k], dt) for k in range(samples)]
+        found = peaks([body], motions, product(1, samples, [1.0, -1.0]), equation=equation, threads=1)
+        assert found.uplifted.tolist() == [lifts] * (2 * samples)
+        if lifts:
+            time = found.time_of_max.reshape(samples, 2)
+            np.testing.assert_allclose(np.diff(time[1:-1], axis=0), dt, rtol=1e-6)
 
 
 @pytest.mark.parametrize("polarity", [1.0, -1.0])

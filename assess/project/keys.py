@@ -66,6 +66,11 @@ def keyed_values(content: Content) -> dict[str, KeyedValue]:
     return {".".join(map(str, entry.path)): entry for entry in _keyed_values_below((), content, NO_MARKS)}
 
 
+def stated_values(content: Content) -> Iterator[KeyedValue]:
+    """Yield what stands at the keys that the file gives, and no default."""
+    return _keyed_values_below((), content, NO_MARKS, stated=True)
+
+
 def swept_value(key: str, by_key: Mapping[str, KeyedValue], *, where: str) -> KeyedValue:
     """Return what stands at the key that a sweep names; raise ProjectError if it does not exist or holds no number."""
     entry = by_key.get(key) or by_key.get(count_from_0(key))
@@ -384,22 +389,23 @@ def _one_number(value: Any) -> bool:
     return is_number(value)
 
 
-def _keyed_values_below(path: KeyPath, value: Any, marks: Marks) -> Iterator[KeyedValue]:
-    """Yield every key below `path` that may be swept."""
+def _keyed_values_below(path: KeyPath, value: Any, marks: Marks, *, stated: bool = False) -> Iterator[KeyedValue]:
+    """Yield every key below `path` that may be swept; stated: no default."""
     if path in _NOT_SWEPT:
         return
     if path:
         yield KeyedValue(path, value, *marks)
     if isinstance(value, ProjectSection):
         below = _marks_of(type(value))
-        for name, item in value.entries().items():
-            yield from _keyed_values_below((*path, name), item, below[name])
+        for field, (name, item) in zip(type(value).model_fields, value.entries().items(), strict=True):
+            if not stated or value.has_key(field):
+                yield from _keyed_values_below((*path, name), item, below[name], stated=stated)
     elif isinstance(value, Mapping):
         for name, item in value.items():
-            yield from _keyed_values_below((*path, name), item, NO_MARKS)
+            yield from _keyed_values_below((*path, name), item, NO_MARKS, stated=stated)
     elif isinstance(value, tuple):
         for index, item in enumerate(value):
-            yield from _keyed_values_below((*path, index), item, marks)
+            yield from _keyed_values_below((*path, index), item, marks, stated=stated)
 
 
 @cache

@@ -36,6 +36,7 @@ from assess.project.keys import (
     key_sweeps,
     keyed_values,
     read_content,
+    stated_values,
     take_means,
     uncertain_values,
 )
@@ -459,7 +460,7 @@ DENSITY = KINDS["density"]
 
 def _weight_density_messages(content: Content, raw: Mapping[str, Any]) -> Iterator[Message]:
     """Note each density of the `raw` file that is a weight per volume."""
-    for place in keyed_values(content).values():
+    for place in stated_values(content):
         typed = look_up(raw, place.path)[1] if place.kind == DENSITY else None
         if isinstance(typed, str) and is_weight(typed, DENSITY):
             density = Quantity(place.value, "density", 6)

@@ -254,7 +254,8 @@ class DeclaredSection(ProjectSection):
     @property
     def plain(self) -> Any:
         """The data that the table stands for, with the keys that were given."""
-        given = {field.name for field in fields(self.declares)} & self.model_fields_set
+        declared: type = self.declares
+        given = annotations_of(declared).keys() & self.model_fields_set
         return self.declares(**{key: plain_data(getattr(self, key)) for key in given})
 
     @model_validator(mode="after")

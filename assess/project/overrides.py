@@ -94,15 +94,20 @@ def replace_values(project: Project, values: Sequence[Replaceable]) -> Project:
 
 def given_keys(table: ProjectSection, path: KeyPath) -> Iterator[tuple[KeyPath, Evidence]]:
     """Yield each key that the file gives in a table or below it, with who vouches for its value."""
-    evidence = type(table).evidence_of_keys()
-    for name, field in type(table).table_keys().items():
-        own = next(key for key, each in type(table).model_fields.items() if each is field)
-        if own not in table.model_fields_set:
+    for name, field, evidence in _declared_keys(type(table)):
+        if field not in table.model_fields_set:
             continue
-        value = getattr(table, own)
-        if name in evidence:
-            yield (*path, name), evidence[name]
-        yield from _below((*path, name), value)
+        if evidence is not None:
+            yield (*path, name), evidence
+        yield from _below((*path, name), getattr(table, field))
+
+
+@cache
+def _declared_keys(kind: type[ProjectSection]) -> tuple[tuple[str, str, Evidence | None], ...]:
+    """Return each key of a kind of table, with the name of its field and who vouches for it."""
+    evidence = kind.evidence_of_keys()
+    names = ((field.alias or name, name) for name, field in kind.model_fields.items())
+    return tuple((key, name, evidence.get(key)) for key, name in names)
 
 
 def _built_once(build: Callable[[], Callable[[str], Study]]) -> Callable[[str], Study]:

@@ -1,6 +1,7 @@
 """What all tests share: cases drawn by hypothesis, kernels compiled before the tests are dealt out, garbage, Ctrl-C.
 
-The command line is made of its functions once in a process.
+The command line is made of its functions once in a process, and each artificial record of its seed once for all.
+A history has two twins, in place of eight.
 """
 
 from __future__ import annotations
@@ -10,6 +11,7 @@ import os
 import signal
 from collections.abc import Generator
 from functools import cache
+from typing import TYPE_CHECKING
 
 import pytest
 import typer.main
@@ -18,6 +20,13 @@ from hypothesis import HealthCheck, settings
 from tests.support.compile_kernels import compile_kernels
 from tests.support.required import REQUIRED, fail_if_required, names_required
 
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from assess.project.project_file import Project
+    from spectra.arrays import FloatArray
+
+MADE_BETWEEN_COLLECTIONS = 200_000  # objects
 ANYWHERE = {"deadline": None, "database": None, "suppress_health_check": [HealthCheck.function_scoped_fixture]}
 settings.register_profile("few", derandomize=True, max_examples=25, **ANYWHERE)
 settings.register_profile("deep", derandomize=False, max_examples=1000, print_blob=True, **ANYWHERE)
@@ -48,7 +57,51 @@ def pytest_collection() -> Generator[None, object, object]:
         return (yield)
     finally:
         gc.freeze()
+        gc.set_threshold(MADE_BETWEEN_COLLECTIONS)  # as the command line does: tests differ by what ran before them
         gc.enable()
+
+
+@pytest.fixture(scope="session", autouse=True)
+def _artificial_records() -> None:
+    from records import synthetic
+    from tests.support.artificial import recall
+
+    synthetic._make_artificial = recall
+
+
+@pytest.fixture(scope="session", autouse=True)
+def _program_s_twins() -> Generator[FloatArray]:
+    """Run histories with two of their eight twins; what is about twins asks for `all_twins`."""
+    from assess.study import histories
+
+    every = histories.TWIN_FACTORS
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(histories, "TWIN_FACTORS", every[: histories.OUTER_TWINS.stop])
+        yield every
+
+
+@pytest.fixture(scope="module")
+def all_twins(_program_s_twins: FloatArray) -> Generator[None]:
+    """Run histories with their eight twins, as the program does."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr("assess.study.histories.TWIN_FACTORS", _program_s_twins)
+        yield
+
+
+@pytest.fixture
+def one_build(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The commands of a test share what the first has built of a project."""
+    from assess.project import build as module
+
+    build = module.build
+    built: dict[Path, object] = {}
+
+    def build_once(project: Project, **_: object) -> object:
+        if project.path not in built:
+            built[project.path] = build(project)
+        return built[project.path]
+
+    monkeypatch.setattr(module, "build", build_once)
 
 
 @pytest.hookimpl(wrapper=True)

@@ -213,7 +213,8 @@ def test_as_plain_python_it_gives_the_compiled_answers() -> None:
         assert found.impacts.sum() > 10
 
 
-@pytest.mark.parametrize("equation", [pytest.param("exact", marks=pytest.mark.study), "linearised"])
+@pytest.mark.study  # what py_func calls is compiled anew, 10 s; the test above runs all of it as plain Python
+@BOTH
 def test_entry_point_as_py_func_gives_the_compiled_bytes(equation: Equation) -> None:
     body, motion = BODIES["swelling"], noise(3, npts=80, peak=5.0)
     kernel_run = _RUNS[equation]([pack(body, equation)], [motion], 1e-11)

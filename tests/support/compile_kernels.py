@@ -1,14 +1,16 @@
 """Compile every entry point of the kernels into the user's cache: `python -m tests.support.compile_kernels`.
 
 Two processes that meet an uncompiled kernel would both compile it, so this runs before the tests are dealt out to
-them. Where everything is in the cache it takes as long as the imports.
+them; once for a version of the kernels, which a file beside the machine code says.
 """
 
 from __future__ import annotations
 
 import sys
 from concurrent.futures import ProcessPoolExecutor
+from hashlib import sha256
 from multiprocessing import get_context
+from pathlib import Path
 
 import numpy as np
 
@@ -59,10 +61,18 @@ def _compile_dynamics(equation: str, *, shapes: tuple[str, ...]) -> None:
 
 
 def compile_kernels(processes: int = 2) -> None:
-    """Compile all of them, shared between `processes`."""
+    """Compile all of them, shared between `processes`, unless that is done."""
+    from records.compilation.kernel import code_folder
+
+    folder, calls = code_folder(), sha256(Path(__file__).read_bytes()).hexdigest()[:32]
+    done = None if folder is None else folder / f"compiled-{calls}"
+    if done is not None and done.exists():
+        return
     with ProcessPoolExecutor(processes, mp_context=get_context("spawn")) as pool:
         for work in [pool.submit(each) for each in (compile_exact, compile_linearised, compile_joints_and_records)]:
             work.result()
+    if done is not None:
+        done.touch()
 
 
 if __name__ == "__main__":

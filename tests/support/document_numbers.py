@@ -5,7 +5,7 @@ from __future__ import annotations
 import bisect
 import dataclasses
 import re
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from math import isfinite, pi
 from statistics import median
@@ -22,6 +22,7 @@ from reports.chapters.declaration import WITHIN_ROUNDING
 from reports.document import Column, Document, Figure, Table
 from reports.language.locale import UNITS, Locale
 from reports.render.table_text import cell_text
+from spectra.arrays import FloatArray
 
 FIXED = (WITHIN_ROUNDING,)
 """Numbers of the program that a sentence names: below which difference a control is within rounding."""
@@ -88,11 +89,14 @@ def misread(shown: Shown, *, point: str) -> bool:
     return abs(read.value - shown.value / shown.size) > 0.5 * read.last_digit * (1 + 1e-9)
 
 
-def numbers_of(results: Results) -> list[float]:
-    """Return every number of results, as it is and as a report may give it: without sign, in g, in percent, counted."""
-    plain = {abs(each) for each in _numbers(results)}
-    changed = {each * factor for each in plain for factor in (1.0, g, 1.0 / g, 100.0, pi / 180.0)}
-    return sorted(changed | {1.0 - each for each in plain if each < 1.0})
+def numbers_of(results: Results) -> FloatArray:
+    """Return every number of results, as it is and as a report may give it: without sign, in g, in percent, counted.
+
+    Rising, each once [n].
+    """
+    plain = np.unique(np.abs(np.fromiter(_numbers(results), np.float64)))
+    changed = [plain * factor for factor in (1.0, g, 1.0 / g, 100.0, pi / 180.0)]
+    return np.unique(np.concatenate([*changed, 1.0 - plain[plain < 1.0]]))
 
 
 def _numbers(results: Results) -> Iterator[float]:
@@ -148,7 +152,7 @@ def _at_peaks(mechanism: MechanismResult) -> Iterator[float]:
                 yield from (float(value), 100.0 * float(value))
 
 
-def is_known(value: float, known: list[float]) -> bool:
+def is_known(value: float, known: Sequence[float]) -> bool:
     """Return whether a number is one of those known, to rounding."""
     place = bisect.bisect_left(known, abs(value) * (1 - 1e-12) - 1e-300)
     return not isfinite(value) or (place < len(known) and known[place] <= abs(value) * (1 + 1e-12) + 1e-300)
@@ -165,7 +169,7 @@ def strange_numbers(results: Results, shown: Iterable[Shown] | None = None) -> s
     if shown is None:
         document = assessment(results, detail="full")
         shown = shown_numbers(document, document.writer)
-    known = sorted([*numbers_of(results), *derived_numbers(results), *FIXED])
+    known = np.sort(np.concatenate([numbers_of(results), derived_numbers(results), FIXED])).tolist()
     return {
         (each.where, each.text)
         for each in shown

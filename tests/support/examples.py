@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 import shutil
 import time
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache, cached_property
 from hashlib import sha256
 from pathlib import Path
@@ -68,14 +68,15 @@ class ExampleRun:
 
 
 @cache
-def example_study(name: str) -> Study:
-    """Return the study of a shipped example; its folder is gone by then, so it is not to be run."""
+def example_study(name: str, *, swept: bool = True) -> Study:
+    """Return the study of a shipped example, also without its sweeps; its folder is gone, so it is not to be run."""
     from assess.examples import copy_example
     from assess.project.build import build
     from assess.project.project_file import load
 
     with TemporaryDirectory() as folder:
-        return build(load(copy_example(name, Path(folder) / name)))
+        project = load(copy_example(name, Path(folder) / name))
+        return build(project if swept else replace(project, sweeps=()))
 
 
 @cache
@@ -134,8 +135,9 @@ def _shortened(text: str, *, levels: bool) -> str:
 
 
 def _sources() -> str:
-    """A digest of the program's sources, its examples among them, and of the versions of what it imports."""
+    """A digest of the program's sources, its examples among them, of what it imports, and of how many twins it runs."""
     from assess.results.provenance import package_folder, sources_digest
+    from assess.study.histories import TWIN_FACTORS
 
     pins = (ROOT / "requirements.lock").read_bytes()
-    return sha256(sources_digest(package_folder()).encode() + pins).hexdigest()[:16]
+    return sha256(sources_digest(package_folder()).encode() + pins + TWIN_FACTORS.tobytes()).hexdigest()[:16]

@@ -23,8 +23,8 @@ from tools.adversary.trials import (
     with_trial,
 )
 
-SHARES = {"trials": 150, "pairs": 60, "geometry": 60}
-"""Trials of the sample: some twenty seconds."""
+SHARES = {"trials": 75, "pairs": 30, "geometry": 30}
+"""Trials of the sample: some ten seconds."""
 
 
 def test_every_project_fails_as_it_is() -> None:

@@ -7,6 +7,8 @@ import pytest
 from assess.verification.case_files import read_cases
 from assess.verification.verify import run_case
 
+pytestmark = pytest.mark.usefixtures("all_twins")
+
 
 @pytest.mark.parametrize("file", read_cases(), ids=lambda each: each.key)
 def test_case_agrees_with_its_source(file):

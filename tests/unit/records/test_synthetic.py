@@ -17,14 +17,16 @@ from records.selection import target_mark
 from records.synthetic import artificial_records, end_weights, envelope, seed_of_target, with_peak
 from spectra.asce7 import design_spectrum
 from spectra.table import table_spectrum
+from tests.support.artificial import make_artificial
 
 TARGET = design_spectrum(s_ds=0.1667 * g, s_d1=0.0533 * g, t_l=6.0)
 
 
 @pytest.fixture(autouse=True)
-def _each_is_made() -> None:
+def _each_is_made(monkeypatch: pytest.MonkeyPatch) -> None:
     """Records are made again in each test, so that two can be compared."""
-    synthetic._make_artificial.cache_clear()
+    monkeypatch.setattr(synthetic, "_make_artificial", make_artificial)
+    make_artificial.cache_clear()
 
 
 @pytest.fixture(scope="module")

@@ -369,7 +369,7 @@ values = ["9 m", "12 m"]
 
 
 def test_check_and_parameters_list_the_cases_and_the_direction(
-    project: Path, capsys: pytest.CaptureFixture[str]
+    project: Path, capsys: pytest.CaptureFixture[str], one_build: None
 ) -> None:
     project.write_text(PROJECT + SWEPT)
     assert ended("check", project) == 0

@@ -13,6 +13,7 @@ import pytest
 from assess.examples import EXAMPLES
 from assess.verification.case_files import read_cases
 from spectra.design_spectra import SPECTRA
+from tests.support.command import ended
 
 SHELLS = ("bash", "zsh", "fish")
 CASES = {key for each in read_cases() for key in (each.key, each.key.partition("/")[0])}
@@ -44,32 +45,46 @@ def scripts(environment: dict[str, str]) -> dict[str, str]:
     }
 
 
+OFFERED = {
+    "assess re": ["report", "records"],
+    "assess records s": ["spectra", "select", "scale"],
+    "assess run --j": ["--jobs"],
+    "assess run --qu": ["--quiet"],
+    "assess new x --example san_leonardo_s": ["san_leonardo_spire"],
+    "assess new x --example ": sorted(EXAMPLES),
+    "assess spectrum --code ": list(SPECTRA),
+    "assess spectrum --code ntc": [name for name in SPECTRA if name.startswith("ntc")],
+    "assess fragility x --export nrml,p": ["nrml,pelicun"],
+    "assess records list x --unit c": ["cm/s2"],
+    "assess verify housner_1963/r": ["housner_1963/rectangular_pulse"],
+    "assess verify hous": sorted([key for key in CASES if key.startswith("hous")]),
+}
+
+
+@pytest.mark.parametrize("line", OFFERED)
+def test_the_end_of_a_word_is_offered(
+    line: str, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """As the script of bash asks, in this process."""
+    asked = {"_ASSESS_COMPLETE": "complete_bash", "COMP_WORDS": line, "COMP_CWORD": str(line.count(" "))}
+    for name, value in asked.items():
+        monkeypatch.setenv(name, value)
+    assert ended() == 0
+    assert capsys.readouterr().out.split() == OFFERED[line]
+
+
 @pytest.mark.skipif(shutil.which("bash") is None, reason="there is no bash here")
 @pytest.mark.parametrize(
-    ("line", "offered"),
-    [
-        ("assess re", ["report", "records"]),
-        ("assess records s", ["spectra", "select", "scale"]),
-        ("assess run --j", ["--jobs"]),
-        ("assess run --qu", ["--quiet"]),
-        ("assess new x --example san_leonardo_s", ["san_leonardo_spire"]),
-        ("assess new x --example ", sorted(EXAMPLES)),
-        ("assess spectrum --code ", list(SPECTRA)),
-        ("assess spectrum --code ntc", [name for name in SPECTRA if name.startswith("ntc")]),
-        ("assess fragility x --export nrml,p", ["nrml,pelicun"]),
-        ("assess records list x --unit c", ["cm/s2"]),
-        ("assess verify housner_1963/r", ["housner_1963/rectangular_pulse"]),
-        ("assess verify hous", sorted([key for key in CASES if key.startswith("hous")])),
-    ],
+    "line", ["assess re", "assess new x --example san_leonardo_s", "assess fragility x --export nrml,p"]
 )
-def test_bash_completes(line: str, offered: list[str], scripts: dict[str, str], environment: dict[str, str]) -> None:
+def test_bash_completes(line: str, scripts: dict[str, str], environment: dict[str, str]) -> None:
     words = line.split(" ")
     quoted = " ".join(f"'{word}'" for word in words)
     ask = f"COMP_WORDS=({quoted}); COMP_CWORD={len(words) - 1}; _assess_completion assess"
     text = f"{scripts['bash']}\n{ask}\nprintf '%s\\n' \"${{COMPREPLY[@]}}\""
     done = subprocess.run(["bash", "-c", text], env=environment, capture_output=True, text=True, check=True)
     assert done.stderr == ""
-    assert done.stdout.split() == offered
+    assert done.stdout.split() == OFFERED[line]
 
 
 @pytest.mark.parametrize("shell", SHELLS)

@@ -8,9 +8,7 @@ import pytest
 
 from assess.errors import ProjectError
 from assess.examples import EXAMPLES, copy_example, source
-from assess.project.build import build
-from assess.project.project_file import Project, json_schema, load
-from assess.study.study import Study
+from assess.project.project_file import json_schema, load
 from tests.support.command import ended
 from tests.support.examples import example_run
 
@@ -66,19 +64,6 @@ def test_every_mechanism_of_a_readme_is_in_its_project(name: str, examples: dict
     named = set(re.findall(r"^\| `([\w-]+)`", readme, flags=re.MULTILINE))
     assert named <= set(load(examples[name]).content.mechanisms)
     assert named or name in ("single_wall", "street")
-
-
-@pytest.fixture
-def one_build(monkeypatch: pytest.MonkeyPatch) -> None:
-    """The commands of a test share what the first has built of the project."""
-    built: dict[Path, Study] = {}
-
-    def build_once(project: Project, **_: object) -> Study:
-        if project.path not in built:
-            built[project.path] = build(project)
-        return built[project.path]
-
-    monkeypatch.setattr("assess.project.build.build", build_once)
 
 
 VERDICTS = {  # exit codes: 0 pass, 1 fail, 3 incomplete

@@ -154,7 +154,8 @@ def test_a_linear_pass_says_that_it_counts_ties_nobody_shows_to_last(tmp_path, t
     file.write_text('[verdict]\nprocedures = ["ntc2018-linear"]\n' + site(**given), encoding="utf-8")
     study = build(load(file))
     spectrum = replace(study.spectrum, factor=0.1 * study.spectrum.factor)
-    results = run_study(replace(study, spectrum=spectrum, levels=(spectrum.pga,)), jobs=1)
+    alone = replace(study, spectrum=spectrum, levels=(spectrum.pga,), procedures=("ntc2018-linear",))
+    results = run_study(alone, jobs=1)
     checks = [c for c in results.mechanisms[0].checks if c.procedure == "ntc2018-linear" and c.limit_state == "SLV"]
     assert [each.key for each in checks[0].conditions] == conditions
 

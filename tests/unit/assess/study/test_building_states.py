@@ -54,11 +54,12 @@ def test_the_building_softens_to_twice_its_period() -> None:
     assert [state.damping for state in states] == [None, 0.10, 0.10, 0.10, 0.10]
 
 
-@pytest.mark.parametrize("state", building_states(_upstairs()[0], "wall"), ids=str)
-def test_the_motion_of_each_state_against_scipy(state: BuildingState) -> None:
+@pytest.mark.parametrize("place", range(5))
+def test_the_motion_of_each_state_against_scipy(place: int) -> None:
     """u'' + 2 xi w u' + w^2 u = -a_g by scipy's linear simulation, and a_g + u'' h / h_e at the height."""
     study, motions = _upstairs()
     states = building_states(study, "wall")
+    state = states[place]
     there = on_building(study, "wall", state, among=states).amplified["wall"].amplification
     assert isinstance(there, ModalFilter)
     found = base_motion(there, motions[0].record).record

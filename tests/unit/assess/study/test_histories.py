@@ -28,6 +28,8 @@ from assess.study.study import ScaledRecord
 from records.record import make_record
 from records.scaling import Scaling
 
+pytestmark = pytest.mark.usefixtures("all_twins")
+
 PGA = 1.0  # of the target [m/s2]
 ALONE = {"twin_ratios": (), "twin_times_s": (), "twin_impacts": ()}
 

@@ -54,9 +54,14 @@ CASES = [
 ]  # fmt: skip
 
 
-@pytest.mark.parametrize(("text", "lines"), CASES)
-def test_every_line_comes_out_again_from_its_printed_digits(tmp_path, text, lines):
-    sheets = parameters_of(tmp_path, text + lines).contact_sheets
+@pytest.fixture(scope="module", params=CASES)
+def sheets(request, tmp_path_factory):
+    """The contact sheets of a case."""
+    text, lines = request.param
+    return parameters_of(tmp_path_factory.mktemp("case"), text + lines).contact_sheets
+
+
+def test_every_line_comes_out_again_from_its_printed_digits(sheets):
     assert sheets
     wrong = [(each.hinge, step.symbol, fault) for each in sheets for step in each.steps if step.inputs
              for fault in of_formula(step)]  # fmt: skip
@@ -67,9 +72,8 @@ def test_every_line_comes_out_again_from_its_printed_digits(tmp_path, text, line
     assert [step.value for step in balances] == pytest.approx([1.0] * len(balances), rel=1e-9)
 
 
-@pytest.mark.parametrize(("text", "lines"), CASES)
-def test_its_words_are_found_in_the_source(tmp_path, text, lines):
-    steps = [step for each in parameters_of(tmp_path, text + lines).contact_sheets for step in each.steps]
+def test_its_words_are_found_in_the_source(sheets):
+    steps = [step for each in sheets for step in each.steps]
     said = {part for step in steps for part in (step.description, step.clause, step.remark)}
     said |= {step.formula for step in steps if not step.inputs}
     assert said - {""} <= set(fixed_terms())

@@ -143,7 +143,7 @@ SMALL = Epistemic({"model": 0.01})
 def noise_results(folder: Path, jobs: int = 1, factor: float = 1.0, mechanism: str = "two", **more: object):
     records = tuple(replace(each, acceleration=factor * each.acceleration) for each in NOISES)
     block = published(2.0, 0.15, restitution=0.9) if mechanism == "two" else ONE_SIDED
-    question = {"samples": 30, "draws": 100, "largest_factor": 100.0} | more
+    question = {"samples": 30, "draws": 40, "largest_factor": 100.0} | more
     return run_fragility(study_with(folder, records, block, **question), jobs=jobs)
 
 
@@ -254,7 +254,7 @@ def test_epistemic_dispersion_stays_apart(folder: Path) -> None:
     at = np.geomspace(1e-3, 50.0, 300)
     hazard = HazardResult(measure("pga"), "rows", tuple(at), tuple(1e-4 * at**-2.0))
     plain = noise_results(folder, hazard=hazard).mechanisms[0]
-    study = study_with(folder, NOISES, published(2.0, 0.15, restitution=0.9), samples=30, draws=100,
+    study = study_with(folder, NOISES, published(2.0, 0.15, restitution=0.9), samples=30, draws=40,
                        largest_factor=100.0, hazard=hazard, epistemic={"model": 0.3, "masonry": 0.4})  # fmt: skip
     found = run_fragility(study, jobs=1).mechanisms[0]
     assert (found.epistemic, found.epistemic_sources) == (pytest.approx(0.5), {"model": 0.3, "masonry": 0.4})

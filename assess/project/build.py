@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from concurrent.futures import Executor
 from contextlib import suppress
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import partial
 from pathlib import Path
 from typing import Protocol
@@ -97,6 +97,7 @@ class ProjectFiles:
     """What the files of a project hold: models; bodies by name, None without geometry; the site's spectrum; records.
 
     states : of the files, before the first was read
+    built : the mechanisms that are already built of these bodies, by name
     """
 
     models: MeshesBySelection
@@ -104,6 +105,7 @@ class ProjectFiles:
     spectrum: Spectrum | None
     named: RecordSet
     states: FileStates
+    built: Mapping[str, Built] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -274,7 +276,8 @@ def _files_of(project: Project, *, known: Known | None) -> tuple[ProjectFiles, t
     if faults.any:
         _gather_mechanism_faults(content, solids, faults)
     faults.raise_all()
-    return ProjectFiles(models, solids, spectrum, named, states), messages
+    built = {} if known is None else _same_mechanisms(content, known.content, known.files.built)
+    return ProjectFiles(models, solids, spectrum, named, states, built), messages
 
 
 def _gather_mechanism_faults(content: sections.Content, solids: Mapping[str, Solid | None], faults: Faults) -> None:
@@ -311,7 +314,8 @@ def _deciding_study(
             executor=executor,
         )
     study = replace(study, records=named.records, fitting=named.fitting)
-    return study, replace(files, named=named), messages
+    built = {each.name: Built(each, study.scenes.get(each.name)) for each in study.mechanisms}
+    return study, replace(files, named=named, built=built), messages
 
 
 def _study_of_mechanisms(
@@ -331,13 +335,14 @@ def _study_of_mechanisms(
     chosen = {name: content.mechanisms[name] for name in names}
     definitions, bodies = definitions_of(content), bodies_of(content, files.solids)
     ground = ground_of(building, definitions, files.solids)
+    known = files.built if built_by is mechanism_in_direction else {}
     built: dict[str, Built] = {}
     falling: list[FallingMechanism] = []
     faults = Faults()
     for name, section in chosen.items():
         try:
             with faults.gather(besides=(FallingError,)):
-                built[name] = built_by(name, definitions[name], bodies)
+                built[name] = known.get(name) or built_by(name, definitions[name], bodies)
         except FallingError as error:
             if not may_fall:
                 raise
@@ -447,7 +452,7 @@ def _files_of_case(content: sections.Content, project: Project, files: ProjectFi
         how = "selected by" if content.records.lock is None else "locked by"
         raise ProjectError(f"records: a sweep cannot vary what records are {how}; sweep another key")
     records = files.named if same else _all_records(content.records, project.folder, spectrum)[0]
-    return ProjectFiles(models, solids, spectrum, records, files.states)
+    return ProjectFiles(models, solids, spectrum, records, files.states, _same_mechanisms(content, whole, files.built))
 
 
 def _solid_in_case(
@@ -469,6 +474,15 @@ def _same_body(name: str, case: sections.Content, whole: sections.Content) -> bo
     """Whether a body and its material are those of the whole project."""
     material = getattr(case.bodies[name], "material", "")
     return case.bodies[name] == whole.bodies[name] and case.materials.get(material) == whole.materials.get(material)
+
+
+def _same_mechanisms(
+    case: sections.Content, whole: sections.Content, built: Mapping[str, Built]
+) -> Mapping[str, Built]:
+    """Return those mechanisms of the whole project that a case builds of the same bodies, by the same definition."""
+    if any((case.bodies != whole.bodies, case.materials != whole.materials, case.report != whole.report)):
+        return {}
+    return {name: each for name, each in built.items() if case.mechanisms.get(name) == whole.mechanisms.get(name)}
 
 
 def _structure_below(section: sections.BuildingSection | None) -> Building | None:

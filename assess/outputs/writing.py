@@ -28,6 +28,7 @@ from assess.outputs.signals import defer_signals
 
 PREFIX = ".assess-partial-"
 MADE, OLD, JOURNAL = "made", "old", "journal.json"
+FULL = (errno.ENOSPC, errno.EDQUOT)
 _MOST_NAMES = 5  # of files in an error
 _DAY = 86400.0  # s
 TellMessage = Callable[[Message], None]
@@ -288,7 +289,9 @@ def tell_full_disk(place: Path) -> Iterator[None]:
 
 def is_full(error: BaseException) -> bool:
     """Return whether an error is that of a disk without space, for anyone or for this user."""
-    return isinstance(error, OSError) and error.errno in (errno.ENOSPC, errno.EDQUOT)
+    if isinstance(error, shutil.Error):  # of a copied folder: it has the errors of all files as text
+        return any(os.strerror(number) in str(error) for number in FULL)
+    return isinstance(error, OSError) and error.errno in FULL
 
 
 def remove_abandoned_stages(place: Path) -> None:

@@ -2,6 +2,7 @@
 
 import errno
 import os
+import shutil
 from pathlib import Path
 from typing import Any
 from unittest.mock import Mock
@@ -10,7 +11,7 @@ import pytest
 
 from assess.errors import FullDiskError, OutputError
 from assess.outputs.manifest import ENVELOPES, MANIFEST
-from assess.outputs.writing import output_folder
+from assess.outputs.writing import is_full, make_stage, output_folder
 from tests.support.files import contents_of, names_in, write_files, write_output
 
 FIRST = {"results.json": "1", "report.pdf": "1", "tables/old.csv": "1"}
@@ -96,6 +97,14 @@ def test_a_full_disk_is_one_line_and_leaves_nothing(tmp_path: Path, number: int,
     with pytest.raises(FullDiskError, match=rf"{out}: no space is left on the disk.*; make room"):
         write()
     assert not out.exists()
+
+
+def test_a_full_disk_under_a_copied_folder_is_one_line(tmp_path: Path) -> None:
+    copied = shutil.Error([("a", "b", str(OSError(errno.ENOSPC, os.strerror(errno.ENOSPC), "a", None, "b")))])
+    with pytest.raises(FullDiskError, match=rf"{tmp_path}: no space is left"), make_stage(tmp_path, command="new"):
+        raise copied
+    assert names_in(tmp_path) == []
+    assert not is_full(shutil.Error([("a", "b", "[Errno 13] Permission denied: 'a'")]))
 
 
 @pytest.mark.parametrize("fails_at", range(2, 7))  # the first is that of the journal, before anything is moved

@@ -50,6 +50,19 @@ UPSTAIRS: Tables = {
     "bodies": {"wall": WALL | {"box": {**BOX, "base": [0, 0, 3.5]}}},
     "building": {"height": 8.0, "storeys": 2, "ground_elevation": 0.0, "use_class": "II"},
 }
+LEG = {"thickness": "0.4 m", "length": "3 m", "height": "4.5 m"}
+FRAME: Tables = {
+    "wall": WALL,
+    "beam": WALL | {"box": {"thickness": "3.4 m", "length": "3 m", "height": "0.4 m", "base": [1.5, 0, 4.5]}},
+    "right": WALL | {"box": {**LEG, "base": [3.0, 0, 0]}},
+}
+PORTAL: Tables = {
+    "kind": "four-hinge",
+    "blocks": ["wall", "beam", "right"],
+    "sides": "one",
+    "direction": [1, 0, 0],
+    "hinges": {"A": [0.2, 0.0], "B": [-0.2, 4.5], "C": [2.8, 4.5], "D": [3.2, 0.0]},
+}
 PROJECTS: dict[str, Tables] = {
     "ntc-wall": _project("ntc2018", ITALY, {"wall": _block(sides="one", loads=[FLOOR, TIE])}, **STATIC),
     "ntc-free": _project("ntc2018", ITALY, {"wall": _block()}, **STATIC),
@@ -59,6 +72,13 @@ PROJECTS: dict[str, Tables] = {
         ITALY,
         {"wall": _block(sides="one", interface={"model": "flexible", "stiffness": "1 GPa/m", "strength": "2 MPa"})},
     ),
+    "ntc-course": _project(
+        "ntc2018",
+        ITALY,
+        {"wall": _block(sides="one", interface={"model": "flexible", "course_thickness": "0.2 m"})},
+        materials={"stone": {"density": 1900, "young_modulus": "1.2 GPa", "disintegration": "excluded"}},
+    ),
+    "ntc-portal": _project("ntc2018", ITALY, {"wall": {**PORTAL}}, bodies=FRAME),
     "ntc-two-block": _project(
         "ntc2018",
         ITALY,
@@ -104,6 +124,20 @@ HISTORIES: dict[str, Tables] = {
         verdict={"basis": "own", "procedures": ["ntc2018-history"], "rule": "all", "statement": "by the client"},
         **SUITE,
     ),
+    "ntc-histories": _project(
+        "ntc2018",
+        ITALY,
+        {"wall": _block(interface={"model": "flexible", "stiffness": "1 GPa/m"})},
+        verdict={"basis": "ntc2018", "procedures": ["ntc2018-history", "ntc2018-nonlinear"]},
+        **SUITE,
+    ),
+    "own-histories-one-side": _project(
+        "own",
+        EUROPE,
+        {"wall": _block(sides="one")},
+        verdict={"basis": "own", "procedures": ["ntc2018-history"], "rule": "all", "statement": "by the client"},
+        **SUITE,
+    ),
     "own-histories-upstairs": _project(
         "own",
         EUROPE,
@@ -120,7 +154,29 @@ DRAWN: dict[str, tuple[Any, ...]] = {
     "cut": (0.5, 1.5, 3.0, 4.0, {"point": [0, 0, 1.0], "angle": "20 deg"}, {"point": [0, 0, 1.0], "angle": "-20 deg"}),
     "crack": (0.1, 1.0, 2.25, 4.4, 6.0, "minimum"),
     "base_elevation": (0.0, 1.0, -1.0),
-    "hinges": ({"A": [0.1, 0.0]}, {"A": [-0.3, 0.0]}, {"A": [0.5, 0.0]}, {"A": [0.2, 1.0]}),
+    "hinges": (
+        *({"A": [0.1, 0.0]}, {"A": [-0.3, 0.0]}, {"A": [0.5, 0.0]}, {"A": [0.2, 1.0]}),
+        *(
+            {"A": [0.2, 0.0], "B": [b, height], "C": [c, 4.5]}
+            for b, height, c in ((-0.2, 2.0, 0.2), (-0.5, 2.0, 0.2), (-0.2, 2.0, 0.5), (-0.06, 2.25, 0.3))
+        ),
+        *(
+            {"A": [a, 0.0], "B": [b, 4.5], "C": [c, 4.5], "D": [d, 0.0]}
+            for a, b, c, d in (
+                (0.5, -0.2, 2.8, 3.2),
+                (0.2, -0.5, 2.8, 3.2),
+                (0.2, -0.2, 2.5, 3.2),
+                (0.2, -0.2, 2.8, 3.5),
+            )
+        ),
+    ),
+    "interface": (
+        {"model": "rigid"},
+        *({"model": "flexible", "stiffness": size} for size in ("0.01 GPa/m", "1 GPa/m", "100 GPa/m", "2 TPa/m")),
+        {"model": "semi-flexible", "stiffness": "2 TPa/m", "strength": "2 MPa"},
+        {"model": "flexible", "course_thickness": "1 mm"},
+    ),
+    "restitution": (0.0, 0.3, 0.6, 0.9, 1.0, {"positive": 0.5, "negative": 0.5}),
     "sides": ("one", "two"),
 }
 """What is drawn at keys of a mechanism that are absent, or in place of what stands there."""

@@ -29,8 +29,8 @@ from tools.adversary.projects import ADDED_BODIES, ADDED_BOX, ADDED_LOADS, DRAWN
 RANKS = (Decision.FAIL, Decision.INCOMPLETE, Decision.PASS)
 BETTER = 1.01
 """A margin that rises by no more than 1 % has not improved."""
-OF_EVERY_PASS = "premise-"
-"""How the keys of conditions begin that every pass of a basis has, whatever was typed."""
+OF_EVERY_PASS = ("premise-", "not-scanned")
+"""How the keys of conditions begin that every pass of a basis has, or of histories without a scan, typed or not."""
 DECADES = tuple(10.0**power for power in range(-4, 10))
 SHARES = (0.5, 0.8, 1.25, 2.0)
 STEPS = (-3.0, -0.3, 0.3, 3.0)
@@ -45,6 +45,8 @@ OF_HISTORIES = (
     "building.",
 )
 """How the keys begin that bear on histories alone, or differently on them."""
+OF_IMPACTS = ("restitution", "interface")
+"""What is typed at these keys of a mechanism as one value or as a table."""
 WORDS = {
     "site.limit_state": ("SLO", "SLD", "SLV", "SLC", "DBE", "ULS", "NCR", "BSE-1E", "BSE-2E", "LS", "CP"),
     "verdict.limit_state": ("SLD", "SLV", "SLC", "DBE", "ULS", "LS", "CP"),
@@ -121,7 +123,7 @@ def pairs(singles: Sequence[Trial], count: int, *, seed: int) -> list[Trial]:
 
 
 def geometry() -> Iterator[Trial]:
-    """Yield what is drawn in other places, or added, in each project with geometry."""
+    """Yield what is drawn in other places, or added, in each project with geometry; and its joints and impacts."""
     for name, tables in PROJECTS.items():
         for mechanism, section in tables["mechanisms"].items():
             if "blocks" not in section:
@@ -145,8 +147,12 @@ def sample(chosen: Sequence[Trial], count: int, *, seed: int) -> list[Trial]:
 
 
 def histories() -> Iterator[Trial]:
-    """Yield the trials of keys that bear on histories alone."""
+    """Yield the trials of keys that bear on histories alone, and of joints and impacts."""
     yield from (trial for trial in trials(HISTORIES) if key_text(trial.path).startswith(OF_HISTORIES))
+    for name, tables in HISTORIES.items():
+        for mechanism in tables["mechanisms"]:
+            for key in OF_IMPACTS:
+                yield from (Trial(name, ("mechanisms", mechanism, key), value, "measured") for value in DRAWN[key])
 
 
 EVERY = {**PROJECTS, **HISTORIES}

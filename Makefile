@@ -48,7 +48,7 @@ check: .venv/tests         ## style, types, direction of imports
 	$(BIN)/mypy
 	$(BIN)/lint-imports
 
-bench: .venv/tests         ## speed, as ratios measured in one run
+bench: .venv/tests         ## speed, as ratios measured in one run; those to fixed work, beside the last release, into docs/speed.md
 	$(BIN)/python tools/benchmarks/bench_dynamics.py
 	$(BIN)/python -m tools.benchmarks.bench_fragility
 	$(BIN)/python -m tools.benchmarks.bench_growth
@@ -58,6 +58,7 @@ bench: .venv/tests         ## speed, as ratios measured in one run
 	$(BIN)/python -m tools.benchmarks.bench_portfolio
 	$(BIN)/python -m tools.benchmarks.bench_records
 	$(BIN)/python tools/benchmarks/bench_report.py
+	$(BIN)/python -m tools.benchmarks.bench_ratios
 
 study: .venv/tests .venv/cad  ## tests too slow for every change: those marked study, and properties over many more cases
 	$(BIN)/python -m pytest -n 2 --dist worksteal -rs -m study $(TESTS)

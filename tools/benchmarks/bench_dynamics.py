@@ -15,7 +15,8 @@ latency of some five products in a row and of the comparisons that let it pass, 
 processor is; only jobs side by side could share that, which is not done, as events part them. An event costs four or
 five turns of Newton's method with two polynomials each, some 50 ns. On joints a passage through rest takes the moment
 from its elastic line to its plateau over four decades of rotation, in many steps whatever their order, and a body on
-joints never rests: at 10 GPa/m and 1e-9 two steps for each interval of the record were counted. A lower bound is looked
+joints never rests: at 10 GPa/m and 1e-10 three steps for each interval of the record were counted, each of twice the
+latency of a rigid table's. A lower bound is looked
 for in up to 300 amplitudes, 1 % apart; a coarser scan would step over thin bands.
 
 All cores: batches of jobs and envelopes, in seconds. A batch of a tenth of the jobs is scaled, and says so. The error

@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from assess.dynamics.kernel.columns import FOUND, LEFT, OVERTURNED, R0, R1, R2, R3, RATE, RIGHT, STORED
+from assess.dynamics.kernel.columns import FOUND, LEFT, OVERTURNED, R0, R1, R2, R3, RATE, RIGHT, STORED, THRESHOLD
 from assess.dynamics.kernel.cubics import (
     add_acceleration,
     evaluate_force,
@@ -23,6 +23,7 @@ from assess.dynamics.kernel.cubics import (
 )
 from assess.dynamics.kernel.events import State, no_event
 from assess.dynamics.kernel.ground import Ground, ground_at, ground_over, stretch_pulse
+from assess.dynamics.kernel.joints import advance_on_joints
 from assess.dynamics.kernel.march import SMALLEST_STEP, make_march
 from assess.dynamics.kernel.polynomial import Arc, evaluate, find_root
 from assess.dynamics.kernel.search import make_search
@@ -32,11 +33,16 @@ from spectra.arrays import BoolArray, FloatArray, IntArray
 
 @inlined
 def exact_advance(flow: Any, side: int, y: float, v: float, ground: FloatArray, scale: float, dt: float, i: int,
-                until: int, top: float, limit: float) -> tuple[int, float, float]:  # fmt: skip
-    """Advance one step for each interval while the error is small enough and no event or jump of the table is met."""
+                x: float, until: int, top: float, limit: float) -> tuple[int, float, float, float]:  # fmt: skip
+    """Advance one step for each interval while the error is small enough and no event or jump of the table is met.
+
+    On joints also by parts of an interval, from x [s] after its start; return the interval, x, y and y' reached.
+    """
     table, smooth, span, hint, accuracy, slow, pace = flow
+    if pace[1] > 0.0:
+        return advance_on_joints(flow, side, y, v, ground, scale, dt, i, x, until, top, limit)
     if pace[0] < dt:
-        return i, y, v
+        return i, x, y, v
     bottom, end = span[side, 0], span[side, 1]
     j = segment_ahead(table, y, v, hint[side], bottom, end)
     first, last = smooth[j, 0], smooth[j, 1]
@@ -75,7 +81,7 @@ def exact_advance(flow: Any, side: int, y: float, v: float, ground: FloatArray, 
         if i < until:
             a = ground_over(ground, scale, dt, i)
     hint[side] = j
-    return i, y, v
+    return i, x, y, v
 
 
 @inlined
@@ -124,6 +130,15 @@ def exact_step(flow: Any, side: int, y: float, v: float, a: Ground, h: float) ->
 
 
 @compiled
+def first_step(branch: FloatArray) -> float:
+    """Return the second entry of `pace`, the step on joints: no limit yet, and 0 for a body with a threshold of uplift.
+
+    The first entry is the step of `exact_step`.
+    """
+    return math.inf if branch[0, THRESHOLD] == 0.0 else 0.0
+
+
+@compiled
 def exact_potential(flow: Any, side: int, y: float) -> float:
     """Return the integral of r from rest to y."""
     table, _, span, _, _, _, _ = flow
@@ -151,14 +166,14 @@ def rock_exact(branches: FloatArray, table: FloatArray, smooth: IntArray, spans:
     """
     samples = 0
     hint = np.empty(2, dtype=np.int64)
-    slow, pace = np.empty(2), np.empty(1)
+    slow, pace = np.empty(2), np.empty(2)
     for j in range(oscillator.shape[0]):
         m, o = motion[j], oscillator[j]
         branch, span = branches[o], spans[o]
         for side in range(2):
             hint[side], slow[side] = span[side, 0], 0.2 / branch[side, RATE]
         flow = (table, smooth, span, hint, 1.0 / tolerance, slow, pace)
-        pace[0] = math.inf
+        pace[0], pace[1] = math.inf, first_step(branch)
         samples = march_exact(
             flow, branch, ground[offset[m] : offset[m + 1]], blocks[block_offset[m] : block_offset[m + 1]], dt[m],
             scale[j], release, found[j], path, events, False,
@@ -171,7 +186,7 @@ def overturns_exact(job: Any, scale: float) -> bool:
     """Return whether a pulse of peak acceleration `scale`, with its sign, overturns."""
     flow, branch, ground, dt, found, path, events = job
     _, _, span, hint, _, _, pace = flow
-    hint[0], hint[1], pace[0] = span[0, 0], span[1, 0], math.inf
+    hint[0], hint[1], pace[0], pace[1] = span[0, 0], span[1, 0], math.inf, first_step(branch)
     march_exact(flow, branch, ground, path, dt, scale, 0.0, found, path, events, True)
     return bool(found[OVERTURNED] > 0.0)
 
@@ -182,7 +197,7 @@ def pulse_exact(branches: FloatArray, table: FloatArray, smooth: IntArray, spans
                 scale: FloatArray, found: FloatArray) -> None:  # fmt: skip
     """Run all jobs under a pulse by the exact equation and fill `found` [jobs, 8]; arguments as above."""
     hint = np.empty(2, dtype=np.int64)
-    slow, pace = np.empty(2), np.empty(1)
+    slow, pace = np.empty(2), np.empty(2)
     ground, path, events = np.empty((len(pulse), 6)), np.empty((0, 3)), np.zeros((1, 4))
     for j in range(oscillator.shape[0]):
         m, o = motion[j], oscillator[j]
@@ -203,7 +218,7 @@ def envelope_exact(branch: FloatArray, table: FloatArray, smooth: IntArray, span
                    least: FloatArray) -> None:  # fmt: skip
     """Fill the map and lower bound of one oscillator by the exact equation, as `envelope_linearised` does."""
     hint = np.empty(2, dtype=np.int64)
-    slow, pace = 0.2 / branch[:, RATE], np.empty(1)
+    slow, pace = 0.2 / branch[:, RATE], np.empty(2)
     flow = (table, smooth, span, hint, 1.0 / tolerance, slow, pace)
     ground, found = np.empty((len(pulse), 6)), np.empty(FOUND)
     path, events = np.empty((0, 3)), np.zeros((1, 4))

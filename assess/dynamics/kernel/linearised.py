@@ -72,7 +72,8 @@ def fill_pushes(pushes: FloatArray, sides: FloatArray, ground: FloatArray, dt: f
 
 @compiled
 def linearised_advance(flow: Any, side: int, y: float, v: float, ground: FloatArray, scale: float, dt: float,
-                     i: int, until: int, top: float, limit: float) -> tuple[int, float, float]:  # fmt: skip
+                     i: int, x: float, until: int, top: float, limit: float
+                     ) -> tuple[int, float, float, float]:  # fmt: skip
     """Advance whole intervals by the closed solution while no event can occur.
 
     y1 = y + y'' (cosh - 1) / p^2 + y' sinh / p - s (a1 - a0) / threshold (sinh - p dt) / (p dt)
@@ -92,7 +93,7 @@ def linearised_advance(flow: Any, side: int, y: float, v: float, ground: FloatAr
             if not no_event((y, v, k), (y1, v1, k1), dt, top, limit):
                 break
             i, y, v, k, a = i + 1, y1, v1, k1, a1
-        return i, y, v
+        return i, x, y, v
     k = p2 * (y - 1.0 - inverse * scale * ground[i, 0])
     while i + 1 < until:  # the acceleration at its end is that at the start of the next one
         y1 = y + (k * y_k + v * y_v + scale * pushes[side, i, 0])
@@ -101,7 +102,7 @@ def linearised_advance(flow: Any, side: int, y: float, v: float, ground: FloatAr
         if not no_event((y, v, k), (y1, v1, k1), 1.5 * dt, top, limit):
             break
         i, y, v, k = i + 1, y1, v1, k1
-    return i, y, v
+    return i, x, y, v
 
 
 @compiled

@@ -45,7 +45,7 @@ from assess.dynamics.kernel.polynomial import Arc, derivative, divide_by_time, e
 from assess.kernel import compiled, inlined, reachable
 from spectra.arrays import FloatArray
 
-Advance = Callable[..., tuple[int, float, float]]
+Advance = Callable[..., tuple[int, float, float, float]]
 StepMarch = Callable[..., tuple[Arc, float, State]]
 Potential = Callable[..., float]
 March = Callable[..., int]
@@ -63,21 +63,23 @@ def make_march(advance_quiet: Advance, step: StepMarch, potential: Potential) ->
     @inlined
     def integrate_interval(flow: Any, branch: FloatArray, found: FloatArray, events: FloatArray, column: int,
                            peaked: int, sides_awaited: int, side: int, y: float, v: float, time: float, ground: Ground,
-                           h: float) -> tuple[int, float, float, int]:  # fmt: skip
-        """Integrate h [s] from `time` with all events; return side (-1 at rest), y, y' at the end, sides that peaked.
+                           x: float, h: float, resumes: bool) -> tuple[float, int, float, float, int]:  # fmt: skip
+        """Integrate with all events from x to h [s] after `time`, or up to the first event if the march `resumes`.
+
+        Return the time reached, h if done, side (-1 at rest), y, y' there, sides that peaked.
 
         ground: its acceleration from `time` on. column: the column of `branch` with the limit of overturning.
         The integration ends early once all `sides_awaited` sides have peaked (a bit for each side; 0: never).
 
         Each turn of the loop advances the time, or stops the velocity, or brings the body to rest.
         """
-        x, every_peak = 0.0, sides_awaited > 0 or events.shape[0] > 1
+        every_peak = sides_awaited > 0 or events.shape[0] > 1
         while x < h:
             a, left = shift(ground, x), h - x
             if side < 0:
                 side, wait = find_uplift(branch, a, left)
                 if side < 0:
-                    break
+                    return h, side, y, v, peaked
                 x, y, v = x + wait, 0.0, 0.0
                 found[UPLIFTED] = 1.0
                 record_event(events, time + x, UPLIFT, 0.0, side)
@@ -106,13 +108,15 @@ def make_march(advance_quiet: Advance, step: StepMarch, potential: Potential) ->
                     piece = find_root(arc, 0.0, piece) if y > 0.0 else find_root(divide_by_time(arc), 0.0, piece)
                     x, v = x + piece, min(evaluate(rate, piece), 0.0)
                 elif v == 0.0:
-                    return -1, 0.0, 0.0, peaked  # at rest, without acceleration, to the end of the interval
+                    return h, -1, 0.0, 0.0, peaked  # at rest, without acceleration, to the end of the interval
                 found[IMPACTS] += 1.0
                 record_event(events, time + x, IMPACT, v, side)
                 v, y, side = -v * branch[side, BOUNCE], 0.0, int(branch[side, PARTNER])
                 slow = REST * branch[side, RATE]
                 if v < slow and (v < slow * (NO_BOUNCE / REST) or not lifts(branch, ground_at(ground, x))):
                     side, v = -1, 0.0
+                elif resumes:
+                    break
                 continue
             if y < 1.0 <= y1:
                 found[PASSED] = time + x + find_root(arc, 1.0, piece)
@@ -124,10 +128,10 @@ def make_march(advance_quiet: Advance, step: StepMarch, potential: Potential) ->
             if y >= branch[side, column] and v >= 0.0:
                 found[OVERTURNED] = 1.0
                 keep_largest(found, y, side, time + x)
+                return h, side, y, v, peaked
+            if resumes or (sides_awaited > 0 and peaked == sides_awaited):
                 break
-            if sides_awaited > 0 and peaked == sides_awaited:
-                break
-        return side, y, v, peaked
+        return x, side, y, v, peaked
 
     @compiled
     def count_last_impacts(flow: Any, branch: FloatArray, found: FloatArray, both: int, side: int, y: float,
@@ -191,7 +195,8 @@ def make_march(advance_quiet: Advance, step: StepMarch, potential: Potential) ->
         lowest, highest = -branch[0, THRESHOLD], branch[1, THRESHOLD]
         last, tail = count_intervals(ground), TAIL_PIECE / max(branch[0, RATE], branch[1, RATE])
         both = 1 | (1 << int(branch[0, PARTNER]))
-        samples, peaked, sides_awaited, column, h, time, i = last + 1, 0, 0, LIMIT, dt, 0.0, 0
+        samples, peaked, sides_awaited, column, h, time, i, x = last + 1, 0, 0, LIMIT, dt, 0.0, 0, 0.0
+        resumes = branch[0, THRESHOLD] == 0.0
         while i < last + TAIL_PIECES:
             a, begun, until = still_ground(ground), i, i + 1 if traced else last
             if i < last:
@@ -199,7 +204,8 @@ def make_march(advance_quiet: Advance, step: StepMarch, potential: Potential) ->
                     i = skip_idle(ground, blocks, scale, lowest, highest, i, until)
                 else:
                     top = -1.0 if every_peak else found[LARGEST + side]
-                    i, y, v = advance_quiet(flow, side, y, v, ground, scale, dt, i, until, top, branch[side, LIMIT])
+                    limit = branch[side, LIMIT]
+                    i, x, y, v = advance_quiet(flow, side, y, v, ground, scale, dt, i, x, until, top, limit)
                 if i < until:
                     a, time = ground_over(ground, scale, dt, i), i * dt
             elif side < 0 or (sides_awaited > 0 and peaked == sides_awaited):
@@ -216,10 +222,13 @@ def make_march(advance_quiet: Advance, step: StepMarch, potential: Potential) ->
                     peaked, sides_awaited, column, h = 0, both, TAIL_LIMIT, tail
                 time = last * dt + (i - last) * tail
             if begun >= last or i < until:
-                side, y, v, peaked = integrate_interval(
-                    flow, branch, found, events, column, peaked, sides_awaited, side, y, v, time, a, h
+                x, side, y, v, peaked = integrate_interval(
+                    flow, branch, found, events, column, peaked, sides_awaited, side, y, v, time, a, x, h,
+                    resumes and i < last,
                 )  # fmt: skip
-                i += 1
+                if x < h and i < last:
+                    continue
+                i, x = i + 1, 0.0
             if traced and begun < last:
                 path[i, 0], path[i, 1], path[i, 2] = y, v, side
             if found[OVERTURNED] > 0.0:

@@ -196,14 +196,18 @@ def test_an_hour_of_free_vibration_keeps_its_energy(rotation, peaks_at_least):
 
 
 def test_energy_lost_in_an_hour_goes_with_the_tolerance():
-    """At that of histories 1e-5 of the energy of a swing in full contact, which is 1e-7 of what overturns."""
+    """Or faster, in steps, as an interval is halved until the error is allowed: of a harmonic motion, and of one that
+    opens the joint. At that of histories 1e-6 of the energy of a swing in full contact, 1e-8 of what overturns."""
     tolerances = np.array([1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13])
-    lost = np.array([abs(hour(0.5 * OPENS, tolerance=tolerance)[0][-1] - 1.0) for tolerance in tolerances])
-    assert 0.85 < np.polyfit(np.log10(tolerances), np.log10(lost), 1)[0] < 1.05
-    assert lost[2] < 2e-5
+    lost, opening = (np.array([abs(hour(size * OPENS, tolerance=tolerance)[0][-1] - 1.0) for tolerance in tolerances])
+                     for size in (0.5, 5.0))  # fmt: skip
+    assert 0.85 < np.polyfit(np.log10(tolerances), np.log10(lost), 1)[0] < 1.6
+    assert 0.7 < np.polyfit(np.log10(tolerances), np.log10(opening), 1)[0] < 1.15
+    assert lost[2] < 1e-6
+    assert opening[2] < 2e-5
     side = body_named("flexible").positive
     swing, most = (float(energy(side, np.array(rotation))) for rotation in (0.5 * OPENS, side.unstable))
-    assert lost[2] * swing / most < 1e-7
+    assert lost[2] * swing / most < 1e-8
 
 
 @EVERY

@@ -50,11 +50,12 @@ class FallingError(MechanismError):
     """A mechanism already falls by itself, towards the direction or under its forces.
 
     multiplier : uplift multiplier at rest, 0 or negative; None where it is not known
+    beside : what is wrong with a hinge that is stated beside its contact, which may be why it falls; may be empty
     """
 
-    def __init__(self, text: str, multiplier: float | None = None) -> None:
+    def __init__(self, text: str, multiplier: float | None = None, *, beside: str = "") -> None:
         super().__init__(text)
-        self.multiplier = multiplier
+        self.multiplier, self.beside = multiplier, beside
 
 
 class InterfaceError(AssessError):

@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from assess.project.project_file import Project
     from spectra.arrays import FloatArray
 
-MADE_BETWEEN_COLLECTIONS = 200_000  # objects
+MADE_BETWEEN_COLLECTIONS = 200_000  # objects; the command line has ten times as many
 ANYWHERE = {"deadline": None, "database": None, "suppress_health_check": [HealthCheck.function_scoped_fixture]}
 settings.register_profile("few", derandomize=True, max_examples=25, **ANYWHERE)
 settings.register_profile("deep", derandomize=False, max_examples=1000, print_blob=True, **ANYWHERE)
@@ -57,7 +57,7 @@ def pytest_collection() -> Generator[None, object, object]:
         return (yield)
     finally:
         gc.freeze()
-        gc.set_threshold(MADE_BETWEEN_COLLECTIONS)  # as the command line does: tests differ by what ran before them
+        gc.set_threshold(MADE_BETWEEN_COLLECTIONS)  # of what the tests before have made
         gc.enable()
 
 
@@ -70,8 +70,8 @@ def _artificial_records() -> None:
 
 
 @pytest.fixture(scope="session", autouse=True)
-def _program_s_twins() -> Generator[FloatArray]:
-    """Run histories with two of their eight twins; what is about twins asks for `all_twins`."""
+def _eight_twins() -> Generator[FloatArray]:
+    """Run histories of this process with two of their eight twins; what is about twins asks for `all_twins`."""
     from assess.study import histories
 
     every = histories.TWIN_FACTORS
@@ -81,10 +81,10 @@ def _program_s_twins() -> Generator[FloatArray]:
 
 
 @pytest.fixture(scope="module")
-def all_twins(_program_s_twins: FloatArray) -> Generator[None]:
+def all_twins(_eight_twins: FloatArray) -> Generator[None]:
     """Run histories with their eight twins, as the program does."""
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("assess.study.histories.TWIN_FACTORS", _program_s_twins)
+        patch.setattr("assess.study.histories.TWIN_FACTORS", _eight_twins)
         yield
 
 

@@ -7,7 +7,6 @@ program; 128 plus the number of the signal that ended it.
 
 from __future__ import annotations
 
-import errno
 import gc
 import signal
 import sys
@@ -58,7 +57,7 @@ def main(arguments: list[str] | None = None) -> NoReturn:
 def _refuse_other_digits(arguments: Sequence[str]) -> None:
     """Raise AssessError for a number in other digits than 0 to 9, which would be read without a word."""
     for each in arguments:
-        if any(c.isdecimal() and not c.isascii() for c in each) and _is_number(each):
+        if any(c.isdecimal() and not c.isascii() for c in each) and _is_number(each.rpartition("=")[2]):
             raise AssessError(f'"{each:.40}": a number is written with the digits 0 to 9')
 
 
@@ -85,7 +84,9 @@ def _end(line: str, code: int, *, others: Sequence[str] = ()) -> NoReturn:
 
 def _file_error(error: OSError) -> str:
     where = f"{error.filename}: " if error.filename else ""
-    if error.errno in (errno.ENOSPC, errno.EDQUOT):
+    from assess.outputs.writing import is_full
+
+    if is_full(error):
         return f"{where}no space is left on the disk; make room there"
     return f"{where}{error.strerror or error}; check the path and its permissions"
 

@@ -39,16 +39,16 @@ STIFFNESSES = ("0.15 GPa/m", "4 GPa/m", "100 GPa/m")
 between; thesis 7.2.3 takes a metre too, and 85 MPa/m to 13.5 GPa/m on soil."""
 WORST_JOINT = "the worst over rigid joints and stiffnesses from 0.15 to 100 GPa/m"
 RIGID_JOINT = Tried(Safe.ABSENT, 'model = "rigid"', (("model", "rigid"),))
-OF_STIFFNESS = Evidence(
+STIFFNESS_EVIDENCE = Evidence(
     "measured", "either", WORST_JOINT, safe=Range((*(Tried(each) for each in STIFFNESSES), RIGID_JOINT))
 )
-OF_COURSE = Evidence(
+COURSE_EVIDENCE = Evidence(
     "measured",
     "either",
     WORST_JOINT,
     safe=Range((*(Tried(Safe.ABSENT, each, (("stiffness", each),)) for each in STIFFNESSES), RIGID_JOINT)),
 )
-OF_MODEL = Evidence("measured", "either", '"flexible"', safe=Range((Tried("flexible"),)))
+MODEL_EVIDENCE = Evidence("measured", "either", '"flexible"', safe=Range((Tried("flexible"),)))
 OUTLINE_OR_SIZE = Forms("outline", tuple(CONTACT_SIZES.items()))
 OWN_STRENGTH = Evidence(
     "measured",
@@ -63,12 +63,12 @@ OWN_STRENGTH = Evidence(
 class Interface:
     """What a hinge presses on: without tension, linear up to the strength, then plastic without memory."""
 
-    model: Annotated[JointModel, OF_MODEL] = "rigid"
+    model: Annotated[JointModel, MODEL_EVIDENCE] = "rigid"
     """"rigid" (with strength: crushing only), "flexible"; with its moment, but inertia about a fixed hinge:
     "semi-flexible", about the resultant: "flexible-thesis\""""
-    stiffness: Annotated[JointStiffness, UNCERTAIN, OF_STIFFNESS] | None = None
+    stiffness: Annotated[JointStiffness, UNCERTAIN, STIFFNESS_EVIDENCE] | None = None
     """normal stiffness per area, like "10 GPa/m"; or give course_thickness"""
-    course_thickness: Annotated[PositiveLength, UNCERTAIN, OF_COURSE] | None = None
+    course_thickness: Annotated[PositiveLength, UNCERTAIN, COURSE_EVIDENCE] | None = None
     """thickness of the layer that yields: stiffness = young_modulus of the material / course_thickness"""
     strength: Annotated[Strength, UNCERTAIN, OWN_STRENGTH] | None = None
     """in compression, like "1 MPa", or "inf"; the material's if absent (not for a rigid one)"""

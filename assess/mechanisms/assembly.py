@@ -94,10 +94,10 @@ def assemble(
     ------
     MechanismError : a chain that cannot move or already falls, or a rule of restitution that does not apply
     """
-    chains = {"": positive} if negative is None else {"": positive, "'": negative}
+    chains, given = {"": positive} if negative is None else {"": positive, "'": negative}, tuple(warnings)
     for chain in chains.values():
         require_movable(chain, name=name)
-        require_stable(chain, name=name)
+        require_stable(chain, name=name, beside=hinge_beside(given))
     pulling = [text for mark, chain in chains.items() for text in _supports_in_tension(chain, mark=mark)]
     kept, back = _find_restitutions(restitution, positive, negative, rules=kind.impacts, kind=kind.name, name=name)
     return Mechanism(
@@ -112,7 +112,7 @@ def assemble(
         restitution_source_parts=_sources(kept, back),
         elevation=positive.hinges[0][1],
         outlines=outlines,
-        warnings=(*warnings, *pulling, *_impact_warnings(kept, back)),
+        warnings=(*given, *pulling, *_impact_warnings(kept, back)),
         stopped=_least_stopped(kept, back),
         rebounds=kept.range,
     )
@@ -200,6 +200,11 @@ OUTSIDE = 0.05  # of the width of a base or block: a hinge farther beside it is 
 HINGE_BESIDE = "hinge-beside"
 """Begins the keys of warnings on hinges beside their contacts. A project that states such a hinge is refused; one that
 a variation of its numbers moves there is not (`assess.model.directions`)."""
+
+
+def hinge_beside(warnings: Iterable[Message]) -> str:
+    """Return the text of the first warning on a hinge beside its contact; empty if there is none."""
+    return next((each.text for each in warnings if each.key.startswith(HINGE_BESIDE)), "")
 
 
 def loose_hinges(hinges: Sequence[Point], outlines: Sequence[Outline], *, mark: str = "") -> Iterator[Message]:

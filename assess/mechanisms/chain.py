@@ -431,14 +431,18 @@ def generalised_moment(load: Force | Tie, moved: PointPath) -> FloatArray:
     return np.zeros_like(work) if slack else np.asarray(work)
 
 
-def require_stable(chain: Chain, *, name: str) -> None:
-    """Raise MechanismError for a chain that falls by itself, or that a push along the direction does not start."""
+def require_stable(chain: Chain, *, name: str, beside: str = "") -> None:
+    """Raise MechanismError for a chain that falls by itself, or that a push along the direction does not start.
+
+    beside : of the error, see `FallingError`
+    """
     rest = virtual_work(chain, np.zeros(1))
     if rest.restoring[0] <= 0.0:
         raise FallingError(
             f'mechanism "{name}": already falling: its weights resist with {rest.weight[0]:.4g} N m at rest, '
             f"{_overturning_causes(chain, rest)}",
             rest.restoring[0] / (g * rest.excitation[0]) if rest.excitation[0] > 0.0 else None,
+            beside=beside,
         )
     if rest.excitation[0] <= 0.0:
         raise MechanismError(

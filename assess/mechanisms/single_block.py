@@ -33,6 +33,7 @@ from assess.mechanisms.assembly import (
     MechanismPieces,
     assemble,
     common_arguments,
+    hinge_beside,
     hinge_warnings,
     hinges_in_plane,
 )
@@ -105,12 +106,12 @@ def single_block(
     )
     block = RigidBlock(body.mass, body.centroid, body.inertia)
     positive = Chain((block,), (hinge or _edge_hinge(body, "positive", name=name),), loads)
-    _require_stable(positive, name=name, towards="positive")
+    _require_stable(positive, name=name, towards="positive", beside=hinge_beside(off_base))
     negative = None
     if sides == "two":
         other = hinge_negative or _edge_hinge(body, "negative", name=name)
         negative = mirror_chain((block,), (other,), loads)
-        _require_stable(negative, name=name, towards="negative")
+        _require_stable(negative, name=name, towards="negative", beside=hinge_beside(off_base))
     return assemble(
         name,
         SINGLE_BLOCK,
@@ -240,7 +241,7 @@ def equivalent_block(
     )
 
 
-def _require_stable(chain: Chain, *, name: str, towards: str) -> None:
+def _require_stable(chain: Chain, *, name: str, towards: str, beside: str) -> None:
     """Raise MechanismError unless the centroid of the block with its loads is above its hinge and behind it."""
     block = plain_block(chain)
     behind, height = block.radius * sin(block.slenderness), block.radius * cos(block.slenderness)
@@ -254,6 +255,7 @@ def _require_stable(chain: Chain, *, name: str, towards: str) -> None:
             f'mechanism "{name}": already falling in {towards} rotation: the centroid lies {-behind:.4g} m beyond '
             "the hinge; check the geometry, the direction, the hinges and the loads",
             behind / height,
+            beside=beside,
         )
 
 

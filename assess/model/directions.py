@@ -30,7 +30,7 @@ from assess.geometry.planar import (
 from assess.geometry.solid import Solid
 from assess.loads.body_loads import BlockContact, Surroundings, find_block_contact
 from assess.loads.load import BodyLoad, bodies_of, point_in_plane
-from assess.mechanisms.assembly import ASKEW, HINGE_BESIDE, LEVEL_RISE
+from assess.mechanisms.assembly import ASKEW, LEVEL_RISE, hinge_beside
 from assess.mechanisms.branch_table import rigid_branch
 from assess.mechanisms.chain import Chain, virtual_work
 from assess.mechanisms.directions import DirectionCandidate, DirectionSweep, direction_angle, direction_at
@@ -69,10 +69,14 @@ def mechanism_in_direction(name: str, definition: Definition, bodies: Bodies) ->
     ProjectError : the direction must be given; the text lists the candidates
     MechanismError or GeometryError : it cannot rock as described, or a hinge is stated beside its contact
     """
-    built = _built_in_direction(name, definition, bodies)
-    beside = next((each for each in built.mechanism.warnings if each.key.startswith(HINGE_BESIDE)), None)
-    if beside is not None:
-        raise MechanismError(f'mechanism "{name}": {beside.text}')
+    try:
+        built = _built_in_direction(name, definition, bodies)
+    except FallingError as error:
+        if error.beside:
+            raise MechanismError(f'mechanism "{name}": {error.beside}') from None
+        raise
+    if beside := hinge_beside(built.mechanism.warnings):
+        raise MechanismError(f'mechanism "{name}": {beside}')
     return built
 
 
@@ -409,7 +413,9 @@ def _evaluate_candidate(angle: float, search: DirectionSearch) -> tuple[Directio
     except FallingError as error:
         if search.definition.direction is None and not candidate.touching:
             raise FallingError(
-                f"{error} (towards {_vector_text(direction)}, looked at as `direction` is absent)", error.multiplier
+                f"{error} (towards {_vector_text(direction)}, looked at as `direction` is absent)",
+                error.multiplier,
+                beside=error.beside,
             ) from None
         return candidate, str(error)
     except AssessError as error:

@@ -13,6 +13,8 @@ from records.record import Record
 from tests.support.places import ROOT, SOURCES
 
 KEPT = ROOT / "build" / "artificial"
+MAKERS = ("records", "spectra", "assess/messages")
+"""Folders of sources: a record holds messages of its making."""
 make_artificial = synthetic._make_artificial
 
 
@@ -33,9 +35,9 @@ def recall(recipe: synthetic._Recipe, index: int) -> Record:
 
 @cache
 def _folder() -> Path:
-    """Return the folder of the sources, and of the versions, that make the records."""
+    """Return the folder of the sources, and of the versions, that make the records and what a record holds."""
     digest = sha256((ROOT / "requirements.lock").read_bytes())
-    for file in sorted(file for name in ("records", "spectra") for file in (SOURCES / name).rglob("*.py")):
+    for file in sorted(file for name in MAKERS for file in (SOURCES / name).rglob("*.py")):
         digest.update(file.read_bytes())
     folder = KEPT / digest.hexdigest()[:16]
     folder.mkdir(parents=True, exist_ok=True)

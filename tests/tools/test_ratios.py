@@ -29,5 +29,9 @@ def test_the_page_takes_the_table(tmp_path: Path) -> None:
     assert len(page.read_text(encoding="utf-8")) > 0.9 * len(PAGE.read_text(encoding="utf-8"))
 
 
-def test_every_figure_kept_is_a_ratio() -> None:
-    assert all(ratio > 0.0 for ratio in read_last().values())
+def test_figures_that_are_kept_are_read_back_and_without_any_nothing_is_said_of_speed(tmp_path: Path) -> None:
+    kept = tmp_path / "last.csv"
+    kept.write_text('"slow, of joints",2.5\nsame,1\n', encoding="utf-8")
+    assert read_last(kept) == {"slow, of joints": 2.5, "same": 1.0}
+    kept.write_text("", encoding="utf-8")
+    assert table({"slow": 2.4}, read_last(kept)).endswith("No figures of a release are kept yet.")

@@ -125,7 +125,10 @@ def table(found: dict[str, float], last: dict[str, float]) -> str:
         beside = f"{before:.3g} | {ratio / before:.2f}" if before else "- | -"
         lines.append(f"| {stage} | {ratio:.3g} | {beside} |")
     slower = [stage for stage, ratio in found.items() if ratio > CREEP * last.get(stage, np.inf)]
-    said = f"{CREEP} times its last figure or more: {', '.join(slower)}." if slower else "No stage has become slower."
+    if slower:
+        said = f"{CREEP} times its last figure or more: {', '.join(slower)}."
+    else:
+        said = "No stage has become slower." if last else "No figures of a release are kept yet."
     return "\n".join([*lines, "", said])
 
 

@@ -2,7 +2,8 @@
 
 A passage through rest takes the moment from its elastic line to its plateau over decades of rotation, so a body there
 needs steps in proportion to y / y', whatever the record's is. They follow Hermite's quintic through y'' and its first
-two derivatives over time at both ends, whose integral errs by h^7 / 100,800 of the sixth (Nitadori and Makino 2008).
+two derivatives over time at both ends, whose integral errs by h^7 / 100,800 times the sixth derivative of y'' (Nitadori
+and Makino 2008).
 The derivatives at the end come from one look at the table, which also begins the next step.
 """
 
@@ -38,9 +39,9 @@ def advance_on_joints(flow: Any, side: int, y: float, v: float, ground: FloatArr
 
     Return the interval reached, the time since its start, y and y' there.
 
-    The error of a step is what the quintic adds to the end of the Taylor series that the rigid tables use. Steps are
-    halved and doubled: a processor foresees a branch, but would have to wait for a root. For the same reason sums are
-    in pairs, the late terms last.
+    The error of a step is the difference of y' between the quintic and the Taylor series that the rigid tables use,
+    which is of lower order; half of tolerance x rate is allowed. Steps are halved and doubled, because processors
+    predict branches but wait for roots. For the same reason sums are in pairs, with what is known last at their end.
     """
     table, smooth, span, hint, accuracy, slow, pace = flow
     bottom, end = span[side, 0], span[side, 1]
@@ -77,11 +78,11 @@ def advance_on_joints(flow: Any, side: int, y: float, v: float, ground: FloatArr
         y2 = (y + w2 * (k - k1)) + w3 * (jerk + jerk1) + w1 * (v + v2)
         error = abs(v2 - v1) * strictness
         if not error <= 1.0:
-            step = 0.5 * h
-            if step < SMALLEST_STEP * dt:
+            if h < 2.0 * SMALLEST_STEP * dt:
                 break
+            step = 0.5 * h
             continue
-        if not no_event((y, v, k), (y2, v2, k1), 1.5 * h, top, limit):
+        if not no_event((y, v, k), (y2, v2, k1), 1.5 * h, top, limit):  # 1.5: as of rigid tables
             break
         if error < GROW and h == step:
             step = min(2.0 * step, dt)

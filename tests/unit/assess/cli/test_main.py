@@ -185,7 +185,7 @@ def test_error_in_its_own_process_has_no_traceback(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    "error", [MechanismError("m: x"), RecordError("m: x"), SpectrumError("m: x"), OSError(28, "m: x")]
+    "error", [MechanismError("m: x"), RecordError("m: x"), SpectrumError("m: x"), OSError(13, "m: x")]
 )
 def test_errors_of_the_user_end_with_2(
     error: Exception, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]

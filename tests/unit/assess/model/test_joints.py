@@ -11,7 +11,7 @@ import shapely
 import trimesh
 from scipy.constants import g
 
-from assess.errors import MechanismError
+from assess.errors import FallingError, MechanismError
 from assess.oscillator import elastic_frequency
 from assess.study.mechanism_results import parameters
 from tests.support.projects import mechanism_of, refusal_of, study_of
@@ -234,6 +234,14 @@ def test_a_hinge_outside_its_contact_is_refused_with_both_numbers(tmp_path):
         mechanism_of(tmp_path, STONE, SINGLE, "hinges = { A = [0.6, 0, 0] }\n" + SOFT)
 
 
+@pytest.mark.parametrize("sides", ["one", "two"])
+def test_a_hinge_outside_its_contact_about_which_the_wall_falls_is_refused_too(tmp_path, sides):
+    """A typing error is no wall that falls: it ends with the hinge and its contact, not with a verdict."""
+    with pytest.raises(MechanismError, match="hinge A at x = -50 m, z = 0 m lies outside its contact") as caught:
+        mechanism_of(tmp_path, STONE, SINGLE, f'sides = "{sides}"\nhinges = {{ A = [-50, 0] }}\n')
+    assert not isinstance(caught.value, FallingError)
+
+
 TWO_BLOCKS = """
 [materials.stone]
 density = 1800
@@ -262,6 +270,7 @@ def hinged(a: float = 0.3, b: float = -0.2, c: float = 0.2) -> str:
     [
         (hinged(a=0.34), "A at x = 0.34 m, z = 0 m lies 0.04 m outside block 0, whose nearest point is x = 0.3 m, z"),
         (hinged(b=-0.3), "B at x = -0.3 m, z = 2 m lies 0.1 m outside block 1, whose nearest point is x = -0.2 m, z"),
+        (hinged(a=-2.0), "A at x = -2 m, z = 0 m lies 1.7 m outside block 0, whose nearest point is x = -0.3 m, z"),
         (hinged(c=0.25), "C at x = 0.25 m, z = 3.5 m lies 0.05 m outside block 1, whose nearest point is x = 0.2 m, z"),
     ],
 )

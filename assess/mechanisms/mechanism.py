@@ -5,7 +5,7 @@ A hinge or another place that is stated is [x, y, z], or (distance along the dir
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from math import inf
@@ -316,32 +316,32 @@ def height_of_support(mechanism: Mechanism) -> float:
 
 def height_of_highest_tie(mechanism: Mechanism) -> float:
     """Return the height of the highest tie that holds the mechanism above the base hinge [m]; 0 without ties."""
-    return max(map(_height_of_highest_tie, mechanism.actions), default=0.0)
+    return max((_height_of_highest_tie(one, _end_is_known) for one in mechanism.actions), default=0.0)
 
 
 def held_branches(mechanism: Mechanism) -> frozenset[BranchName]:
-    """Return the branches in which a tie holds a single block at or above its centre of mass."""
+    """Return the branches in which a tie that is shown to last holds a single block at or above its centre of mass."""
     single = [one for one in mechanism.actions if len(one.chain.blocks) == 1]
     return frozenset(
         name
         for name, one in zip(BRANCH_NAMES, single, strict=False)
-        if _height_of_highest_tie(one) >= one.chain.blocks[0].centroid[1] - one.chain.hinges[0][1]
+        if _height_of_highest_tie(one, lasts) >= one.chain.blocks[0].centroid[1] - one.chain.hinges[0][1]
     )
 
 
-def _height_of_highest_tie(one: ChainActions) -> float:
-    """Return the height of the highest tie that holds a chain above its base hinge [m]; 0 without ties.
-
-    A tie counts if it is shown to last or its end is given: it stiffens the curve up to there.
-    """
+def _height_of_highest_tie(one: ChainActions, counts: Callable[[Tie], bool]) -> float:
+    """Return the height above the base hinge of the highest tie that counts and resists at rest [m]; 0 without one."""
     heights = [
         action.at[1] - one.chain.hinges[0][1]
         for number, action in enumerate(one.actions)
-        if isinstance(action, Tie)
-        and one.resists_at(number, 0.0)
-        and (lasts(action) or isinstance(action.until, float))
+        if isinstance(action, Tie) and counts(action) and one.resists_at(number, 0.0)
     ]
     return max(heights, default=0.0)
+
+
+def _end_is_known(tie: Tie) -> bool:
+    """Return whether a tie is shown to last or its end is given: it stiffens the curve up to there."""
+    return lasts(tie) or isinstance(tie.until, float)
 
 
 def _pressing_joints(chain: Chain) -> tuple[Joint | None, ...]:

@@ -242,7 +242,8 @@ TEXTS: Mapping[str, str] = {
     "missing-damping-of-table": "the damping of the spectrum, which is given as a table",
     "missing-return-period-of-state": "{state} asks for a return period of {years}; the spectrum is that of {given}",
     "missing-return-period-of-class": "{state} in class of use {class} asks for a return period of {years} where the "
-    "nominal life is 50 years; the spectrum is that of {given}. Of another life give the hazard over return periods",
+    "nominal life is 50 years; the spectrum is that of {given}. For another nominal life give the hazard over return "
+    "periods",
     "missing-class-of-return-period": "the class of use, on which the return period of {state} depends: {years} in "
     "class {taken}, and the spectrum is that of {given}",
     "missing-school": "whether the building is a school, for which class III asks 0.60 (NTC 8.4.2)",

@@ -112,11 +112,7 @@ def _number_or_word(value: Annotation, number: Number) -> Annotation:
             return given
         if isinstance(given, list | tuple) and len(given) == count > 0:
             return tuple(_quantity(each, number) for each in given)
-        if (
-            number.form
-            and not is_number(given)
-            and not (isinstance(given, str) and re.search(r"\d|inf", given.lower()))
-        ):
+        if number.form and not is_number(given) and not _may_be_number(given):
             raise ValueError(number.form)
         return _require(number, _quantity(given, number))
 
@@ -125,8 +121,8 @@ def _number_or_word(value: Annotation, number: Number) -> Annotation:
     ]
 
 
-def _has_digits(value: Any) -> bool:
-    return isinstance(value, str) and re.search(r"\d|inf", value.lower()) is not None
+def _may_be_number(value: Any) -> bool:
+    return isinstance(value, str) and re.search(r"[0-9]|inf", value.lower()) is not None
 
 
 def _schema_of_number(number: Number, words: tuple[str, ...], count: int) -> WithJsonSchema:

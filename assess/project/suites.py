@@ -148,7 +148,7 @@ def _found_suite(project: Project, place: Path, *, executor: Executor | None) ->
 
 def _suites_of_rows(table: Path, template: Path, place: Path, *, executor: Executor | None) -> Iterator[LockedSuite]:
     """Yield the suite of each site that the rows of a table have, found with the first of its rows that has one."""
-    done = list[Any]()
+    done: list[Any] = []
     for task in find_tasks(table, template):
         with suppress(AssessError, RecordError, SpectrumError):  # what is wrong with a row its batch tells
             tables = project_tree(task)

@@ -89,9 +89,11 @@ class SiteSection(ProjectSection):
             raise error_at(
                 "limit_state", f"not one of the hazard over return periods; write one of {quote_names(LIMIT_STATES)}"
             )
-        way = self.spectrum.plain
-        if self.return_period is not None and isinstance(way, (NtcHazardSpectrum, Nzs1170Spectrum)):
-            raise error_at("return_period", f"that of code = {way.code} stands in [site.spectrum]; remove it here")
+        if self.return_period is not None and self.hazard is not None:
+            raise error_at("return_period", "of a hazard over return periods the limit state gives it; remove it")
+        if self.return_period is not None and isinstance(self.spectrum.plain, Nzs1170Spectrum):
+            code = self.spectrum.code
+            raise error_at("return_period", f'of code = "{code}" it stands in [site.spectrum]; remove it here')
         return self
 
     @property

@@ -24,6 +24,7 @@ from assess.declaration import (
     UNCERTAIN_COORDINATE,
     UNCERTAIN_RESTITUTION,
     Coordinate,
+    Drawn,
     Evidence,
     IsPlace,
     Length,
@@ -182,6 +183,7 @@ class FirstModeAmplification(RaisedAmplification):
             "up",
             "Rayleigh's, or two thirds of the drawn height",
             judged="the higher that resultant, the less the mode moves the mechanism's base",
+            safe=Drawn("resultant"),
         ),
     ] = None
     """height of the resultant of the first mode's inertia; [building]'s, or Rayleigh's of the bodies if absent"""

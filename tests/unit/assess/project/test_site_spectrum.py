@@ -428,18 +428,21 @@ def test_a_table_says_its_return_period_and_damping(tmp_path, basis, more, dampi
 
 
 @pytest.mark.parametrize(
-    "spectrum",
+    ("spectrum", "why"),
     [
-        {"code": "nzs1170.5", "z": 0.1, "r": 1.0, "subsoil": "C"},
-        {
-            "code": "ntc2018",
-            "hazard": [{"return_period": years, "a_g": 1.0, "f_0": 2.5, "t_c_star": 0.3} for years in (30, 2475)],
-            "nominal_life": 50,
-            "soil": "A",
-        },
+        ({"code": "nzs1170.5", "z": 0.1, "r": 1.0, "subsoil": "C"}, 'of code = "nzs1170.5" it stands in'),
+        (
+            {
+                "code": "ntc2018",
+                "hazard": [{"return_period": years, "a_g": 1.0, "f_0": 2.5, "t_c_star": 0.3} for years in (30, 2475)],
+                "nominal_life": 50,
+                "soil": "A",
+            },
+            "of a hazard over return periods the limit state gives it",
+        ),
     ],
 )
-def test_a_spectrum_that_has_its_return_period_takes_no_second_one(tmp_path, spectrum):
+def test_a_spectrum_that_has_its_return_period_takes_no_second_one(tmp_path, spectrum, why):
     text = project_toml(site={"return_period": 475, "spectrum": spectrum})
-    with pytest.raises(ProjectError, match=f"site.return_period: 475: that of code = {spectrum['code']}"):
+    with pytest.raises(ProjectError, match=f"site.return_period: 475: {why}"):
         load_project(tmp_path, text)

@@ -334,3 +334,20 @@ def test_a_restitution_written_as_one_number_buys_no_pass_by_histories() -> None
     assert found.other_state.outcome == Decision.PASS
     tables["report"]["sources"]["mechanisms.wall.restitution"] = TESTED
     assert verdict_on(tables).outcome == Decision.PASS
+
+
+@pytest.mark.parametrize("table", ["mechanisms.wall.amplification", "building"])
+def test_a_mode_typed_higher_than_two_thirds_of_the_drawing_is_as_drawn(table: str) -> None:
+    """The motion at a height h is h / h_e of the mode: a higher resultant shakes the wall less, wherever typed."""
+    for typed, replaced in ((1.0, False), (1.01, True)):
+        tables = copy.deepcopy(HISTORIES["own-histories-upstairs"])
+        drawn = 2.0 / 3.0 * tables["building"]["height"]
+        amplification = tables["mechanisms"]["wall"]["amplification"]
+        (tables["building"] if table == "building" else amplification)["effective_height"] = typed * drawn
+        if table == "building":
+            del amplification["effective_height"]
+        found = substitutes(tables, f"{table}.effective_height")
+        assert len(found) == replaced
+        for each in found:
+            (there,) = each.study_at("wall").amplified.values()
+            assert there.amplification.mode.effective_height == pytest.approx(drawn, rel=1e-9)  # type: ignore[union-attr]

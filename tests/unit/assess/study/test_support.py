@@ -98,6 +98,7 @@ SHOWN = {"until": "collapse", "strength": "20 kN", "length": "4 m", "fracture_st
         (1.4, SHOWN, True, set()),  # below the centre of mass
         (1.6, SHOWN, False, set()),
         (1.6, {}, True, set()),
+        (1.6, SHOWN | {"until": "5 mm"}, True, set()),  # it breaks before the wall has turned by 4 mrad
     ],
 )
 def test_a_tie_holds_a_gable_at_or_above_its_centre_of_mass_in_one_direction(tmp_path, height, more, source, held):

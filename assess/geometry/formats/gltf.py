@@ -56,7 +56,8 @@ def companions(file: Path) -> tuple[Path, ...]:
     """Return the files that a glTF file takes its meshes from; none if it cannot be read, which its reader tells."""
     try:
         buffers = _json_of(file).get("buffers", [])
-        return tuple(dict.fromkeys(file.parent / uri for buffer in buffers if (uri := _file_named(buffer))))
+        named = (_file_named(buffer) for buffer in buffers)
+        return tuple(dict.fromkeys(file.parent / uri for uri in named if uri and uri.isprintable()))  # else no path
     except (OSError, ValueError, TypeError, AttributeError, RecursionError):
         return ()
 

@@ -47,7 +47,8 @@ def test_companions_are_the_files_that_hold_the_buffers(tmp_path: Path) -> None:
     header["buffers"] = [{"byteLength": 9, "uri": "my%20wall.bin"}, within, {"byteLength": 1}, {"uri": "b/c.bin"}]
     path = write_file(tmp_path / "wall.gltf", json.dumps(header).encode())
     assert companions(path) == (tmp_path / "my wall.bin", tmp_path / "b" / "c.bin")
-    for damaged in (b"", b"[]", b"{", b'{"buffers": 7}', b'{"buffers": [7]}', b"\xff", b"glTF"):
+    for damaged in (b"", b"[]", b"{", b'{"buffers": 7}', b'{"buffers": [7]}', b"\xff", b"glTF",
+                    b'{"buffers": [{"uri": "a%00b"}, {"uri": "\\ud800"}]}'):  # fmt: skip
         assert companions(write_file(path, damaged)) == ()
     assert companions(tmp_path / "absent.gltf") == ()
 

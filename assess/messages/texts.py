@@ -271,6 +271,8 @@ TEXTS: Mapping[str, str] = {
     "return-period-unstated": "a pass is valid only if the spectrum of the site is that of {state} with a return "
     "period of {years} (class of use {class}, nominal life of 50 years): [site] return_period does not say so",
     "pga-lowered": "a pass is valid for site.pga = {given}, which replaces {own} from the parameters of the spectrum",
+    "swept-without-typed": "a pass is valid for {key} from {least} to {most}, as [analysis] sweep has it; the value of "
+    "the file itself is beyond these and not examined: {typed}",
     "top-held": "a pass is valid only if the top of {mechanism} is held: as it begins to move, its support takes "
     "{force}",
     "top-unheld": "what holds the top of {mechanism}, {height} above the ground: a floor of the building (its height), "
@@ -298,6 +300,8 @@ TEXTS: Mapping[str, str] = {
     "friction-large": "a coefficient of friction of {given} is more than masonry has, {most}; is a point lost?",
     "level-large": "a level of {given} is beyond any plausible site, {most}; is it in another unit?",
     "corner-long": "T_C* of {given} is longer than at any site in Italy, {most}; is a point lost?",
+    "corner-short": "T_C* of {given} is shorter than at any site in Italy, {least}, which makes the demand too small; "
+    "is a point or a unit wrong?",
     "material-unit": "a number without a unit is in SI, so this is {given}, which is impossible for masonry; write "
     "{likely} if that was meant, and check the units of the other numbers",
     "weight-density": "{given} is a weight per volume; divided by standard gravity, 9.80665 m/s2, it gives a "

@@ -31,7 +31,7 @@ from spectra.spectrum import LARGEST_PLAUSIBLE
 SAME_MODE = 0.05  # by how much two first modes of one building may differ
 LIGHTEST, DENSEST = 100.0, 3500.0  # kg/m3: straw and cork, basalt; metals are denser, and no wall is made of them
 ROUGHEST = 2.0  # coefficient of friction of masonry on masonry: tests give 0.3 to 1.2
-LONGEST_CORNER = 1.0  # s: T_C* of NTC 2018 is below it everywhere in Italy
+SHORTEST_CORNER, LONGEST_CORNER = 0.1, 1.0  # s: T_C* of NTC 2018 is between them everywhere in Italy
 
 
 def project_messages(
@@ -163,7 +163,20 @@ def _implausible_numbers(content: sections.Content) -> Iterator[Message]:
         if level > LARGEST_PLAUSIBLE * g:
             given, most = Quantity(level / g, "ground acceleration"), Quantity(LARGEST_PLAUSIBLE, "ground acceleration")
             yield warning("level-large", "analysis.levels", given=given, most=most)
-    corner = None if content.site is None else getattr(content.site.spectrum, "t_c_star", None)
-    if corner is not None and corner > LONGEST_CORNER:
-        given, most = Quantity(corner, "time"), Quantity(LONGEST_CORNER, "time")
-        yield warning("corner-long", "site.spectrum.t_c_star", given=given, most=most)
+    for where, corner in _corners(content):
+        given, least, most = (Quantity(each, "time") for each in (corner, SHORTEST_CORNER, LONGEST_CORNER))
+        if corner > LONGEST_CORNER:
+            yield warning("corner-long", where, given=given, most=most)
+        if corner < SHORTEST_CORNER:
+            yield warning("corner-short", where, given=given, least=least)
+
+
+def _corners(content: sections.Content) -> Iterator[tuple[str, float]]:
+    """Yield each T_C* of an Italian spectrum with its key: the one, or those of the rows of its hazard."""
+    spectrum = None if content.site is None else content.site.spectrum
+    corner = getattr(spectrum, "t_c_star", None)
+    if corner is not None:
+        yield "site.spectrum.t_c_star", corner
+    for place, row in enumerate(getattr(spectrum, "hazard", None) or (), start=1):
+        if (corner := getattr(row, "t_c_star", None)) is not None:
+            yield f"site.spectrum.hazard[{place}].t_c_star", corner

@@ -187,6 +187,7 @@ class KeySweep:
     where : the table, for errors; key : what is swept, as the user wrote it; path : its steps
     unit : of the values, as the user wrote it, or SI where they are plain numbers; "-" for none
     variants : one for each value, in the user's order
+    left_out : what the file itself has at the key, empty for nothing, where it lies beyond the values; else None
     """
 
     where: str
@@ -194,6 +195,7 @@ class KeySweep:
     path: KeyPath
     unit: str
     variants: tuple[ProjectVariant, ...]
+    left_out: str | None
 
 
 def key_sweeps(content: Content, raw: Mapping[str, Any], folder: Path) -> tuple[KeySweep, ...]:
@@ -481,7 +483,21 @@ def _key_sweep(
             raise ProjectError(f"{name}: not in the unit of the first value; write all in one unit")
         variants.append(ProjectVariant(number, name, read))
     symbol = "-" if entry.kind is None else entry.kind.symbol.replace("no unit", "-")
-    return KeySweep(where, sweep.key, entry.path, units[0] or symbol, tuple(variants))
+    cases = tuple(variants)
+    return KeySweep(where, sweep.key, entry.path, units[0] or symbol, cases, _left_out(entry, cases, raw))
+
+
+def _left_out(entry: KeyedValue, cases: Sequence[ProjectVariant], raw: Mapping[str, Any]) -> str | None:
+    """Return what the file has at a swept key, empty for nothing, where it lies beyond the cases; None where not."""
+    swept = [value_at(case.content, entry.path) for case in cases]
+    if is_number(entry.value) and all(map(is_number, swept)):
+        reached = min(swept) <= entry.value <= max(swept)
+    else:
+        reached = entry.value in swept
+    if reached:
+        return None
+    stated, written = look_up(raw, entry.path)
+    return value_text(written) if stated else f"{entry.value:.6g}" if is_number(entry.value) else ""
 
 
 def _values_in_range(sweep: SweepSection, *, where: str) -> tuple[WrittenNumber, ...]:

@@ -118,7 +118,10 @@ class SweepSection(ProjectSection):
     """A parametric study: the mechanisms that one number of the project changes, for each of several values of it."""
 
     evidence = Evidence(
-        "chosen", "either", "the value typed at the key is among the cases", judged="the worst of the cases decides"
+        "chosen",
+        "either",
+        "a pass has the value typed at the key as a condition where it is beyond the cases",
+        judged="the worst of the cases decides",
     )
 
     key: StrictStr

@@ -74,7 +74,11 @@ UPGRADING = Evidence(
     "chosen", ("a", "b", "d", "c", "e"), "a target of 1.0 stands beside", judged="cases c and e have the target 0.80"
 )
 INDEX_BEFORE = Evidence(
-    "measured", "down", "absent: an improvement is incomplete", judged="the target of an improvement is 0.10 above it"
+    "measured",
+    "down",
+    "absent: an improvement is incomplete",
+    judged="the target of an improvement is 0.10 above it",
+    safe=Safe.ABSENT,
 )
 TARGET_NBS = Evidence("chosen", (100, 67, 34), "absent: incomplete; the grade stands beside")
 RULE = Evidence(

@@ -19,6 +19,8 @@ from tests.support.projects import NTC, block, project_toml, study_of, wall
         ("1900 kg/m^3", 9.5, "3 g", "1 s", {"friction-large"}),
         ("1900 kg/m^3", 0.5, "98.1 g", "1 s", {"level-large"}),
         ("1900 kg/m^3", 0.5, "0.1 g", "9.3 s", {"corner-long"}),
+        ("1900 kg/m^3", 0.5, "0.1 g", "0.1 s", set()),
+        ("1900 kg/m^3", 0.5, "0.1 g", "0.03 s", {"corner-short"}),
     ],
 )
 def test_implausible_numbers_get_a_warning(
@@ -32,4 +34,19 @@ def test_implausible_numbers_get_a_warning(
         analysis={"levels": [level]},
     )
     found = {each.key for each in study_of(tmp_path, text).messages}
-    assert found & {"density-odd", "friction-large", "level-large", "corner-long"} == keys
+    assert found & {"density-odd", "friction-large", "level-large", "corner-long", "corner-short"} == keys
+
+
+def test_a_row_of_the_hazard_with_an_implausible_corner_is_named(tmp_path: Path) -> None:
+    rows = [{"return_period": years, "a_g": "0.1 g", "f_0": 2.4, "t_c_star": corner} for years, corner in ROWS]
+    plain = {key: value for key, value in NTC.items() if key not in ("a_g", "f_0", "t_c_star")}
+    text = project_toml(
+        site={"spectrum": plain | {"hazard": rows, "nominal_life": 50, "use_class": "II"}},
+        bodies={"wall": wall(0.8, height=5.0)},
+        mechanisms={"wall": block("wall")},
+    )
+    found = [each.where for each in study_of(tmp_path, text).messages if each.key == "corner-short"]
+    assert found == ["site.spectrum.hazard[2].t_c_star"]
+
+
+ROWS = ((30, "0.25 s"), (475, "0.03 s"), (2475, "0.35 s"))

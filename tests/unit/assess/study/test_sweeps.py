@@ -236,3 +236,38 @@ def test_the_verdict_of_a_swept_site_stands_at_the_action_of_the_case_that_contr
     for one, other in zip(swept.verdict.mechanisms, alone.verdict.mechanisms, strict=True):
         assert (one.outcome, one.margin) == (other.outcome, other.margin)
     assert swept.verdict.outcome == "fail"
+
+
+@pytest.mark.parametrize(
+    ("key", "values", "told"),
+    [
+        ("bodies.wall.box.thickness", '["2.5 m", "3 m"]', ["bodies.wall.box.thickness from 2.5 m to 3 m"]),
+        ("bodies.wall.box.thickness", '["300 cm", "250 cm"]', ["bodies.wall.box.thickness from 250 cm to 300 cm"]),
+        ("site.pga", '["0.01 g", "0.015 g"]', ["site.pga from 0.01 g to 0.015 g"]),
+    ],
+)
+def test_a_pass_of_a_sweep_beyond_the_value_of_the_file_has_that_as_condition(
+    tmp_path: Path, key: str, values: str, told: list[str]
+) -> None:
+    """A wall 0.2 m thick that fails does not pass unremarked because its sweep begins at 2.5 m."""
+    found = run_study(study_of(tmp_path, swept_wall(key, values)), jobs=1).verdict
+    assert found.outcome == "pass"
+    texts = [each.text for each in found.conditions if each.key == "swept-without-typed"]
+    assert [text.removeprefix("a pass is valid for ").partition(",")[0] for text in texts] == told
+
+
+@pytest.mark.parametrize("values", ['["0.1 m", "3 m"]', '["0.2 m", "3 m"]'])
+def test_a_sweep_that_reaches_the_value_of_the_file_has_no_condition(tmp_path: Path, values: str) -> None:
+    facts = study_of(tmp_path, swept_wall("bodies.wall.box.thickness", values)).facts
+    assert not any(each.key == "swept-without-typed" for each in facts["wall"][1])
+
+
+def swept_wall(key: str, values: str) -> str:
+    """Return the project of a wall 0.2 m thick and 4.5 m high on an EC8 site, which fails, with a sweep."""
+    whole = project_toml(
+        site={"limit_state": "ULS", "spectrum": {"code": "ec8", "a_g": "0.1 g", "ground_type": "C"}},
+        bodies={"wall": wall(0.2, height=4.5)},
+        mechanisms={"wall": block()},
+        analysis={"procedures": ["ec8-element"], "scan": False},
+    )
+    return f'{whole}\n[analysis.sweep]\nkey = "{key}"\nvalues = {values}\n'

@@ -121,7 +121,7 @@ class Override(ShortRepr):
         values: dict[str, Quantity | Term | Message | str] = {
             "key": self.key,
             "value": self.value,
-            "instead": Term(self.instead),
+            "instead": Term(self.instead) if self.of_range else self.instead,  # only that of a range is shown
             "source": self.source,
             "outcome": OUTCOME_TERMS[self.outcome_instead],
             "margin": Quantity(self.margin_instead or 0.0, "ratio", 3),

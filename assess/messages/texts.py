@@ -271,6 +271,9 @@ TEXTS: Mapping[str, str] = {
     "return-period-unstated": "a pass is valid only if the spectrum of the site is that of {state} with a return "
     "period of {years} (class of use {class}, nominal life of 50 years): [site] return_period does not say so",
     "pga-lowered": "a pass is valid for site.pga = {given}, which replaces {own} from the parameters of the spectrum",
+    "one-of-several": 'a pass is by the first of {procedures} that is answered, as rule = "any" has it: by another one '
+    "of them the same mechanism may fail",
+    "sliding-alone": "a pass is that it does not slide: no procedure of the basis examines whether it overturns",
     "swept-without-typed": "a pass is valid for {key} from {least} to {most}, as [analysis] sweep has it; the value of "
     "the file itself is beyond these and not examined: {typed}",
     "top-held": "a pass is valid only if the top of {mechanism} is held: as it begins to move, its support takes "

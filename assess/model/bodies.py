@@ -30,6 +30,7 @@ from assess.declaration import (
     PositiveMass,
     PositiveStress,
     Range,
+    Safe,
     SpacePoint,
     Tried,
 )
@@ -75,7 +76,7 @@ TENSION = Evidence(
     judged="no procedure counts on it; eq. 3.27 places a crack by it, which may be the weaker or the stronger place",
     safe=Range((Tried(0.0),)),
 )
-FRICTION = Evidence("measured", "up", "absent: whether anything slides is not answered")
+FRICTION = Evidence("measured", "up", "absent: whether anything slides is not answered", safe=Safe.ABSENT)
 AS_GIVEN = Evidence("defines", "either", "as stated")
 INERTIA = Evidence(
     "defines",

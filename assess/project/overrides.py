@@ -82,14 +82,20 @@ def _keys_as_written(project: Project) -> Iterator[tuple[KeyPath, Evidence]]:
 
 
 def replace_values(project: Project, values: Sequence[Replaceable]) -> Project:
-    """Return the project as a file says it that has other values at these keys."""
+    """Return the project as a file says it that has other values at these keys; what is replaced is not uncertain."""
     rising = sorted(
         values, key=lambda each: len(each.setting)
     )  # what a load that is left out brings with it comes last
     setting = {place: value for each in rising for place, value in each.setting.items()}
+    uncertain = tuple(
+        each for each in project.uncertain if not any(each.path[: len(place)] == place for place in setting)
+    )
+    sampled = project.content.analysis.uncertainty
+    if project.uncertain and not uncertain and sampled is not None and sampled.thickness is None:
+        setting[("analysis", "uncertainty")] = Safe.ABSENT
     raw = dict(with_values(project.raw, setting, project.content))
     found = load_tree(raw, project.path, sha256=project.sha256)
-    return replace(found, uncertain=project.uncertain, messages=project.messages)
+    return replace(found, uncertain=uncertain, messages=project.messages)
 
 
 def given_keys(table: ProjectSection, path: KeyPath) -> Iterator[tuple[KeyPath, Evidence]]:

@@ -19,6 +19,7 @@ from assess.codes.ntc2018_clauses import free_period
 from assess.codes.nzsee2017 import NZSEE2017_FACE_LOADED, ULS_YEARS, required_return_factor
 from assess.codes.procedures import KNOWLEDGE_CODES, PROCEDURES, CodeOptions, default_procedures
 from assess.codes.question import SOURCES, Action, Missing, Question, VerdictFacts, methods_of, missing_input
+from assess.codes.sliding import ASCE43_05_SLIDING, SLIDING
 from assess.errors import ProjectError, locate_errors
 from assess.geometry.solid import Solid
 from assess.messages.message import Message, Quantity, Severity, Value, message, whole_number
@@ -138,6 +139,7 @@ def facts_of(
     holds = (
         *lowered_pga_conditions(content, spectrum),
         *conditions_of_works(content, question),
+        *_conditions_of_own_basis(content, question),
         *_unstated_return_period(content, question, years),
     )
     importance = _missing_importance(content) if NZSEE2017_FACE_LOADED.name in methods_of(question) else ()
@@ -264,6 +266,17 @@ def conditions_of_works(content: sections.Content, question: Question) -> Iterat
     if hazard is not None and hazard.nominal_life < LEAST_LIFE:
         life = Quantity(hazard.nominal_life, "return period", 3)
         yield message("phase-of-works", {"life": life}, severity=Severity.WARNING)
+
+
+def _conditions_of_own_basis(content: sections.Content, question: Question) -> Iterator[Message]:
+    """Yield what a pass under a basis of the engineer's own leaves out: the other procedures, or overturning."""
+    if content.verdict.basis != "own":
+        return
+    methods = methods_of(question)
+    if content.verdict.rule == "any" and len(methods) > 1:
+        yield message("one-of-several", {"procedures": ", ".join(methods)}, severity=Severity.WARNING)
+    if set(methods) <= {SLIDING.name, ASCE43_05_SLIDING.name}:
+        yield message("sliding-alone", severity=Severity.WARNING)
 
 
 def _missing_masonry(content: sections.Content, name: str) -> Iterator[Missing]:

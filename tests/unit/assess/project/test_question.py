@@ -100,6 +100,22 @@ def test_premises_go_with_the_procedures_of_a_basis_of_the_engineer(tmp_path, pr
     assert keys(facts_of(of, question_of(of, site_pga=1.0), ("wall",))["wall"]) == missing
 
 
+@pytest.mark.parametrize(
+    ("procedures", "rule", "conditions"),
+    [
+        (["sliding", "ec8-element"], "any", ["one-of-several"]),
+        (["sliding", "ec8-element"], "all", []),
+        (["sliding"], "any", ["sliding-alone"]),
+        (["ec8-element"], "any", []),
+    ],
+)
+def test_a_basis_of_the_engineer_says_what_its_pass_leaves_out(tmp_path, procedures, rule, conditions):
+    top = f'[verdict]\nbasis = "own"\nprocedures = {procedures}\nrule = "{rule}"\nstatement = "ours"\n'
+    of = content(tmp_path, top=top.replace("'", '"'))
+    found = facts_of(of, question_of(of, site_pga=1.0), ("wall",))["wall"][1]
+    assert [each.key for each in found] == conditions
+
+
 def test_masonry_without_a_material_says_it_in_its_own_table(tmp_path):
     assert keys(facts(tmp_path, "tabled")) == ["mechanisms.tabled.disintegration", "report.sources"]
     assert keys(facts(tmp_path, of="roof")) == ["bodies.roof.disintegration", "report.sources"]

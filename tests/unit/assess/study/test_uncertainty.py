@@ -209,7 +209,9 @@ def test_a_sample_that_cannot_be_built_is_not_answered_with_its_reason(folder: P
     """A hollow joint whose hole scatters beyond its outside."""
     shape = {"hollow_rectangle": [0.6, 3.0, {"mean": 0.5, "cov": 0.2}, 2.5]}
     joint = {"model": "flexible", "stiffness": "1 GPa/m", "strength": "inf", "shape": shape}
-    results = assessed(folder, samples=32, mechanisms={"wall": block(direction=[1, 0, 0], interface=joint)})
+    sources = {"mechanisms.wall.interface": "measured: cores through the bed, 2019"}
+    mechanisms = {"wall": block(direction=[1, 0, 0], interface=joint)}
+    results = assessed(folder, samples=32, mechanisms=mechanisms, report={"sources": sources})
     answer = answer_of(results)
     exact = float(ndtr(log(0.6 / 0.5 * sqrt(1.04)) / sqrt(log(1.04))))
     assert abs(answer.answered / 32 - exact) <= 1.0 / 32

@@ -60,7 +60,7 @@ BEAM = "first mode of a beam"
 
 
 BEHAVIOUR_FACTOR = Evidence(
-    "code", "up", "2.0 for what spans or a tie holds at or above its centre of mass, else 1.0", safe=Safe.ABSENT
+    "code", "up", "2.0 for what spans, or what ties hold that resist the force alone, else 1.0", safe=Safe.ABSENT
 )
 IMPORTANCE = Evidence("code", "down", "1.0; 1.5 where life depends on it")
 
@@ -70,8 +70,8 @@ class Ec8Options:
     """Options of the check of non-structural elements of EN 1998-1, 4.3.5."""
 
     behaviour_factor: Annotated[float, Number("ratio", least=1, most=2), BEHAVIOUR_FACTOR] | None = None
-    """q_a of Table 4.4, 1 to 2; if absent 2.0 for walls that span and for what a lasting tie holds at or above its
-    centre of mass, 1.0 for what stands free"""
+    """q_a of Table 4.4, 1 to 2; if absent 2.0 for walls that span and for what lasting ties at or above its centre of mass
+    hold that resist the force alone, 1.0 for what stands free"""
     importance_factor: Annotated[float, Number("ratio", least=1), IMPORTANCE] = 1.0
     """gamma_a of the element, no less than 1: 1.5 where life depends on it"""
     alpha_s: Annotated[PositiveAcceleration | None, ORDINATE] = None
@@ -81,7 +81,7 @@ class Ec8Options:
 def assess_element(oscillator: Oscillator, context: Context, *, options: Ec8Options) -> tuple[Check, ...]:
     """Check F_a / W_a against the multiplier that the mechanism resists, on the worse branch (4.3.5)."""
     if oscillator.negative is not None and len(set(oscillator.branches)) == 1 == len(context.held):
-        context = replace(context, held=frozenset())  # one branch serves both ways, and is checked as the positive one
+        context = replace(context, held={})  # one branch serves both ways, and is checked as the positive one
 
     def one(branch: Branch, name: BranchName, level: float) -> Check:
         check = _check(branch, name, context, options, level)
@@ -140,27 +140,34 @@ def element_demand(
     """
     ratio = period_ratio(branch, context)
     amplified = amplification(ratio, context)
-    q_a = behaviour_factor(context, name) if options.behaviour_factor is None else options.behaviour_factor
     gamma_a = options.importance_factor
     surface = 1.0 if options.alpha_s is None else options.alpha_s / context.spectrum.pga
     alpha_s = surface * level / g
+    q_a = options.behaviour_factor
+    if q_a is None:
+        unreduced = force_over_weight(alpha_s * amplified, behaviour_factor=1.0, importance_factor=gamma_a)
+        q_a = behaviour_factor(context, name, unreduced)
     force = force_over_weight(alpha_s * amplified, behaviour_factor=q_a, importance_factor=gamma_a)
     return ElementDemand(alpha_s, surface, ratio, amplified, q_a, gamma_a, force)
 
 
-def behaviour_factor(context: Context, name: BranchName) -> float:
+def behaviour_factor(context: Context, name: BranchName, unreduced: float) -> float:
     """Return q_a of Table 4.4 by what holds the element as it is drawn [-].
+
+    Ties hold what stands free where they alone resist the force that remains at the q_a of what is held.
 
     Parameters
     ----------
     context : how the masonry is held
     name : the direction of rocking: a tie may hold it in one alone
+    unreduced : F_a / W_a at q_a = 1 [-]
 
     Returns
     -------
     float [-]
     """
-    return BEHAVIOUR["spanning" if name in context.held else context.support]
+    braced = context.held.get(name, 0.0) >= unreduced / BEHAVIOUR["spanning"]
+    return BEHAVIOUR["spanning" if braced else context.support]
 
 
 def joint_period(branch: Branch) -> float:
@@ -283,16 +290,16 @@ def _check(branch: Branch, name: BranchName, context: Context, options: Ec8Optio
         ),
         capacity_pga_g=level * resistance / demand.force / g,
         uplift_pga_g=None if lifts is None else lifts / g,
-        steps=_steps(branch, context, demand, held_by=_holding(name, context, options)),
+        steps=_steps(branch, context, demand, held_by=_holding(demand.q_a, context, options)),
         **caveats_of(CAVEAT, *EC8_ELEMENT.spectrum_caveats(context.spectrum.code)),
     )
 
 
-def _holding(name: BranchName, context: Context, options: Ec8Options) -> str:
+def _holding(q_a: float, context: Context, options: Ec8Options) -> str:
     """Return what q_a rests on, in words."""
     if options.behaviour_factor is not None:
         return TYPED
-    return TIED if name in context.held else ELEMENTS[context.support]
+    return ELEMENTS[context.support] if q_a == BEHAVIOUR[context.support] else TIED
 
 
 def _steps(branch: Branch, context: Context, demand: ElementDemand, *, held_by: str) -> tuple[Step, ...]:

@@ -12,6 +12,7 @@ from math import inf
 from typing import Annotated, ClassVar, Literal
 
 import numpy as np
+from scipy.constants import g
 
 from assess.declaration import (
     FREE,
@@ -319,14 +320,25 @@ def height_of_highest_tie(mechanism: Mechanism) -> float:
     return max((_height_of_highest_tie(one, _end_is_known) for one in mechanism.actions), default=0.0)
 
 
-def held_branches(mechanism: Mechanism) -> frozenset[BranchName]:
-    """Return the branches in which a tie that is shown to last holds a single block at or above its centre of mass."""
-    single = [one for one in mechanism.actions if len(one.chain.blocks) == 1]
-    return frozenset(
-        name
-        for name, one in zip(BRANCH_NAMES, single, strict=False)
-        if _height_of_highest_tie(one, lasts) >= one.chain.blocks[0].centroid[1] - one.chain.hinges[0][1]
-    )
+def multipliers_of_ties(mechanism: Mechanism) -> dict[BranchName, float]:
+    """Return the multiplier that ties resist alone which are shown to last and hold a single block above its middle.
+
+    By branch, where there is such a tie at or above the centre of mass: their moment at rest over g B [-].
+    """
+    found: dict[BranchName, float] = {}
+    for name, one, branch in zip(BRANCH_NAMES, mechanism.actions, mechanism.oscillator.branches, strict=False):
+        if len(one.chain.blocks) != 1:
+            continue
+        middle = one.chain.blocks[0].centroid[1]
+        holding = [
+            number
+            for number, action in enumerate(one.actions)
+            if isinstance(action, Tie) and lasts(action) and action.at[1] >= middle and one.resists_at(number, 0.0)
+        ]
+        if holding:
+            moments = one.moments.at_rotations(np.zeros(1))[holding, 0]
+            found[name] = -float(moments.sum()) / (g * float(branch.excitation[0]))
+    return found
 
 
 def _height_of_highest_tie(one: ChainActions, counts: Callable[[Tie], bool]) -> float:

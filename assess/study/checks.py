@@ -32,7 +32,7 @@ from assess.loads.load import Force, Load, Point, PointMass, upward
 from assess.mechanisms.chain import Chain, virtual_work
 from assess.mechanisms.hinge_forces import chain_at_start, hinge_forces, incipient_motion
 from assess.mechanisms.kinds import MECHANISM_KINDS
-from assess.mechanisms.mechanism import Mechanism, height_of_support, held_branches, limits, open_seats
+from assess.mechanisms.mechanism import Mechanism, height_of_support, limits, multipliers_of_ties, open_seats
 from assess.messages.message import Message, Quantity, Severity, Value, message
 from assess.oscillator import BranchName, Oscillator
 from assess.results import MechanismResult
@@ -318,7 +318,7 @@ def _context_without_floor_spectrum(
         levels=study.levels,
         vertical_ratio=study.vertical_ratio,
         support=SUPPORTS[mechanism.kind],
-        held=held_branches(mechanism) if SUPPORTS[mechanism.kind] == "free" else frozenset(),
+        held=multipliers_of_ties(mechanism) if SUPPORTS[mechanism.kind] == "free" else {},
         carries_floors=carries_floors(mechanism),
         actions=tuple(load.name for load in mechanism.positive.loads if not isinstance(load, PointMass)),
         wall=wall_of(mechanism, on_masonry=study.on_masonry.get(mechanism.name, False)),

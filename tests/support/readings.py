@@ -124,7 +124,8 @@ def permissible(sheet: Sheet) -> float:
 
 
 def stated(sheet: Sheet) -> float:
-    spans = sheet.subject.context.support == "spanning" or sheet.subject.check.branch in sheet.subject.context.held
+    context, branch = sheet.subject.context, sheet.subject.check.branch
+    spans = context.support == "spanning" or context.held.get(branch, 0.0) >= sheet.known.get("S_a", inf) / 2.0
     if sheet.step.symbol == "T0":
         return sheet.subject.context.free_period.value
     return {"q_a": 2.0 if spans else 1.0, "γ_a": 1.0, "δ_all": SLIDING, "μ": FRICTION}[sheet.step.symbol]

@@ -51,18 +51,22 @@ def test_a_parapet_on_the_roof() -> None:
 
 def test_a_gable_that_a_tie_holds_has_twice_the_behaviour_factor_in_that_direction() -> None:
     """The parapet above, tied: F_a / W_a = 0.94528 / 2 = 0.47264 forwards; 0.94528 backwards, as the tie is slack."""
-    tied = at_height(10.0, wall=Wall(1.0, 0.3), held=frozenset({"positive"}))
+    tied = at_height(10.0, wall=Wall(1.0, 0.3), held={"positive": 0.5})
     forwards = dataclasses.replace(PARAPET, negative=None)
     (held,) = assess_element(forwards, tied, options=Ec8Options())
     assert held.demand == pytest.approx(0.47264, rel=1e-4)
     assert step_values(held)["q_a"] == 2.0
     assert next(step.remark for step in held.steps if step.symbol == "q_a") == TIED
+    (weak,) = assess_element(forwards, dataclasses.replace(tied, held={"positive": 0.47}), options=Ec8Options())
+    assert weak.demand == pytest.approx(
+        0.94528, rel=1e-4
+    )  # the ties alone resist less than the force that would remain
     apart = dataclasses.replace(PARAPET, negative=dataclasses.replace(PARAPET.positive))
     (both,) = assess_element(apart, tied, options=Ec8Options())
     assert (both.branch, both.demand) == ("negative", pytest.approx(0.94528, rel=1e-4))
     (alike,) = assess_element(PARAPET, tied, options=Ec8Options())  # one branch for both directions
     assert alike.demand == pytest.approx(0.94528, rel=1e-4)
-    ways = dataclasses.replace(tied, held=frozenset({"positive", "negative"}))
+    ways = dataclasses.replace(tied, held={"positive": 0.5, "negative": 0.5})
     (braced,) = assess_element(PARAPET, ways, options=Ec8Options())
     assert braced.demand == pytest.approx(0.47264, rel=1e-4)
 

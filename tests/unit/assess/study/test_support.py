@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from scipy.constants import g
 
-from assess.mechanisms.mechanism import held_branches
+from assess.mechanisms.mechanism import multipliers_of_ties
 from assess.project.build import build
 from assess.project.project_file import load
 from assess.study.checks import decide
@@ -114,4 +114,5 @@ def test_a_tie_holds_a_gable_at_or_above_its_centre_of_mass_in_one_direction(tmp
     file = tmp_path / "project.toml"
     file.write_text(text, encoding="utf-8")
     (mechanism,) = build(load(file)).mechanisms
-    assert held_branches(mechanism) == held
+    resisted = 5e3 * height / (DENSITY * 0.4 * 5.0 * 3.0 * g * 1.5)  # of 5 kN at its height over W at the middle
+    assert multipliers_of_ties(mechanism) == pytest.approx(dict.fromkeys(held, resisted), rel=1e-9)

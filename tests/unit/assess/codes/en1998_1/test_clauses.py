@@ -131,12 +131,21 @@ def test_uplift_pga(branch, amplified: float, in_g: float | None) -> None:
 
 @pytest.mark.parametrize(
     ("support", "held", "q_a"),
-    [("free", (), 1.0), ("free", ("positive",), 2.0), ("free", ("negative",), 1.0), ("spanning", (), 2.0)],
+    [
+        ("free", {}, 1.0),
+        ("free", {"positive": 0.25}, 2.0),
+        ("free", {"positive": 0.24}, 1.0),
+        ("free", {"negative": 0.25}, 1.0),
+        ("spanning", {}, 2.0),
+    ],
 )
 def test_the_behaviour_factor_goes_by_what_holds_the_element(support, held, q_a: float) -> None:
-    """Table 4.4: 1.0 for cantilevers, 2.0 for what is held at or above its centre of mass, in the direction held."""
-    context = replace(GROUND, support=support, held=frozenset(held))
-    assert behaviour_factor(context, "positive") == q_a
+    """Table 4.4: 1.0 for cantilevers, 2.0 for what is held at or above its centre of mass, in the direction held.
+
+    A force of 0.5 W leaves 0.25 W at q_a = 2, which the ties must resist alone.
+    """
+    context = replace(GROUND, support=support, held=held)
+    assert behaviour_factor(context, "positive", 0.5) == q_a
 
 
 @pytest.mark.parametrize(("support", "q_a"), [("free", 1.0), ("spanning", 2.0), ("hinged", 1.0)])

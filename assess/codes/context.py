@@ -197,7 +197,7 @@ class Context:
     suite_faults : by the code of a procedure, the rules for suites that the records miss, with the remedies
     amplification : the largest, over the records, of peak acceleration at the mechanism's base over that at the ground
     support : how the masonry is held: it stands free on its base, spans between two supports, or is a chain of hinges
-    held : the multiplier that lasting ties at or above the centre of mass of what stands free resist alone, by branch [-]
+    held : multiplier that lasting ties at or above the centre of mass of what stands free resist alone, by branch [-]
     carries_floors : whether a floor, roof or vault presses on it or moves with it
     actions : ties and applied forces on it, by name
     wall : its size, None where the mechanism is no wall or has no geometry

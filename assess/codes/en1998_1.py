@@ -70,8 +70,8 @@ class Ec8Options:
     """Options of the check of non-structural elements of EN 1998-1, 4.3.5."""
 
     behaviour_factor: Annotated[float, Number("ratio", least=1, most=2), BEHAVIOUR_FACTOR] | None = None
-    """q_a of Table 4.4, 1 to 2; if absent 2.0 for walls that span and for what lasting ties at or above its centre of mass
-    hold that resist the force alone, 1.0 for what stands free"""
+    """q_a of Table 4.4, 1 to 2; if absent 2.0 for walls that span and for what is held by lasting ties at or above its
+    centre of mass that resist the force alone, 1.0 for what stands free"""
     importance_factor: Annotated[float, Number("ratio", least=1), IMPORTANCE] = 1.0
     """gamma_a of the element, no less than 1: 1.5 where life depends on it"""
     alpha_s: Annotated[PositiveAcceleration | None, ORDINATE] = None

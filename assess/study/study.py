@@ -341,7 +341,12 @@ def case_text(sweep: Sweep, case: SweepCase, mechanism: str) -> str:
 
 
 def value_text(sweep: Sweep, case: SweepCase) -> str:
-    """Return the value of a case with its unit."""
+    """Return the value of a case with its unit.
+
+    Parameters
+    ----------
+    sweep, case : the parametric study, and one of its cases
+    """
     return f"{case.value:.6g}" + ("" if sweep.unit == "-" else f" {sweep.unit}")
 
 

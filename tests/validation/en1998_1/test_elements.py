@@ -58,9 +58,7 @@ def test_a_gable_that_a_tie_holds_has_twice_the_behaviour_factor_in_that_directi
     assert step_values(held)["q_a"] == 2.0
     assert next(step.remark for step in held.steps if step.symbol == "q_a") == TIED
     (weak,) = assess_element(forwards, dataclasses.replace(tied, held={"positive": 0.47}), options=Ec8Options())
-    assert weak.demand == pytest.approx(
-        0.94528, rel=1e-4
-    )  # the ties alone resist less than the force that would remain
+    assert weak.demand == pytest.approx(0.94528, rel=1e-4)  # the ties resist less than what would remain
     apart = dataclasses.replace(PARAPET, negative=dataclasses.replace(PARAPET.positive))
     (both,) = assess_element(apart, tied, options=Ec8Options())
     assert (both.branch, both.demand) == ("negative", pytest.approx(0.94528, rel=1e-4))

@@ -85,7 +85,8 @@ def body_loads(
     body : its solid; None without geometry
     mass : of the whole body as given or by its volume [kg]
     around : the block, and what stands around it
-    once : what no other load counts of the body, over its mass [-]
+    once : what no other load counts of the body, over its mass [-]; its thrust is that of the whole, so that an
+        overlap in the drawing takes none away
     find : finds where it meets the block
 
     Raises
@@ -100,7 +101,6 @@ def body_loads(
     side = 0.0 if roof is None else _side_of_span(roof, found, arch, at, along=around.along)
     placed = BodyOnBlock(load, body, found, arch, side, meeting.others, where=f'{around.where}: load "{load.body}"')
     whole, of = body_mass(load, body, mass=mass)
-    whole *= once
     bearing, how = _bears_on_block(placed)
     part = _carried_share(placed, bearing=bearing)
     source, pushed = [of, part.source, how, *_place_source(load, found, along=around.along)], list[Force]()
@@ -113,8 +113,8 @@ def body_loads(
         source += [] if thrust.size else thrust.source
     if load.seat is not None and not bearing:
         raise GeometryError(f"{placed.where}: it only pushes, so it has no seat; remove seat, or write bearing = true")
-    carried = PointMass(load.body, part.share * whole, at, bearing, block, tuple(source), load.seat)
-    return LoadSet((carried, *pushed), (*meeting.warnings, *part.warnings))
+    carried = PointMass(load.body, part.share * whole * once, at, bearing, block, tuple(source), load.seat)
+    return LoadSet((carried, *pushed) if once else tuple(pushed), (*meeting.warnings, *part.warnings))
 
 
 def loaded_blocks(

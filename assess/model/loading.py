@@ -111,8 +111,9 @@ def _loads_of_entry(
         )
         return LoadSet((force,), warnings, (False,))
     if isinstance(load, BodyLoad):
-        if not (once := shares.get(load.body, 1.0)):
-            return LoadSet((), ())  # it lies wholly in the bodies of loads before it
+        once = shares.get(load.body, 1.0)
+        if not once and load.role == "floor":
+            return LoadSet((), ())  # it lies wholly in the bodies of loads before it, and pushes nothing
         part = _loads_of_body(load, blocks, definition, bodies, once, find=find)
     else:
         part = LoadSet((_load_in_plane(number, load, definition.towards),), ())

@@ -159,7 +159,7 @@ FIRST_FREQUENCY = Evidence(
 EFFECTIVE_HEIGHT = Evidence(
     "measured",
     "up",
-    "Rayleigh's of the bodies as drawn",
+    "two thirds of the height as drawn",
     judged="the higher the resultant of the first mode, the less of it acts at a given height",
     safe=Drawn("resultant"),
 )

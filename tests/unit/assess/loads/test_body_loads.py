@@ -340,6 +340,15 @@ def test_what_loads_share_counts_once_and_is_pointed_out(tmp_path):
     assert only.name == "floor"
 
 
+def test_a_roof_that_lies_within_another_load_keeps_its_thrust(tmp_path):
+    """What two drawings share weighs once; the thrust of neither goes, as no overlap holds a wall."""
+    again = ROOF.replace("bodies.roof", "bodies.cover")
+    entries = [f'body = "{name}", role = "roof", span = 6, rise = "2.3 m", share = 0.5' for name in ("roof", "cover")]
+    loads = study_of(tmp_path, ROOF + again, *entries).mechanisms[0].positive.loads
+    assert [load.name for load in loads] == ["roof", "roof (thrust)", "cover (thrust)"]
+    assert loads[1].force == pytest.approx(loads[2].force, rel=1e-9)
+
+
 def test_a_body_that_stands_where_the_block_does_carries_nothing(tmp_path):
     other = """[bodies."front as it was"]
 material = "stone"

@@ -317,7 +317,14 @@ def height_of_support(mechanism: Mechanism) -> float:
 
 def height_of_highest_tie(mechanism: Mechanism) -> float:
     """Return the height of the highest tie that holds the mechanism above the base hinge [m]; 0 without ties."""
-    return max((_height_of_highest_tie(one, _end_is_known) for one in mechanism.actions), default=0.0)
+    return max(
+        (
+            max((one.actions[number].at[1] for number in _holding_ties(one, _end_is_known)), default=foot) - foot
+            for one in mechanism.actions
+            for foot in (one.chain.hinges[0][1],)
+        ),
+        default=0.0,
+    )
 
 
 def multipliers_of_ties(mechanism: Mechanism) -> dict[BranchName, float]:
@@ -330,25 +337,20 @@ def multipliers_of_ties(mechanism: Mechanism) -> dict[BranchName, float]:
         if len(one.chain.blocks) != 1:
             continue
         middle = one.chain.blocks[0].centroid[1]
-        holding = [
-            number
-            for number, action in enumerate(one.actions)
-            if isinstance(action, Tie) and lasts(action) and action.at[1] >= middle and one.resists_at(number, 0.0)
-        ]
+        holding = [number for number in _holding_ties(one, lasts) if one.actions[number].at[1] >= middle]
         if holding:
             moments = one.moments.at_rotations(np.zeros(1))[holding, 0]
             found[name] = -float(moments.sum()) / (g * float(branch.excitation[0]))
     return found
 
 
-def _height_of_highest_tie(one: ChainActions, counts: Callable[[Tie], bool]) -> float:
-    """Return the height above the base hinge of the highest tie that counts and resists at rest [m]; 0 without one."""
-    heights = [
-        action.at[1] - one.chain.hinges[0][1]
+def _holding_ties(one: ChainActions, counts: Callable[[Tie], bool]) -> list[int]:
+    """Return the ties that count and resist at rest, by their numbers among the actions."""
+    return [
+        number
         for number, action in enumerate(one.actions)
         if isinstance(action, Tie) and counts(action) and one.resists_at(number, 0.0)
     ]
-    return max(heights, default=0.0)
 
 
 def _end_is_known(tie: Tie) -> bool:

@@ -173,7 +173,7 @@ def _numerical_spread(check: Check | None) -> Iterator[Text]:
         return
     yield say(
         "Numerical spread: the rule holds for {share} of the choices among the {runs} runs of each record; a pass "
-        "needs {least}. The scatter from record to record is something else, and belongs to the suite.",
+        "needs {least}.",
         share=quantity(100.0 * check.numerical.holds, "percent", cells.FIGURES),
         runs=count(check.numerical.runs),
         least=quantity(100.0 * NEEDED, "percent", 2),

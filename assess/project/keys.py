@@ -14,7 +14,7 @@ from difflib import get_close_matches
 from functools import cache, reduce
 from math import inf, isfinite, sqrt
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from pydantic import ValidationError
@@ -46,8 +46,7 @@ WITHOUT_UNCERTAIN_NUMBERS = ("analysis", "report", "format")
 """Tables without numbers that may scatter."""
 
 
-@dataclass(frozen=True)
-class KeyedValue:
+class KeyedValue(NamedTuple):
     """What stands at a key: the value as it was read, what it measures where that is known, whether it may scatter."""
 
     path: KeyPath
@@ -398,11 +397,11 @@ def _keyed_values_below(path: KeyPath, value: Any, marks: Marks, *, stated: bool
     if path:
         yield KeyedValue(path, value, *marks)
     if isinstance(value, ProjectSection):
-        below = _marks_of(type(value))
-        for field, (name, item) in zip(type(value).model_fields, value.entries().items(), strict=True):
-            if not stated or value.has_key(field):
-                yield from _keyed_values_below((*path, name), item, below[name], stated=stated)
-    elif isinstance(value, Mapping):
+        given = value.model_fields_set
+        for name, key, below in _marks_of(type(value)):
+            if not stated or name in given:
+                yield from _keyed_values_below((*path, key), getattr(value, name), below, stated=stated)
+    elif isinstance(value, dict):
         for name, item in value.items():
             yield from _keyed_values_below((*path, name), item, NO_MARKS, stated=stated)
     elif isinstance(value, tuple):
@@ -411,9 +410,10 @@ def _keyed_values_below(path: KeyPath, value: Any, marks: Marks, *, stated: bool
 
 
 @cache
-def _marks_of(table: type[ProjectSection]) -> Mapping[str, Marks]:
-    """Return the marks of every key of a table, which follow from its class."""
-    return {name: _marks(field) for name, field in table.table_keys().items()}
+def _marks_of(table: type[ProjectSection]) -> tuple[tuple[str, str, Marks], ...]:
+    """Return each field of a table with its key and the marks of that, which follow from its class."""
+    keys = table.table_keys()
+    return tuple((name, key, _marks(keys[key])) for name, key in table.names_and_keys())
 
 
 def _marks(field: FieldInfo) -> Marks:

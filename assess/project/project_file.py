@@ -256,15 +256,10 @@ def with_located_faults(schema: dict[str, Any]) -> dict[str, Any]:
 
 def _check_sources(content: Content, folder: Path) -> None:
     """Check that every key of [report.sources] is one of the file, or the beginning of one."""
-    if not content.report.sources:
-        return
     faults = Faults()
-    every = _resolve("", content, True, folder)
-    keys = [*keyed_values(content), *(key for key, _ in every if not key.startswith("report.sources."))]
-    starts = {".".join(key.split(".")[: n + 1]) for key in keys for n in range(key.count(".") + 1)}
     for key in content.report.sources:
-        if count_from_0(key) not in starts:
-            near = get_close_matches(key, starts, n=1)
+        if not _has_key(content, count_from_0(key)):
+            near = get_close_matches(key, _keys_with_tables(content, folder), n=1)
             remedy = (
                 f"do you mean {value_text(count_from_1(near[0]))}?"
                 if near
@@ -273,6 +268,28 @@ def _check_sources(content: Content, folder: Path) -> None:
             with faults.gather():
                 raise ProjectError(f"report.sources: {value_text(key)}: not a key of this file; {remedy}")
     faults.raise_all()
+
+
+def _has_key(value: Any, key: str) -> bool:
+    """Whether a key, with dots and items counted from 0, stands below what was read."""
+    below: Mapping[str, Any] = {}
+    if isinstance(value, ProjectSection):
+        below = value.entries()
+    elif isinstance(value, tuple):
+        below = {str(place): item for place, item in enumerate(value)}
+    elif isinstance(value, Mapping):
+        below = value
+    return any(
+        key == name or (key.startswith(f"{name}.") and _has_key(item, key[len(name) + 1 :]))
+        for name, item in below.items()
+    )
+
+
+def _keys_with_tables(content: Content, folder: Path) -> set[str]:
+    """Return every key of the file whose value may have a source, and every table above one."""
+    every = _resolve("", content, True, folder)
+    keys = [*keyed_values(content), *(key for key, _ in every if not key.startswith("report.sources."))]
+    return {".".join(key.split(".")[: n + 1]) for key in keys for n in range(key.count(".") + 1)}
 
 
 def _project_file(path: Path) -> Path:

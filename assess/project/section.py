@@ -81,9 +81,16 @@ class ProjectSection(BaseModel):
         cls.__annotations__ = {key: _file_type(annotation) for key, annotation in found.items()}
 
     @classmethod
-    def table_keys(cls) -> dict[str, FieldInfo]:
+    @cache
+    def table_keys(cls) -> Mapping[str, FieldInfo]:
         """Return the keys as the file writes them; `from` is the alias of a field, as Python reserves the word."""
         return {field.alias or name: field for name, field in cls.model_fields.items()}
+
+    @classmethod
+    @cache
+    def names_and_keys(cls) -> tuple[tuple[str, str], ...]:
+        """Return the name of each field with its key as the file writes it."""
+        return tuple(zip(cls.model_fields, cls.table_keys(), strict=True))
 
     @classmethod
     def meanings(cls) -> dict[str, str]:
@@ -149,7 +156,7 @@ class ProjectSection(BaseModel):
 
     def entries(self) -> dict[str, Any]:
         """Return every key of the table with its value, defaults included."""
-        return {field.alias or name: getattr(self, name) for name, field in type(self).model_fields.items()}
+        return {key: getattr(self, name) for name, key in self.names_and_keys()}
 
     def has_key(self, key: str) -> bool:
         """Return whether the user wrote `key`, so that its default is not used."""

@@ -380,3 +380,20 @@ def test_a_source_belongs_to_a_key_and_says_its_kind(tmp_path: Path, sources: st
     path = write_project(tmp_path, f"{PROJECT}\n[report.sources]\n{sources}\n")
     with pytest.raises(ProjectError, match=said):
         load(path)
+
+
+@pytest.mark.parametrize(
+    "key", ["bodies.wall.box.height", "bodies.wall.box", "analysis.levels[2]", "site.spectrum.s_ds", "mechanisms"]
+)
+def test_a_source_may_belong_to_a_value_a_table_or_an_item(tmp_path: Path, key: str) -> None:
+    assert (
+        key in load_project(tmp_path, f'{PROJECT}\n[report.sources]\n"{key}" = "measured: x"\n').content.report.sources
+    )
+
+
+@pytest.mark.parametrize(
+    "key", ["bodies.wall.box.heigth", "analysis.levels[3]", "bodies.wal", "bodies.wall.box.height.x"]
+)
+def test_a_source_of_what_is_no_key_names_the_nearest(tmp_path: Path, key: str) -> None:
+    with pytest.raises(ProjectError, match="not a key of this file; do you mean"):
+        load_project(tmp_path, f'{PROJECT}\n[report.sources]\n"{key}" = "measured: x"\n')

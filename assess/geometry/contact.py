@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 import shapely
 from numpy.typing import NDArray
 
 from assess.geometry.boolean import intersect
-from assess.geometry.solid import THINNEST, Solid
+from assess.geometry.solid import THINNEST, Solid, remember
 from assess.geometry.surface import area_vectors, areas_and_normals
 from spectra.arrays import FloatArray, IntArray
 
@@ -98,7 +99,9 @@ def facing_patches(block: Solid, body: Solid, *, tolerance: float = CONTACT_TOLE
     body : whose faces they may face
     tolerance : on the distance of faces [m]
     """
-    return _facing_parts(block, body, reach=tolerance, cosine=PARALLEL, bearing=False)
+    asked = ("facing", tolerance)
+    find = partial(_facing_parts, block, body, reach=tolerance, cosine=PARALLEL, bearing=False)
+    return remember((block, body), asked, find)
 
 
 def join_contacts(contacts: Sequence[ContactArea]) -> ContactArea | None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 import shapely
@@ -12,7 +13,7 @@ from numpy.typing import ArrayLike
 from assess.errors import GeometryError
 from assess.geometry.boolean import split
 from assess.geometry.planar import BASE_TOLERANCE, PlanarBody
-from assess.geometry.solid import THINNEST, Solid, polyhedron
+from assess.geometry.solid import THINNEST, Solid, polyhedron, remember
 from assess.geometry.surface import Surface
 from spectra.arrays import FloatArray, IntArray
 
@@ -144,6 +145,11 @@ def divide(solids: Sequence[Solid], plane: Plane, *, where: str) -> Division:
     GeometryError : the plane misses the bodies, leaves nothing of them or passes through no masonry, or a body
         cannot be cut because its surface is not that of a solid
     """
+    asked = ("divided", plane.point.tobytes(), plane.normal.tobytes())
+    return remember(solids, asked, partial(_divide, solids, plane, where=where))
+
+
+def _divide(solids: Sequence[Solid], plane: Plane, *, where: str) -> Division:
     corners = np.concatenate([solid.vertices for solid in solids])
     low, high = corners.min(axis=0), corners.max(axis=0)
     size = float((high - low).max())

@@ -10,7 +10,7 @@ from pathlib import Path
 
 from records import synthetic
 from records.record import Record
-from tests.support.places import ROOT, SOURCES
+from tests.support.places import ROOT, SOURCES, folder_of_version
 
 KEPT = ROOT / "build" / "artificial"
 MAKERS = ("records", "spectra", "assess/messages")
@@ -39,6 +39,4 @@ def _folder() -> Path:
     digest = sha256((ROOT / "requirements.lock").read_bytes())
     for file in sorted(file for name in MAKERS for file in (SOURCES / name).rglob("*.py")):
         digest.update(file.read_bytes())
-    folder = KEPT / digest.hexdigest()[:16]
-    folder.mkdir(parents=True, exist_ok=True)
-    return folder
+    return folder_of_version(KEPT, digest.hexdigest()[:16])

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-import shutil
 import time
 from dataclasses import dataclass, replace
 from functools import cache, cached_property
@@ -13,14 +12,13 @@ from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING
 
 from tests.support.command import ended
-from tests.support.places import ROOT
+from tests.support.places import ROOT, folder_of_version
 
 if TYPE_CHECKING:
     from assess.results import Results
     from assess.study.study import Study
 
 RUNS = ROOT / "build" / "examples"
-VERSIONS_KEPT = 2
 WITH_REPORT = ("casa_grande",)
 BY_SIGNAL = 128  # plus its number: the exit code of a run that a signal has stopped
 FINISHED = (0, 1, 3)  # exit codes of a run with results
@@ -84,10 +82,7 @@ def example_run(name: str) -> ExampleRun:
     """Return the run of a shipped example, made by the process that asks first, kept by a digest of all sources."""
     from assess.outputs.lock import HeldError, hold_lock
 
-    version = RUNS / _sources()
-    version.mkdir(parents=True, exist_ok=True)
-    for old in sorted(RUNS.iterdir(), key=lambda path: path.stat().st_mtime)[:-VERSIONS_KEPT]:
-        shutil.rmtree(old, ignore_errors=True)
+    version = folder_of_version(RUNS, _sources())
     run = ExampleRun(name, version / name)
     while not (run.folder / "code").exists():
         try:

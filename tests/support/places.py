@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import os
 import re
+import shutil
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -52,3 +53,13 @@ def index_rows() -> list[dict[str, str]]:
     """Return the rows of the index of real records, which an independent parser made; none where they are not."""
     index = REAL_RECORDS / "INDEX.csv"
     return list(csv.DictReader(index.read_text(encoding="utf-8").splitlines())) if index.exists() else []
+
+
+def folder_of_version(kept: Path, version: str) -> Path:
+    """Return the folder of what tests keep for a version of the sources; of the others only the newest stays."""
+    own = kept / version
+    own.mkdir(parents=True, exist_ok=True)
+    others = sorted((each for each in kept.iterdir() if each != own), key=lambda path: path.stat().st_mtime)
+    for old in others[:-1]:
+        shutil.rmtree(old, ignore_errors=True)
+    return own

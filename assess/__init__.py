@@ -11,8 +11,6 @@ from typing import TYPE_CHECKING
 from assess.late import late_names
 
 if TYPE_CHECKING:
-    from scipy.constants import g
-
     from assess.codes.context import building
     from assess.interfaces.contact import Interface
     from assess.interfaces.section import Shape
@@ -24,6 +22,7 @@ if TYPE_CHECKING:
     from assess.verbs import Run, answers, envelope, fragility, load, respond, run, write_report
     from records.reading import read_record
     from records.record import Record
+    from spectra.gravity import g
     from spectra.registry import spectrum
 
 __all__ = [
@@ -74,7 +73,7 @@ _HOMES = {
     "assess.verbs": ("Run", "answers", "envelope", "fragility", "load", "respond", "run", "write_report"),
     "records.reading": ("read_record",),
     "records.record": ("Record",),
-    "scipy.constants": ("g",),
+    "spectra.gravity": ("g",),
     "spectra.registry": ("spectrum",),
 }
 _ROOMS = (

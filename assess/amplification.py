@@ -34,7 +34,6 @@ from typing import assert_never
 
 import numpy as np
 from numpy.typing import ArrayLike
-from scipy.constants import g
 
 from assess.errors import GeometryError, MechanismError
 from assess.geometry.cut import section_moments
@@ -44,6 +43,7 @@ from records.errors import RecordError
 from records.record import Record, scale, with_step
 from records.response import COARSEST, response_spectrum
 from spectra.arrays import FloatArray
+from spectra.gravity import g
 
 
 @dataclass(frozen=True)

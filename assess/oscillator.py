@@ -25,10 +25,10 @@ from itertools import pairwise
 from typing import TYPE_CHECKING, Literal
 
 import numpy as np
-from scipy.constants import g
 
 from assess.messages.message import Message, Term
 from spectra.arrays import FloatArray
+from spectra.gravity import g
 
 if TYPE_CHECKING:
     from scipy.interpolate import PPoly

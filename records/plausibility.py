@@ -8,12 +8,12 @@ from itertools import groupby
 from math import asin, cos, hypot, log, radians, sin, sqrt
 
 import numpy as np
-from scipy.constants import g
 
 from assess.messages.message import Message, Quantity, Term, Value, warning
 from records.candidates import Candidate
 from records.record import Record
 from spectra.columns import ACCELERATION_UNITS, ColumnError, factor_of
+from spectra.gravity import g
 
 LARGEST_PEAK = (
     3.0  # g; the strongest recorded so far have reached 2.7 g (horizontal) to 3.9 g (vertical, Iwate-Miyagi 2008)

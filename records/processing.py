@@ -16,7 +16,6 @@ from typing import Literal
 
 import numpy as np
 from numpy.typing import ArrayLike
-from scipy.constants import g
 from scipy.optimize import brentq
 from scipy.signal import butter, firwin, resample_poly, sosfiltfilt
 
@@ -27,6 +26,7 @@ from records.record import Record, is_vertical, make_record, scale, with_step
 from records.response import integrate_squared, response_spectrum
 from spectra.arrays import FloatArray
 from spectra.columns import ACCELERATION_UNITS, ColumnError, factor_of
+from spectra.gravity import g
 
 HIGHEST_DEGREE = 10  # of a baseline: higher ones follow the motion itself
 HIGHEST_ORDER = 10  # of a filter

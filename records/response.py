@@ -11,11 +11,11 @@ from math import pi
 
 import numpy as np
 from numpy.typing import ArrayLike
-from scipy.constants import g
 
 from records.errors import RecordError
 from records.record import Record
 from spectra.arrays import FloatArray
+from spectra.gravity import g
 
 COARSEST = 1000.0  # longest step, in periods, that is worth dividing
 SPECTRA_KEPT = 256  # spectra that are kept in memory, of the records used last

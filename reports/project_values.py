@@ -8,12 +8,11 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
-from scipy.constants import g
-
 from assess.messages.message import Quantity
 from assess.results import ResolvedValue, Results
 from reports.document import Cell
 from reports.language.texts import Verbatim, listing
+from spectra.gravity import g
 
 
 def project_text(results: Results, key: str) -> str:

@@ -12,12 +12,12 @@ from dataclasses import dataclass, replace
 from typing import Literal
 
 import numpy as np
-from scipy.constants import g
 
 from assess.messages.message import warning
 from spectra.arrays import FloatArray
 from spectra.damping import asce7_b_factor
 from spectra.errors import SpectrumError
+from spectra.gravity import g
 from spectra.spectrum import Spectrum, check_periods, check_positive, in_g, plausibility_warnings
 
 ZERO_PERIOD_RATIO = 0.4  # S_a(0) / S_DS

@@ -14,9 +14,9 @@ from itertools import chain, islice, takewhile
 from pathlib import Path
 
 import numpy as np
-from scipy.constants import g
 
 from spectra.arrays import FloatArray, refuse_other_digits
+from spectra.gravity import g
 
 TIME_UNITS: Mapping[str, float] = {"s": 1.0, "ms": 1e-3}
 ACCELERATION_UNITS: Mapping[str, float] = {"m/s2": 1.0, "g": g, "cm/s2": 0.01, "gal": 0.01, "mm/s2": 1e-3}

@@ -13,11 +13,11 @@ from math import isfinite
 
 import numpy as np
 from numpy.typing import ArrayLike
-from scipy.constants import g
 
 from spectra.arrays import FloatArray
 from spectra.damping import check_damping, ec8_eta
 from spectra.errors import SpectrumError
+from spectra.gravity import g
 from spectra.spectrum import Spectrum, check_periods
 
 NZS_LOW = 12.0  # m: height below which 1 + h/6 applies

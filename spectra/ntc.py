@@ -13,9 +13,9 @@ from dataclasses import dataclass
 from functools import partial
 
 import numpy as np
-from scipy.constants import g
 
 from spectra.errors import SpectrumError
+from spectra.gravity import g
 from spectra.spectrum import FourBranches, Spectrum, check_positive, plausibility_warnings
 
 LEAST_F_0 = 2.2  # 3.2 [-]

@@ -11,12 +11,12 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import ArrayLike
-from scipy.constants import g
 
 from assess.messages.message import Message, Quantity, warning
 from spectra.arrays import FloatArray
 from spectra.damping import ec8_eta
 from spectra.errors import SpectrumError
+from spectra.gravity import g
 from spectra.spectrum import Spectrum, check_periods, check_positive
 
 LARGEST_ZR = 0.7  # Z R need not be taken larger, 3.1.1

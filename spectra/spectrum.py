@@ -12,12 +12,12 @@ from math import inf
 
 import numpy as np
 from numpy.typing import ArrayLike
-from scipy.constants import g
 
 from assess.messages.message import Message, Quantity, warning
 from spectra.arrays import FloatArray, is_number
 from spectra.damping import ec8_eta
 from spectra.errors import SpectrumError
+from spectra.gravity import g
 
 Ordinates = Callable[[FloatArray, float], FloatArray]
 LARGEST_PLAUSIBLE = 3.0  # g: a mapped or peak acceleration beyond it is more likely a slip of unit than a site

@@ -55,10 +55,11 @@ def check(project: ProjectPath) -> None:
         from assess.cli.tables.project import description, sensitivity_text
         from assess.project.build import build
         from assess.study.mechanism_results import parameters
+        from assess.study.study import without_scenes
 
         shown.step("mechanisms")
         study = build(loaded)
-    print(description(loaded, parameters(study, views=False), study.sweeps, study.messages), end="")
+    print(description(loaded, parameters(without_scenes(study)), study.sweeps, study.messages), end="")
     print(sensitivity_text(study.variables), end="")
 
 
@@ -77,12 +78,14 @@ def parameters(
     from assess.results.json import dumps_mechanisms
     from assess.study.mechanism_results import case_parameters
     from assess.study.mechanism_results import parameters as parameters_of_study
+    from assess.study.study import without_scenes
 
     text = dumps_mechanisms if as_json else parameters_csv if as_csv else parameters_text
     study = build(loaded)
     print_messages(study.messages)
-    mechanisms = parameters_of_study(study, views=as_json)
-    print(text((*mechanisms, *case_parameters(study, views=as_json))), end="")
+    shown = study if as_json else without_scenes(study)
+    mechanisms = parameters_of_study(shown)
+    print(text((*mechanisms, *case_parameters(shown))), end="")
     if text is parameters_text:
         print(directions_text(mechanisms), end="")
 

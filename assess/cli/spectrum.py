@@ -155,10 +155,9 @@ def _check_options(
 
 def _spectrum_table(spectrum: Spectrum) -> str:
     """Write the clause, the parameters, and the ordinates at round and corner periods."""
-    from scipy.constants import g
-
     from reports.language.locale import Locale
     from reports.language.value_names import parameter_rows
+    from spectra.gravity import g
 
     scale = "" if spectrum.factor == 1.0 else f", ordinates scaled by {spectrum.factor:.4g}"
     peak = f"PGA {spectrum.pga / g:.4g} g{scale}"

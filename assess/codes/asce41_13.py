@@ -12,8 +12,6 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import Annotated, Literal
 
-from scipy.constants import g
-
 from assess.codes.calculation_sheet import UNANSWERED, Step, step
 from assess.codes.check import (
     AMERICAN,
@@ -35,6 +33,7 @@ from assess.codes.context import PLINTH, Building, Context, Wall
 from assess.declaration import Evidence, PositiveAcceleration, Safe
 from assess.messages.message import Message, Quantity, Severity, Term, message
 from assess.oscillator import Branch, BranchName, Oscillator, threshold
+from spectra.gravity import g
 
 EDITION = "ASCE/SEI 41-13"
 CLAUSE, CHECKLIST = "ASCE 41-13 Table 11-5", "ASCE 41-13, checklist for nonstructural components"

@@ -22,7 +22,6 @@ from dataclasses import dataclass, replace
 from typing import Annotated, Literal
 
 import numpy as np
-from scipy.constants import g
 
 from assess.codes.calculation_sheet import (
     Given,
@@ -74,6 +73,7 @@ from assess.oscillator import (
     threshold,
 )
 from spectra.arrays import FloatArray
+from spectra.gravity import g
 from spectra.spectrum import Spectrum
 
 EDITION = "ASCE/SEI 43-05"

@@ -15,7 +15,6 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 import numpy as np
-from scipy.constants import g
 
 from assess.codes.asce43_05 import (
     A2,
@@ -69,6 +68,7 @@ from assess.oscillator import (
     linear_multiplier,
 )
 from spectra.arrays import FloatArray
+from spectra.gravity import g
 
 CLAUSE = "ASCE 43-05, response-history method"
 CAVEAT = "the method was read in the thesis, not in the printed standard"

@@ -15,12 +15,12 @@ from math import isclose, pi
 from typing import TYPE_CHECKING, Literal
 
 import numpy as np
-from scipy.constants import g
 
 from assess.messages.message import DIMENSIONS
 from assess.oscillator import Branch, linear_multiplier, multiplier
 from assess.short_repr import ShortRepr
 from spectra.arrays import FloatArray
+from spectra.gravity import g
 
 if TYPE_CHECKING:
     from scipy.interpolate import PPoly

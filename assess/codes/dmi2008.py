@@ -18,7 +18,6 @@ from dataclasses import dataclass
 from functools import partial
 
 import numpy as np
-from scipy.constants import g
 
 from assess.codes import italian_kinematic as kinematic
 from assess.codes.calculation_sheet import Given, Step, excitation_column, instability_step, integral_step, step
@@ -61,6 +60,7 @@ from assess.codes.pga_rotation import (
 from assess.messages.message import Quantity, Term, message
 from assess.oscillator import Branch, BranchName, Oscillator, displacement, participation_ratio, threshold
 from spectra.arrays import FloatArray
+from spectra.gravity import g
 
 EDITION = ItalianEdition(
     code="dmi2008",

@@ -16,7 +16,6 @@ from dataclasses import dataclass, replace
 from typing import Annotated
 
 import numpy as np
-from scipy.constants import g
 
 from assess.codes.calculation_sheet import Given, Step, multiplier_step, step
 from assess.codes.check import (
@@ -39,6 +38,7 @@ from assess.declaration import Evidence, Number, PositiveAcceleration, Safe
 from assess.messages.message import Term
 from assess.oscillator import Branch, BranchName, Oscillator, elastic_frequency, linear_multiplier, threshold
 from spectra.floor import ec8_floor_factor
+from spectra.gravity import g
 
 EDITION = "EN 1998-1:2004"
 CLAUSE, FORCE, TABLE = "EN 1998-1, 4.3.5.2 (4.25)", "EN 1998-1, 4.3.5.2 (4.24)", "EN 1998-1, 4.3.5.4, Table 4.4"

@@ -16,7 +16,6 @@ from dataclasses import dataclass, field
 from math import floor, inf, isinf, log10
 
 import numpy as np
-from scipy.constants import g
 
 from assess.codes.calculation_sheet import Step, step
 from assess.codes.check import (
@@ -33,6 +32,7 @@ from assess.messages.message import Message, Quantity, Severity, message
 from assess.oscillator import BranchName, Oscillator, threshold
 from assess.short_repr import ShortRepr
 from spectra.arrays import BoolArray, FloatArray, IntArray
+from spectra.gravity import g
 
 
 @dataclass(frozen=True, eq=False, repr=False)

@@ -15,7 +15,6 @@ from dataclasses import dataclass
 from math import inf, isclose, isinf
 
 import numpy as np
-from scipy.constants import g
 
 from assess.codes.calculation_sheet import Given, Step, step
 from assess.codes.check import ELASTIC, BuildingState, Check, Outcome, PgaCurve, Reason, caveats_of, reason_message
@@ -60,6 +59,7 @@ from assess.codes.italian_limit_states import (
 from assess.messages.message import Message, Quantity, whole_number
 from assess.oscillator import BRANCH_NAMES, BranchName, Oscillator, displacement, participation_ratio
 from spectra.arrays import FloatArray
+from spectra.gravity import g
 from spectra.spectrum import Spectrum
 
 LEAST_RECORDS = 3  # NTC 7.3.5

@@ -16,7 +16,6 @@ from dataclasses import dataclass, replace
 from math import isclose, pi
 
 import numpy as np
-from scipy.constants import g
 
 from assess.codes.calculation_sheet import (
     Given,
@@ -52,6 +51,7 @@ from assess.oscillator import (
     threshold,
 )
 from spectra.arrays import FloatArray
+from spectra.gravity import g
 
 
 def acceleration_check(

@@ -17,7 +17,6 @@ from dataclasses import dataclass, replace
 from math import exp, log
 
 import numpy as np
-from scipy.constants import g
 
 from assess.codes.calculation_sheet import Bound, Step, step
 from assess.codes.check import Check, InputAt, Outcome, branch_of, worst_branch_check
@@ -25,6 +24,7 @@ from assess.codes.context import Context, SiteHazard
 from assess.messages.message import Quantity, message
 from assess.oscillator import BRANCH_NAMES, Branch, BranchName, LocalLimit, Oscillator
 from spectra.floor import first_mode_factor
+from spectra.gravity import g
 from spectra.spectrum import Spectrum
 
 INDEX_CLAUSE = "NTC 8.3"

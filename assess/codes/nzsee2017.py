@@ -36,7 +36,6 @@ from dataclasses import dataclass, replace
 from typing import Annotated
 
 import numpy as np
-from scipy.constants import g
 
 from assess.codes.calculation_sheet import Given, Step, instability_step, integral_step, moment_column, step
 from assess.codes.check import (
@@ -63,6 +62,7 @@ from assess.messages.message import Message, Quantity, Term, message
 from assess.oscillator import Branch, BranchName, Oscillator, energy, threshold
 from spectra.arrays import FloatArray
 from spectra.floor import NZS_LOW, NZS_SHARE, nzs1170_5_height_coefficient, part_shape
+from spectra.gravity import g
 from spectra.nzs1170_5 import return_period_factor
 
 EDITION = "NZSEE/MBIE Guidelines 2017, C8"

@@ -19,13 +19,13 @@ from dataclasses import dataclass, replace
 from math import inf
 
 import numpy as np
-from scipy.constants import g
 
 from assess.codes.check import Outcome, PgaCurve, Reason, reason_message
 from assess.codes.context import Context
 from assess.messages.message import Message, Quantity, Term
 from assess.oscillator import Branch, Oscillator, block_at, plain_branch
 from spectra.arrays import FloatArray
+from spectra.gravity import g
 
 PgaOf = Callable[[FloatArray], FloatArray]
 

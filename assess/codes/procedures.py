@@ -14,8 +14,6 @@ from dataclasses import dataclass, field, replace
 from enum import StrEnum
 from functools import partial
 
-from scipy.constants import g
-
 from assess.codes.asce41_13 import ASCE41_13_SLENDERNESS, Asce41Options
 from assess.codes.asce43_05 import ASCE43_05_SPECTRUM, ASCE43_05_SPECTRUM_THESIS, Asce4305Options
 from assess.codes.asce43_05_history import ASCE43_05_HISTORY
@@ -30,6 +28,7 @@ from assess.codes.sliding import ASCE43_05_SLIDING, SLIDING, sliding_pga
 from assess.errors import ProcedureError
 from assess.messages.message import Message, Quantity, Severity, Term, Value, message
 from assess.oscillator import Oscillator
+from spectra.gravity import g
 
 Assess = Callable[[Oscillator, Context], tuple[Check, ...]]
 

@@ -23,7 +23,6 @@ from dataclasses import replace
 from math import inf, pi
 
 import numpy as np
-from scipy.constants import g
 
 from assess.codes.asce43_05 import EDITION, Asce4305Options, warn_at_height
 from assess.codes.calculation_sheet import UNANSWERED, Given, Step, step
@@ -42,6 +41,7 @@ from assess.codes.check import (
 from assess.codes.context import Context
 from assess.messages.message import Message, Quantity, Severity, Term, message
 from assess.oscillator import HingeForces, Oscillator, threshold
+from spectra.gravity import g
 
 FRICTION_EDITION = "equilibrium; Coulomb"
 CHAIN = (

@@ -18,13 +18,13 @@ from typing import TYPE_CHECKING, Literal, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.constants import g
 
 from assess.dynamics.kernel import columns
 from assess.errors import MechanismError
 from assess.oscillator import Branch, Oscillator, elastic_frequency, energy, interpolant
 from assess.short_repr import ShortRepr
 from spectra.arrays import BoolArray, FloatArray, IntArray
+from spectra.gravity import g
 
 if TYPE_CHECKING:
     from scipy.interpolate import CubicHermiteSpline, PPoly

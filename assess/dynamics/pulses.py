@@ -28,7 +28,6 @@ from math import ceil, log, pi, sqrt
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.constants import g
 
 from assess.dynamics.kernel import columns
 from assess.dynamics.packing import Equation, PackedOscillator, branches_of, check_jobs, kernel_array, pack, tables_of
@@ -36,6 +35,7 @@ from assess.oscillator import Branch, Oscillator, energy
 from assess.short_repr import ShortRepr
 from records.pulses import PulseShape
 from spectra.arrays import BoolArray, FloatArray, IntArray
+from spectra.gravity import g
 
 
 def envelope(

@@ -22,12 +22,12 @@ from itertools import pairwise
 from math import cos, pi, sin
 
 import numpy as np
-from scipy.constants import g
 from scipy.optimize import root
 
 from assess.examples.surfaces import ClosedSurface, slab
 from assess.geometry.solid import polyhedron
 from spectra.arrays import FloatArray
+from spectra.gravity import g
 
 COURSE = 0.69  # m: average height of a course of caliche
 ROW = 0.115  # m: a sixth of a course between the rows of the mesh

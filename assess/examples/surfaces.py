@@ -7,9 +7,9 @@ from math import pi, sqrt, tan
 
 import numpy as np
 from numpy.typing import ArrayLike
-from scipy.constants import g
 
 from spectra.arrays import FloatArray, IntArray
+from spectra.gravity import g
 
 
 @dataclass(frozen=True)

@@ -9,7 +9,6 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
-from scipy.constants import g
 
 from assess.errors import GeometryError
 from assess.geometry.boolean import SAME_PLACE, shared_volume, shortest_distance
@@ -20,6 +19,7 @@ from assess.geometry.solid import Solid
 from assess.loads.load import Force, OverburdenLoad, point_in_plane
 from assess.messages.message import Message, Quantity, message, warning
 from spectra.arrays import FloatArray
+from spectra.gravity import g
 
 DRAWN_APART = 0.05  # m: bodies that touch may be drawn this far apart, and a bed or a wall plate be this thick
 UNSURE = 0.1  # of a share: readings of a drawing that differ by more do not tell it

@@ -10,7 +10,6 @@ from dataclasses import dataclass, replace
 from math import inf
 
 import numpy as np
-from scipy.constants import g
 
 from assess.errors import GeometryError
 from assess.geometry.boolean import OVERLAP_WARNED, SAME_PLACE, shared_volume, shortest_distance
@@ -33,6 +32,7 @@ from assess.loads.load import BodyLoad, Force, Load, Point, PointMass, point_in_
 from assess.loads.roofs_and_vaults import Arch, Thrust, arch_of, body_mass, extent_along, thrust_of
 from assess.messages.message import Message, Quantity, Term, Value, message, warning, whole_number
 from spectra.arrays import FloatArray
+from spectra.gravity import g
 
 
 def find_block_contact(load: BodyLoad, body: Solid | None, around: Surroundings) -> BlockContact:

@@ -17,7 +17,6 @@ from math import hypot
 from typing import Annotated, Any, ClassVar, Literal, get_args
 
 import numpy as np
-from scipy.constants import g
 
 from assess.declaration import (
     NO_THEN_YES,
@@ -41,6 +40,7 @@ from assess.declaration import (
 )
 from assess.geometry.contact import CONTACT_TOLERANCE
 from assess.messages.message import Message, Term
+from spectra.gravity import g
 
 Place = tuple[float, ...]
 Point = tuple[float, float]

@@ -40,7 +40,6 @@ from itertools import pairwise
 from math import hypot
 
 import numpy as np
-from scipy.constants import g
 
 from assess.errors import FallingError, MechanismError
 from assess.interfaces.contact import JointLaw, JointModel
@@ -49,6 +48,7 @@ from assess.loads.load import Force, ForceOrTie, Load, Point, PointMass, Tie, mi
 from assess.messages.message import Value, lengths
 from assess.short_repr import ShortRepr
 from spectra.arrays import ComplexArray, FloatArray
+from spectra.gravity import g
 
 HINGES = {1: 1, 2: 3, 3: 4}  # of a chain by its number of blocks
 ROUNDING = 1e-9  # m: accuracy of coordinates

@@ -22,7 +22,6 @@ from math import hypot
 from typing import Literal
 
 import numpy as np
-from scipy.constants import g
 
 from assess.errors import MechanismError
 from assess.interfaces.contact import Contact, contact, semi_flexible_shift
@@ -45,6 +44,7 @@ from assess.mechanisms.chain import (
 )
 from assess.short_repr import ShortRepr
 from spectra.arrays import ComplexArray, FloatArray
+from spectra.gravity import g
 
 PLASTIC = 1.0  # rad: any rotation, for a rigid joint with a strength
 

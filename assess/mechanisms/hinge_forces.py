@@ -7,7 +7,6 @@ from itertools import pairwise
 from math import isclose
 
 import numpy as np
-from scipy.constants import g
 
 from assess.loads.load import Force, Load, Point, PointMass, Tie, pull_at_rest, upward
 from assess.mechanisms.chain import Chain, hinge_names, move, trace_point
@@ -16,6 +15,7 @@ from assess.mechanisms.mechanism import Face, Mechanism
 from assess.oscillator import HingeForces, Pressure, Vector
 from assess.short_repr import ShortRepr
 from spectra.arrays import FloatArray
+from spectra.gravity import g
 
 ON_TOP = 1e-6  # of a wall's height: a load this near its top rests on it
 

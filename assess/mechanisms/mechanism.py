@@ -12,7 +12,6 @@ from math import inf
 from typing import Annotated, ClassVar, Literal
 
 import numpy as np
-from scipy.constants import g
 
 from assess.declaration import (
     FREE,
@@ -47,6 +46,7 @@ from assess.mechanisms.restitution import ImpactRules, Restitution
 from assess.messages.message import Message, Term
 from assess.oscillator import BRANCH_NAMES, BranchName, LocalLimit, OpenSeat, Oscillator
 from spectra.arrays import FloatArray
+from spectra.gravity import g
 
 Sides = Literal["one", "two"]
 Vector = tuple[Component, Component, Component]

@@ -7,8 +7,6 @@ from dataclasses import dataclass, field
 from math import cos, hypot, inf, sin, sqrt
 from typing import Annotated, ClassVar, Literal
 
-from scipy.constants import g
-
 from assess.declaration import (
     FREE,
     UNCERTAIN,
@@ -50,6 +48,7 @@ from assess.mechanisms.restitution import (
     sorrentino_rebound,
 )
 from assess.messages.message import Message, Quantity, lengths, warning
+from spectra.gravity import g
 
 INERTIA_RATIOS = (1e-4, 1e4)  # I_O / (M R^2) = g / (p^2 R): 4/3 of a slender block, less of a wall that spans
 TINIEST = 1e-150  # of a frequency parameter: its square is a number

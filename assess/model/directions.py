@@ -15,7 +15,6 @@ from math import inf
 from typing import Any, TypeVar
 
 import numpy as np
-from scipy.constants import g
 
 from assess.errors import AssessError, FallingError, MechanismError, ProjectError
 from assess.geometry.contact import CONTACT_TOLERANCE, FacePatches, facing_patches
@@ -49,6 +48,7 @@ from assess.model.bodies import Bodies, cut_of, solids_of_block
 from assess.model.loading import loads_of
 from assess.oscillator import displacement, multiplier
 from spectra.arrays import FloatArray
+from spectra.gravity import g
 
 
 def mechanism_in_direction(name: str, definition: Definition, bodies: Bodies) -> Built:

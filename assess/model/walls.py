@@ -9,7 +9,6 @@ from math import inf, sqrt
 from typing import Literal
 
 import numpy as np
-from scipy.constants import g
 
 from assess.errors import CrackError
 from assess.geometry.contact import CONTACT_TOLERANCE, find_contact
@@ -26,6 +25,7 @@ from assess.messages.message import Message, Quantity, Value, warning
 from assess.model.bodies import Bodies, Body, Material, materials_of, piece_above_cut, pieces_of
 from assess.model.check import check_definition, with_floats
 from assess.model.loading import loads_of
+from spectra.gravity import g
 
 
 @dataclass(frozen=True)

@@ -81,9 +81,9 @@ from assess.study.study import (
     Study,
     Sweep,
     SweepCase,
+    case_value_text,
     levels_with_site,
 )
-from assess.study.study import value_text as case_value_text
 from assess.study.suites import ALL_PERIODS, RecordSet, record_messages
 from records.errors import RecordError
 from records.pulses import pulse_shape

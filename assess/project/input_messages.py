@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 
-from scipy.constants import g
-
 from assess.codes.bases import BASES
 from assess.codes.check import Family
 from assess.codes.italian_limit_states import LARGEST_FACTOR
@@ -26,6 +24,7 @@ from assess.study.study import (
     Study,
     follows_motion,
 )
+from spectra.gravity import g
 from spectra.spectrum import LARGEST_PLAUSIBLE
 
 SAME_MODE = 0.05  # by how much two first modes of one building may differ

@@ -24,8 +24,6 @@ from functools import cache
 from pathlib import Path
 from typing import Any, TypeVar
 
-from scipy.constants import g
-
 from assess.errors import Faults, ProjectError, locate_errors
 from assess.messages.message import Message, Quantity, escape_text, note, warning
 from assess.project.key_errors import KeyPath, key_text, look_up, value_text
@@ -54,6 +52,7 @@ from assess.results import ResolvedValue
 from assess.results.provenance import count_from_0, count_from_1
 from records.reading import relative_path
 from spectra.arrays import is_number
+from spectra.gravity import g
 
 T = TypeVar("T")
 FORMAT = 1

@@ -9,8 +9,6 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import chain
 from pathlib import Path
 
-from scipy.constants import g
-
 from assess.codes.bases import BASES, BY_SITE, Basis, IndexKind, stated_basis
 from assess.codes.check import TABLE_SPECTRUM, Premise
 from assess.codes.context import FreePeriod, SiteHazard
@@ -34,6 +32,7 @@ from assess.study.study import FragilityQuestion, deciding_limit_states
 from records.reading import relative_path
 from spectra import ntc
 from spectra.design_spectra import LEAST_LIFE, Nzs1170Spectrum
+from spectra.gravity import g
 from spectra.spectrum import Spectrum
 
 PROVISIONAL_CLASS = "IV"  # where the class of use is not given: that of the longest return periods

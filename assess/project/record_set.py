@@ -9,7 +9,6 @@ from functools import lru_cache
 from pathlib import Path
 
 import numpy as np
-from scipy.constants import g
 
 from assess.errors import ProjectError
 from assess.mechanisms.mechanism import Mechanism
@@ -46,6 +45,7 @@ from records.record import Record, is_vertical
 from records.scaling import Band, band
 from records.selection import Selection, SuiteCriteria, TargetMark, samples_sha256, select
 from records.synthetic import artificial_records
+from spectra.gravity import g
 from spectra.spectrum import Spectrum
 
 

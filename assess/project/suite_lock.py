@@ -17,7 +17,6 @@ from typing import Annotated, Any, Literal
 
 import numpy as np
 from pydantic import Field, StrictBool, StrictInt, StrictStr, ValidationError
-from scipy.constants import g
 
 from assess.errors import OutputError, ProjectError
 from assess.messages.message import escape_text
@@ -33,6 +32,7 @@ from records.reading import read_with_overrides, relative_path
 from records.record import Record
 from records.selection import ScaleTo, samples_sha256, target_mark
 from records.synthetic import ArtificialRecords, seed_of_target
+from spectra.gravity import g
 from spectra.spectrum import Spectrum
 
 LOCK_NAME = "records.lock.toml"

@@ -10,8 +10,6 @@ from math import isnan
 from pathlib import Path
 from typing import Any, get_args
 
-from scipy.constants import g
-
 from assess.errors import AssessError
 from assess.messages.message import Message
 from assess.portfolio.projects import find_tasks, project_tree
@@ -41,6 +39,7 @@ from records.reading import read_with_overrides
 from records.scaling import Scaling, band, misfit, scale_to_ordinate, truncate_band
 from records.selection import CandidateFilters, Components, Fit, Range, ScaleTo, SuiteCriteria, select
 from spectra.errors import SpectrumError
+from spectra.gravity import g
 from spectra.spectrum import Spectrum
 from spectra.table import read_table
 

@@ -21,10 +21,9 @@ from fractions import Fraction
 from functools import cache
 from typing import Any, Literal
 
-from scipy.constants import g
-
 from assess.declaration import RANGES
 from assess.errors import ProjectError
+from spectra.gravity import g
 
 
 class QuantityError(ProjectError):

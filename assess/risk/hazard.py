@@ -20,12 +20,12 @@ from typing import Literal
 
 import numpy as np
 from numpy.typing import ArrayLike
-from scipy.constants import g
 
 from assess.errors import HazardError
 from assess.short_repr import ShortRepr
 from spectra.arrays import FloatArray, plain_float
 from spectra.columns import ACCELERATION_UNITS, ColumnError, csv_rows, decode, factor_of, read_columns
+from spectra.gravity import g
 
 Probability = Callable[[FloatArray], FloatArray]
 ACCURACY = 1e-6  # relative change of the rate at which panels are halved no more

@@ -11,8 +11,6 @@ from functools import cached_property
 from math import isfinite
 from typing import Any, Literal
 
-from scipy.constants import g
-
 from assess.codes.asce43_05 import VERTICAL_RATIO
 from assess.codes.check import Check
 from assess.codes.context import Building
@@ -53,6 +51,7 @@ from assess.study.suites import ALL_PERIODS, motions_of, suite_faults
 from records.errors import RecordError
 from records.record import Record, is_vertical
 from spectra.arrays import is_number
+from spectra.gravity import g
 from spectra.spectrum import Spectrum
 
 

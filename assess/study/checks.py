@@ -18,7 +18,6 @@ from itertools import pairwise
 from typing import Protocol
 
 import numpy as np
-from scipy.constants import g
 
 from assess.amplification import BaseMotion, FirstMode, ModalFilter
 from assess.codes.asce43_05 import ASCE43_05_SPECTRUM, OF_CIRCOLARE
@@ -46,6 +45,7 @@ from records.record import Record, scale
 from records.response import response_spectrum
 from spectra.arrays import FloatArray
 from spectra.floor import Mode, circolare2019_floor_spectrum, first_mode_factor
+from spectra.gravity import g
 from spectra.spectrum import Spectrum
 
 

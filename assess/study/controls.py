@@ -23,7 +23,6 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.constants import g
 
 from assess.loads.load import Force, Point, PointMass, Tie, pull_at_rest
 from assess.mechanisms.chain import Chain, move, trace_point
@@ -32,6 +31,7 @@ from assess.mechanisms.mechanism import Mechanism
 from assess.messages.message import Message, Quantity, note, warning
 from assess.oscillator import Branch, HingeForces, Oscillator, linear_multiplier, threshold
 from assess.results import Control, ControlKind
+from spectra.gravity import g
 
 VERTICAL, HORIZONTAL = "vertical reactions", "horizontal reactions"
 

@@ -15,7 +15,6 @@ from dataclasses import dataclass, replace
 from math import ceil, inf, log, tan
 
 import numpy as np
-from scipy.constants import g
 
 from assess.dynamics.history import Jobs
 from assess.oscillator import linear_multiplier
@@ -30,6 +29,7 @@ from assess.study.study import AVERAGE_PERIODS, FragilityQuestion
 from records.record import Record
 from records.response import pgv, response_spectrum
 from spectra.arrays import BoolArray, FloatArray, IntArray
+from spectra.gravity import g
 
 CHUNK = 20_000
 """Jobs that are run at a time."""

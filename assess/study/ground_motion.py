@@ -10,7 +10,6 @@ from dataclasses import replace
 from types import MappingProxyType
 
 import numpy as np
-from scipy.constants import g
 
 from assess.messages.message import Message, Quantity, Term, message
 from assess.results import (
@@ -42,6 +41,7 @@ from records.response import response_spectrum
 from records.scaling import Band, log_ratio, mean_square, truncate_band
 from records.selection import Selection
 from spectra.arrays import FloatArray
+from spectra.gravity import g
 from spectra.spectrum import Spectrum
 
 

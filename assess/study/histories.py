@@ -24,7 +24,6 @@ from math import inf, isclose, isfinite, isinf, log
 from typing import Literal, TypeVar
 
 import numpy as np
-from scipy.constants import g
 
 from assess.amplification import BaseMotion, base_motion
 from assess.codes.histories import LOW_SHARE, RecordRuns, SuiteResponse, share_upright
@@ -45,6 +44,7 @@ from records.errors import RecordError
 from records.pulses import PulseShape, pulse_shape
 from records.record import STRONGEST, Record
 from spectra.arrays import BoolArray, FloatArray, IntArray, is_number
+from spectra.gravity import g
 from spectra.spectrum import Spectrum
 
 

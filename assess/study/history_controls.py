@@ -25,7 +25,6 @@ from itertools import pairwise
 from math import ceil, pi, sqrt
 
 import numpy as np
-from scipy.constants import g
 
 from assess.amplification import base_motion
 from assess.dynamics.history import TOLERANCE, Events, Trace, free_rocking, peaks, product, trace_with_events
@@ -43,6 +42,7 @@ from assess.study.histories import fastest_vibration, history_severity, with_res
 from assess.study.study import ScaledRecord
 from records.record import Record, make_record
 from spectra.arrays import BoolArray, FloatArray
+from spectra.gravity import g
 
 
 @dataclass(frozen=True, repr=False)

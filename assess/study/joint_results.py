@@ -12,7 +12,6 @@ from math import inf, isclose, isfinite
 from typing import Any
 
 import numpy as np
-from scipy.constants import g
 
 from assess.codes.calculation_sheet import Given, Step, step
 from assess.interfaces.contact import thresholds
@@ -34,6 +33,7 @@ from assess.oscillator import Branch, Oscillator, multiplier
 from assess.results import BranchMoment, ContactSheet, InterfaceCurves
 from assess.study.contact_steps import BALANCE, RotatedJoint, block_steps, rest_steps, state_steps, threshold_steps
 from spectra.arrays import ComplexArray, FloatArray
+from spectra.gravity import g
 
 MOST_CURVE_POINTS = 200  # of a curve, at most
 

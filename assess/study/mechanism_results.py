@@ -11,7 +11,6 @@ from math import ceil, inf
 from typing import Literal
 
 import numpy as np
-from scipy.constants import g
 
 from assess.amplification import BaseMotion, ModalFilter
 from assess.codes.check import Check
@@ -57,16 +56,11 @@ from assess.study.joint_results import interface_curves, interface_results, shee
 from assess.study.study import ScaledRecord, Study, case_text
 from records.record import Record
 from records.response import response_spectrum
+from spectra.gravity import g
 
 
-def parameters(study: Study, *, views: bool = True) -> tuple[MechanismResult, ...]:
-    """Return every mechanism with its rocking parameters and capacity curve.
-
-    Parameters
-    ----------
-    study : of any mechanisms
-    views : whether with the bodies in space, which results.json holds and tables do not show
-    """
+def parameters(study: Study) -> tuple[MechanismResult, ...]:
+    """Return every mechanism with its rocking parameters and capacity curve."""
     return tuple(
         mechanism_result(
             mechanism,
@@ -75,25 +69,18 @@ def parameters(study: Study, *, views: bool = True) -> tuple[MechanismResult, ..
             scene=study.scenes.get(mechanism.name),
             amplification=amplification_result(study.amplified[mechanism.name]),
             height=study.heights[mechanism.name],
-            views=views,
         )
         for mechanism in study.mechanisms
     )
 
 
-def case_parameters(study: Study, *, views: bool = True) -> tuple[MechanismResult, ...]:
-    """Return the `parameters` of every case of every sweep; each mechanism is named with its case.
-
-    Parameters
-    ----------
-    study : with its sweeps
-    views : whether the bodies are drawn in space, for the report
-    """
+def case_parameters(study: Study) -> tuple[MechanismResult, ...]:
+    """Return the `parameters` of every case of every sweep; each mechanism is named with its case."""
     named = []
     for sweep in study.sweeps:
         for case in sweep.cases:
             with locate_errors(case.name):
-                results = parameters(case.study, views=views)
+                results = parameters(case.study)
             named += [
                 replace(result, name=f"{result.name}, {case_text(sweep, case, result.name)}") for result in results
             ]
@@ -113,7 +100,6 @@ def mechanism_result(
     histories: Sequence[Sequence[HistoryResult]] = (),
     amplification: AmplificationResult = UNAMPLIFIED_RESULT,
     height: HeightAboveGround | None = None,
-    views: bool = True,
 ) -> MechanismResult:
     """Return one mechanism as results.
 
@@ -135,8 +121,6 @@ def mechanism_result(
         The motion at its base.
     height : HeightAboveGround, optional
         Where it is above the ground.
-    views : bool, optional
-        Whether with its bodies in space, where there is a scene.
 
     Returns
     -------
@@ -158,7 +142,7 @@ def mechanism_result(
         restitution_said=mechanism.restitution_source_parts,
         direction_sweep=mechanism.directions,
         drawing=drawing,
-        view=view_in_space(mechanism, scene) if scene is not None and views else None,
+        view=None if scene is None else view_in_space(mechanism, scene),
         oscillator=oscillator_result(positive, mass=mass, rigid=rigid[0], equilibrium=oscillator.equilibrium),
         oscillator_negative=None
         if negative is None

@@ -15,7 +15,6 @@ from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.constants import g
 
 from assess.amplification import pulse_factor
 from assess.codes.check import BuildingState, Check
@@ -82,6 +81,7 @@ from assess.workers import available_cores
 from records.pulses import PULSE_SHAPES
 from spectra.arrays import FloatArray
 from spectra.errors import SpectrumError
+from spectra.gravity import g
 from spectra.spectrum import Spectrum
 
 

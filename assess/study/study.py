@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from math import isclose
 from typing import Literal
 
@@ -337,10 +337,10 @@ def case_text(sweep: Sweep, case: SweepCase, mechanism: str) -> str:
     key = sweep.key
     for table in (f"mechanisms.{mechanism}.", "bodies.", "materials."):
         key = key.removeprefix(table)
-    return f"{key} = {value_text(sweep, case)}"
+    return f"{key} = {case_value_text(sweep, case)}"
 
 
-def value_text(sweep: Sweep, case: SweepCase) -> str:
+def case_value_text(sweep: Sweep, case: SweepCase) -> str:
     """Return the value of a case with its unit.
 
     Parameters
@@ -348,6 +348,15 @@ def value_text(sweep: Sweep, case: SweepCase) -> str:
     sweep, case : the parametric study, and one of its cases
     """
     return f"{case.value:.6g}" + ("" if sweep.unit == "-" else f" {sweep.unit}")
+
+
+def without_scenes(study: Study) -> Study:
+    """Return a study without bodies in space, in its cases too: tables show none, and a large mesh takes long."""
+    sweeps = [
+        replace(sweep, cases=tuple(replace(case, study=replace(case.study, scenes={})) for case in sweep.cases))
+        for sweep in study.sweeps
+    ]
+    return replace(study, scenes={}, sweeps=tuple(sweeps))
 
 
 def may_follow_motion(question: Question) -> bool:

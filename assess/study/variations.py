@@ -41,8 +41,8 @@ from assess.study.study import (
     SweepCase,
     UnvariedNumber,
     Variable,
+    case_value_text,
     no_progress,
-    value_text,
 )
 from assess.study.suites import motions_of, suite_faults
 from spectra.errors import SpectrumError
@@ -170,7 +170,7 @@ def sweep_results(
 def case_messages(swept: MechanismSweep) -> Iterator[Message]:
     """Yield which case represents the mechanism, and the messages on the mechanism in that case."""
     where, sweep = f"mechanisms.{swept.mechanism}", swept.sweep
-    case = f"{sweep.key} = {value_text(sweep, swept.controlling_case)}"
+    case = f"{sweep.key} = {case_value_text(sweep, swept.controlling_case)}"
     yield note("sweep", where, cases=whole_number(len(sweep.cases)), case=case)
     for mechanism in swept.controlling_case.study.mechanisms:
         if mechanism.name == swept.mechanism:

@@ -17,10 +17,10 @@ from tempfile import TemporaryDirectory
 from typing import Any
 
 import numpy as np
-from scipy.constants import g
 
 from assess.examples import copy_example
 from assess.oscillator import Oscillator, RockingBlock, plain_branch, restoring_moment
+from spectra.gravity import g
 
 Solver = Callable[[Path, Mapping[str, Any]], Mapping[str, Any]]
 QUANTILES = (0.1, 0.25, 0.5, 0.75, 0.9)

@@ -6,8 +6,6 @@ from collections.abc import Iterator, Mapping
 from functools import partial
 from itertools import chain
 
-from scipy.constants import g
-
 from assess.results import LoadResult, Results, SpectrumResult
 from reports import document as doc
 from reports.chapters import suite
@@ -19,6 +17,7 @@ from reports.language.texts import Paragraph, Phrase, Term, Text, Verbatim, list
 from reports.language.value_names import PARAMETER_NAMES, parameter_rows
 from reports.mechanisms import mechanism_number
 from reports.project_values import project_text
+from spectra.gravity import g
 
 SPECTRUM = "site.spectrum"
 CALCULATED = say("calculated")

@@ -8,7 +8,6 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator, NullFormatter
-from scipy.constants import g
 
 from assess.results import BranchCurve, BranchName, MechanismResult
 from reports.figures import style
@@ -16,6 +15,7 @@ from reports.language.locale import Locale
 from reports.language.texts import Phrase, say
 from reports.mechanisms import deformable_joints, event_rotation, joints_of_branch
 from spectra.arrays import FloatArray
+from spectra.gravity import g
 
 CAPACITY_HEIGHT = 2.4  # in
 

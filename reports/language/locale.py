@@ -16,11 +16,10 @@ from math import isfinite, pi
 from pathlib import Path
 from typing import Literal
 
-from scipy.constants import foot, g, giga, inch, kilo, lbf, mega, mile, milli, pound, psi
-
 from assess.messages.message import Message, Quantity
 from assess.messages.texts import TEXTS
 from reports.language.texts import Kind, Listing, Paragraph, Phrase, Reference, Term, Text, Verbatim
+from spectra.gravity import g
 
 _NARROW = "\u00a0"  # between a number and its unit and within units, so that no line breaks there
 FIGURES = 4
@@ -156,7 +155,10 @@ def decimals(value: float, *, figures: int) -> int | None:
     return max(0, figures - 1 - exponent) if -4 <= exponent < 6 else None
 
 
-KIP = kilo * lbf
+FOOT, INCH, MILE = 0.3048, 0.0254, 1609.344  # m, exact: international yard and pound, 1959
+POUND = 0.45359237  # kg, exact by the same agreement
+LBF = POUND * g
+KIP, PSI = 1e3 * LBF, LBF / INCH**2
 
 
 @dataclass(frozen=True)
@@ -189,14 +191,14 @@ def _several(table: str, **sizes: float) -> DimensionUnits:
 
 
 _PER_METRE = DimensionUnits(
-    Unit("GPa/m", giga), (Unit("Pa/m"), Unit("kPa/m", kilo), Unit("MPa/m", mega), Unit("GPa/m", giga))
+    Unit("GPa/m", 1e9), (Unit("Pa/m"), Unit("kPa/m", 1e3), Unit("MPa/m", 1e6), Unit("GPa/m", 1e9))
 )
 _SI: Mapping[str, DimensionUnits] = {
     "ratio": _one(""),
     "percent": _one("%"),
     "length": _one("m"),
-    "short length": _one("mm", milli),
-    "distance": _one("km", kilo),
+    "short length": _one("mm", 1e-3),
+    "distance": _one("km", 1e3),
     "area": _one("m²"),
     "volume": _one("m³"),
     "time": _one("s"),
@@ -207,41 +209,41 @@ _SI: Mapping[str, DimensionUnits] = {
     "rotation": _one("rad"),
     "angle": _one("°", pi / 180.0),
     "angular frequency": _one("1/s"),
-    "mass": _several("kg", kg=1.0, t=kilo),
-    "inertia": _several("kg m²", **{"kg m²": 1.0, "t m²": kilo}),
-    "first moment": _several("kg m", **{"kg m": 1.0, "t m": kilo}),
+    "mass": _several("kg", kg=1.0, t=1e3),
+    "inertia": _several("kg m²", **{"kg m²": 1.0, "t m²": 1e3}),
+    "first moment": _several("kg m", **{"kg m": 1.0, "t m": 1e3}),
     "density": _one("kg/m³"),
-    "weight density": _one("kN/m³", kilo),
+    "weight density": _one("kN/m³", 1e3),
     "area density": _one("kg/m²"),
-    "force": _several("kN", N=1.0, kN=kilo, MN=mega),
-    "moment": _several("kN m", N_m=1.0, kN_m=kilo, MN_m=mega),
-    "energy": _several("kJ", J=1.0, kJ=kilo, MJ=mega),
-    "stress": _several("MPa", Pa=1.0, kPa=kilo, MPa=mega, GPa=giga),
+    "force": _several("kN", N=1.0, kN=1e3, MN=1e6),
+    "moment": _several("kN m", N_m=1.0, kN_m=1e3, MN_m=1e6),
+    "energy": _several("kJ", J=1.0, kJ=1e3, MJ=1e6),
+    "stress": _several("MPa", Pa=1.0, kPa=1e3, MPa=1e6, GPa=1e9),
     "stiffness": _PER_METRE,
-    "rotational stiffness": _several("kN m/rad", **{"N m/rad": 1.0, "kN m/rad": kilo, "MN m/rad": mega}),
+    "rotational stiffness": _several("kN m/rad", **{"N m/rad": 1.0, "kN m/rad": 1e3, "MN m/rad": 1e6}),
     "return period": _one("years"),
     "annual rate": _one("1/year"),
 }
 _US: Mapping[str, DimensionUnits] = {
-    "length": _one("ft", foot),
-    "short length": _one("in", inch),
-    "distance": _one("mi", mile),
-    "area": _one("ft²", foot**2),
-    "volume": _one("ft³", foot**3),
-    "velocity": _one("ft/s", foot),
+    "length": _one("ft", FOOT),
+    "short length": _one("in", INCH),
+    "distance": _one("mi", MILE),
+    "area": _one("ft²", FOOT**2),
+    "volume": _one("ft³", FOOT**3),
+    "velocity": _one("ft/s", FOOT),
     "acceleration": _one("g", g),
-    "mass": _one("lb", pound),
-    "inertia": _one("lb ft²", pound * foot**2),
-    "first moment": _one("lb ft", pound * foot),
-    "density": _one("lb/ft³", pound / foot**3),
-    "weight density": _one("lbf/ft³", lbf / foot**3),
-    "area density": _one("lb/ft²", pound / foot**2),
+    "mass": _one("lb", POUND),
+    "inertia": _one("lb ft²", POUND * FOOT**2),
+    "first moment": _one("lb ft", POUND * FOOT),
+    "density": _one("lb/ft³", POUND / FOOT**3),
+    "weight density": _one("lbf/ft³", LBF / FOOT**3),
+    "area density": _one("lb/ft²", POUND / FOOT**2),
     "force": _one("kip", KIP),
-    "moment": _one("kip ft", KIP * foot),
-    "energy": _one("kip ft", KIP * foot),
-    "stress": _several("psi", psi=psi, ksi=kilo * psi),
-    "stiffness": _several("psi/in", **{"psi/in": psi / inch, "ksi/in": kilo * psi / inch}),
-    "rotational stiffness": _one("kip ft/rad", KIP * foot),
+    "moment": _one("kip ft", KIP * FOOT),
+    "energy": _one("kip ft", KIP * FOOT),
+    "stress": _several("psi", psi=PSI, ksi=1e3 * PSI),
+    "stiffness": _several("psi/in", **{"psi/in": PSI / INCH, "ksi/in": 1e3 * PSI / INCH}),
+    "rotational stiffness": _one("kip ft/rad", KIP * FOOT),
 }
 UNITS: Mapping[System, Mapping[str, DimensionUnits]] = {"SI": _SI, "US": {**_SI, **_US}}
 UNIT_WORDS = ("years", "1/year")

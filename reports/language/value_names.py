@@ -7,10 +7,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from scipy.constants import g
-
 from assess.messages.message import Quantity
 from reports.language.texts import Phrase, Text, Verbatim, say
+from spectra.gravity import g
 
 VALUE_TITLES: Mapping[str, Phrase] = {
     "site.spectrum": say("Spectrum of the site"),

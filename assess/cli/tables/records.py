@@ -14,7 +14,6 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.constants import g
 
 from assess.cli.tables import messages_text, text_table
 from assess.errors import AssessError
@@ -35,6 +34,7 @@ from reports.language.locale import Locale
 from reports.language.texts import Verbatim
 from reports.render.table_text import cell_text, csv_lines
 from reports.render.vector import write_figure
+from spectra.gravity import g
 
 if TYPE_CHECKING:
     from records.catalogue import IndexSummary

@@ -18,7 +18,6 @@ from pydantic import (
     WithJsonSchema,
     model_validator,
 )
-from scipy.constants import g
 
 from assess.declaration import (
     FREE,
@@ -37,6 +36,7 @@ from assess.project.section import SCATTER, ProjectSection
 from assess.project.sections.procedures import ProcedureNames
 from assess.project.units import KINDS, SHARE_UNITS, QuantityError, key_value, number_and_unit
 from assess.project.values import PATTERN_MARK, WRITTEN_QUANTITY_SCHEMA, InputFile, number_or_text
+from spectra.gravity import g
 
 MOST_PULSES = 1000  # frequencies or amplitudes
 WITH_GAMMA = "mavroeidis-papageorgiou"

@@ -104,6 +104,7 @@ class Override(ShortRepr):
     of_range : whether that is the worst over the plausible range of the value
     source : who vouches for it; empty where nobody does
     margin_instead : PGA at capacity over the action's; 0 for what falls at rest, None where it is not known
+    index_instead : the measure of the worst mechanism; None for what falls at rest, and where it is not known
     """
 
     key: str
@@ -113,17 +114,20 @@ class Override(ShortRepr):
     source: str = ""
     margin_instead: float | None = None
     of_range: bool = False
+    index_instead: Index | None = None
 
     @property
     def message(self) -> Message:
         """What the verdict hangs on, in words."""
-        end = {None: "-unknown", 0.0: "-falls"}.get(self.margin_instead, "")
+        end, outcome = "", OUTCOME_TERMS[self.outcome_instead]
+        if not self.margin_instead:
+            end = "-falls" if self.margin_instead == 0.0 and self.index_instead is None else "-unknown"
         values: dict[str, Quantity | Term | Message | str] = {
             "key": self.key,
             "value": self.value,
             "instead": Term(self.instead) if self.of_range else self.instead,  # only that of a range is shown
             "source": self.source,
-            "outcome": OUTCOME_TERMS[self.outcome_instead],
+            "outcome": outcome if self.index_instead is None or not end else _with_index(outcome, self.index_instead),
             "margin": Quantity(self.margin_instead or 0.0, "ratio", 3),
         }
         kind = "range-" if self.of_range else ""
@@ -131,13 +135,24 @@ class Override(ShortRepr):
         return message(key, values, severity=Severity.WARNING, where=self.key)
 
 
+def _with_index(outcome: Term, index: Index) -> Message:
+    return message(
+        "outcome-with-index", {"outcome": outcome, "name": index.name, "index": Quantity(index.value, "ratio", 3)}
+    )
+
+
 @dataclass(frozen=True, repr=False)
 class MechanismOutcome(ShortRepr):
-    """The outcome of one mechanism in the state that does not decide."""
+    """The outcome of one mechanism, as in the state that does not decide.
+
+    margin : PGA at capacity over the action's, None where it is not known
+    index : the worst of its answers; None where one is not known
+    """
 
     mechanism: str
     outcome: Decision
     margin: float | None
+    index: Index | None = None
 
 
 @dataclass(frozen=True, repr=False)
@@ -164,24 +179,36 @@ def worst_outcome(outcomes: Iterable[Decision]) -> Decision:
     return Decision.INCOMPLETE if Decision.INCOMPLETE in found or not found else Decision.PASS
 
 
+RANKS = (Decision.PASS, Decision.INCOMPLETE, Decision.FAIL)
 SAME_MARGIN = 0.01  # share by which a margin may fall without being worse
 
 
-def is_worse(
-    outcome: Decision, margin: float | None, *, than: tuple[Decision, float | None], same: float = SAME_MARGIN
-) -> bool:
+def outcome_of(found: MechanismVerdict) -> MechanismOutcome:
+    """Return the outcome of a mechanism, with its margin and index."""
+    return MechanismOutcome(found.mechanism, found.outcome, found.margin, _index([found]))
+
+
+def is_worse(one: MechanismOutcome, *, than: MechanismOutcome, same: float = SAME_MARGIN) -> bool:
     """Return whether an outcome is worse than another, or as bad with a margin that is lower by more than a share.
+
+    Where the margins are the same or not known, the indices count so.
 
     Parameters
     ----------
-    outcome, margin : of a mechanism or building; the margin is PGA at capacity over the action's, None if not known
-    than : the other outcome, with its margin
+    one, than : the two
     same : the share
     """
-    ranks = (Decision.PASS, Decision.INCOMPLETE, Decision.FAIL)
-    if outcome != than[0]:
-        return ranks.index(outcome) > ranks.index(than[0])
-    return margin is not None and than[1] is not None and margin < than[1] * (1.0 - same)
+    if one.outcome != than.outcome:
+        return RANKS.index(one.outcome) > RANKS.index(than.outcome)
+    if one.margin is not None and than.margin is not None:
+        least, most = sorted((one.margin, than.margin))
+        if least < most * (1.0 - same):
+            return one.margin == least
+    if one.index is None or than.index is None or one.index.name != than.index.name:
+        return False
+    if one.index.name == IndexKind.DEMAND_CAPACITY:
+        return than.index.value < one.index.value * (1.0 - same)
+    return one.index.value < than.index.value * (1.0 - same)
 
 
 OUTCOME_TERMS = {

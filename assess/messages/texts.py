@@ -211,6 +211,7 @@ TEXTS: Mapping[str, str] = {
     "override-range-sourced-falls": "{key} = {value} ({source}); without it, with {instead}, "
     "what it bears on falls under its own loads",
     "override-range-sourced-unknown": "{key} = {value} ({source}); without it, with {instead}: {outcome}",
+    "outcome-with-index": "{outcome}, {name} {index}",
     "override-sourced": "{key} = {value} ({source}); without it: {outcome}, up to {margin} times the action",
     "override-sourced-falls": "{key} = {value} ({source}); without it what it holds falls under its own loads",
     "override-sourced-unknown": "{key} = {value} ({source}); without it: {outcome}",
@@ -274,8 +275,6 @@ TEXTS: Mapping[str, str] = {
     "one-of-several": 'a pass is by the first of {procedures} that is answered, as rule = "any" has it: by another one '
     "of them the same mechanism may fail",
     "sliding-alone": "a pass is that it does not slide: no procedure of the basis examines whether it overturns",
-    "swept-without-typed": "a pass is valid for {key} from {least} to {most}, as [analysis] sweep has it; the value of "
-    "the file itself is beyond these and not examined: {typed}",
     "top-held": "a pass is valid only if the top of {mechanism} is held: as it begins to move, its support takes "
     "{force}",
     "top-unheld": "what holds the top of {mechanism}, {height} above the ground: a floor of the building (its height), "
@@ -319,6 +318,8 @@ TEXTS: Mapping[str, str] = {
     "confidence-factor": "crushing of the masonry is not modelled in {mechanisms}: under {circular}, the FC of LC1, "
     "{least}, decides there",
     "sweep": "swept: the mechanism is represented by its most critical case, {case} (cases evaluated: {cases})",
+    "sweep-as-typed": "swept: no case is more critical than the value of the file itself, which represents the "
+    "mechanism",
     "sweep-left-out": "not swept in the envelopes, which use the values in the file: {keys}; `assess run` evaluates "
     "every case",
     # automatic controls

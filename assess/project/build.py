@@ -14,7 +14,6 @@ import numpy as np
 
 from assess.codes.asce43_05 import VERTICAL_RATIO
 from assess.codes.context import Building
-from assess.codes.question import VerdictFacts
 from assess.codes.verdict import falling_message
 from assess.dynamics.packing import Equation
 from assess.errors import FallingError, Faults, ProjectError, locate_errors
@@ -24,7 +23,7 @@ from assess.loads.load import bodies_of as loading_bodies
 from assess.mechanisms.kinds import Definition
 from assess.mechanisms.mechanism import BlockMechanism
 from assess.mechanisms.two_block import TwoBlock
-from assess.messages.message import Message, Severity, Term, locate, message
+from assess.messages.message import Message, locate
 from assess.model.assembly import Built
 from assess.model.bodies import Bodies
 from assess.model.directions import mechanism_as_given, mechanism_in_direction
@@ -196,7 +195,6 @@ def study_of(project: Project, *, executor: Executor | None = None, known: Known
         resolved=with_procedures_run(resolve(project), content),
         messages=(*_input_messages(project, study, files, messages), *annex_messages),
         sweeps=sweeps,
-        facts=_facts_with_sweeps(study.facts, sweeps, [sweep.left_out for sweep in project.sweeps]),
         survey=survey_of(variants, study),
         variables=variables_of(variants, study),
         sampling=sampling_of(variants, study),
@@ -437,29 +435,7 @@ def _sweep_of(
     if not names:
         raise ProjectError(f"{sweep.where}.key: {value_text(sweep.key)}: no mechanism depends on it; name another")
     cases = tuple(case_of(variant, project, files, names=names) for variant in sweep.variants)
-    return Sweep(sweep.key, sweep.unit, cases)
-
-
-def _facts_with_sweeps(
-    facts: Mapping[str, VerdictFacts], sweeps: Sequence[Sweep], left_out: Sequence[str | None]
-) -> Mapping[str, VerdictFacts]:
-    """Return the facts with a condition for each mechanism that is swept without the value of the file itself."""
-    found = dict(facts)
-    for sweep, typed in zip(sweeps, left_out, strict=True):
-        if typed is None:
-            continue
-        least, most = (pick(sweep.cases, key=lambda case: case.value) for pick in (min, max))
-        values = {
-            "key": sweep.key,
-            "least": case_value_text(sweep, least),
-            "most": case_value_text(sweep, most),
-            "typed": typed or Term("not given"),
-        }
-        condition = message("swept-without-typed", values, severity=Severity.WARNING)
-        for mechanism in sweep.cases[0].study.mechanisms:
-            missing, conditions = found.get(mechanism.name, ((), ()))
-            found[mechanism.name] = (missing, (*conditions, condition))
-    return found
+    return Sweep(sweep.key, sweep.unit, cases, has_typed=sweep.has_typed)
 
 
 def _files_of_case(content: sections.Content, project: Project, files: ProjectFiles) -> ProjectFiles:

@@ -12,7 +12,7 @@ from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, S
 from dataclasses import dataclass
 from difflib import get_close_matches
 from functools import cache, reduce
-from math import inf, isfinite, sqrt
+from math import inf, isclose, isfinite, sqrt
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -186,7 +186,7 @@ class KeySweep:
     where : the table, for errors; key : what is swept, as the user wrote it; path : its steps
     unit : of the values, as the user wrote it, or SI where they are plain numbers; "-" for none
     variants : one for each value, in the user's order
-    left_out : what the file itself has at the key, empty for nothing, where it lies beyond the values; else None
+    has_typed : whether one of the values is that of the file itself
     """
 
     where: str
@@ -194,7 +194,7 @@ class KeySweep:
     path: KeyPath
     unit: str
     variants: tuple[ProjectVariant, ...]
-    left_out: str | None
+    has_typed: bool
 
 
 def key_sweeps(content: Content, raw: Mapping[str, Any], folder: Path) -> tuple[KeySweep, ...]:
@@ -484,20 +484,15 @@ def _key_sweep(
         variants.append(ProjectVariant(number, name, read))
     symbol = "-" if entry.kind is None else entry.kind.symbol.replace("no unit", "-")
     cases = tuple(variants)
-    return KeySweep(where, sweep.key, entry.path, units[0] or symbol, cases, _left_out(entry, cases, raw))
+    return KeySweep(where, sweep.key, entry.path, units[0] or symbol, cases, _has_typed(entry, cases))
 
 
-def _left_out(entry: KeyedValue, cases: Sequence[ProjectVariant], raw: Mapping[str, Any]) -> str | None:
-    """Return what the file has at a swept key, empty for nothing, where it lies beyond the cases; None where not."""
+def _has_typed(entry: KeyedValue, cases: Sequence[ProjectVariant]) -> bool:
+    """Return whether one of the cases has the value of the file itself; a range is written to 12 figures."""
     swept = [value_at(case.content, entry.path) for case in cases]
-    if is_number(entry.value) and all(map(is_number, swept)):
-        reached = min(swept) <= entry.value <= max(swept)
-    else:
-        reached = entry.value in swept
-    if reached:
-        return None
-    stated, written = look_up(raw, entry.path)
-    return value_text(written) if stated else f"{entry.value:.6g}" if is_number(entry.value) else ""
+    if is_number(entry.value):
+        return any(is_number(each) and isclose(each, entry.value, rel_tol=1e-11) for each in swept)
+    return entry.value in swept
 
 
 def _values_in_range(sweep: SweepSection, *, where: str) -> tuple[WrittenNumber, ...]:

@@ -8,7 +8,7 @@ mechanism depends on them.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from functools import partial
@@ -71,6 +71,8 @@ from assess.study.variations import (
     MechanismSweep,
     case_messages,
     controlling_cases,
+    in_case,
+    mechanisms_beside_cases,
     motions_of_case,
     run_sweeps,
     sensitivities,
@@ -152,15 +154,17 @@ def _run_state(
 ) -> Results:
     """Assess one state of a study under its motions."""
     sweeps = run_sweeps(study, motions, jobs=jobs, progress=progress)
-    controlling = controlling_cases(sweeps)
-    unswept = replace(
-        study, mechanisms=tuple(mechanism for mechanism in study.mechanisms if mechanism.name not in controlling)
-    )
-    unswept_results = {
-        result.name: result for result in assess_mechanisms(unswept, spectrum, motions, jobs=jobs, progress=progress)
-    }
+    swept, without_typed = {each.mechanism for each in sweeps}, mechanisms_beside_cases(study.sweeps)
+    as_typed = [each for each in study.mechanisms if each.name not in swept or each.name in without_typed]
+    unswept = replace(study, mechanisms=tuple(as_typed))
+    as_file_has_it = assess_mechanisms(unswept, spectrum, motions, jobs=jobs, progress=progress)
+    besides = tuple(each for each in as_file_has_it if each.name in without_typed)
+    controlling = controlling_cases(sweeps, {each.result.name: each for each in in_case(study, besides)})
+    unswept_results = {each.name: each for each in as_file_has_it}
     results = tuple(
-        unswept_results.get(mechanism.name) or controlling[mechanism.name].controlling_result
+        controlling[mechanism.name].controlling_result
+        if mechanism.name in controlling
+        else unswept_results[mechanism.name]
         for mechanism in study.mechanisms
     )
     question = _deciding_question(study, controlling)
@@ -178,6 +182,7 @@ def _run_state(
         inputs=study.inputs,
         warnings=(
             *_study_messages(study, controlling),
+            *_as_typed_messages(swept.difference(controlling)),
             *_suite_messages(study, motions),
             *coarse_record_messages(cases, motions),
             *control_warnings(controls),
@@ -575,6 +580,12 @@ def _study_messages(study: Study, controlling: Mapping[str, MechanismSweep]) -> 
     replaced = [warned for mechanism in swept for warned in locate(mechanism.warnings, f"mechanisms.{mechanism.name}")]
     kept = [message for message in study.messages if message not in replaced]
     return (*kept, *(message for sweep in controlling.values() for message in case_messages(sweep)))
+
+
+def _as_typed_messages(names: Iterable[str]) -> Iterator[Message]:
+    """Yield that a swept mechanism is represented as the file itself has it."""
+    for name in sorted(names):
+        yield note("sweep-as-typed", f"mechanisms.{name}")
 
 
 def _suite_messages(study: Study, motions: tuple[ScaledRecord, ...]) -> tuple[Message, ...]:

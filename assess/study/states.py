@@ -18,6 +18,7 @@ from assess.codes.check import Check
 from assess.codes.procedures import uses_histories
 from assess.codes.question import methods_of
 from assess.codes.verdict import (
+    RANKS,
     Decision,
     MechanismOutcome,
     OtherState,
@@ -25,6 +26,7 @@ from assess.codes.verdict import (
     State,
     Verdict,
     is_worse,
+    outcome_of,
     worst_outcome,
 )
 from assess.errors import AssessError, FallingError
@@ -35,8 +37,6 @@ from assess.study.suites import suite_faults
 from assess.study.variations import motions_of_case
 from records.errors import RecordError
 from spectra.errors import SpectrumError
-
-FALLING = 0.0  # margin of a mechanism that falls under its loads
 
 
 @dataclass(frozen=True)
@@ -86,7 +86,7 @@ def find_overrides(
     as_typed = cache(partial(_outcomes_as_typed, study, motions, jobs))
     overrides: list[Override] = []
     replaced: list[Replaceable] = []
-    least: tuple[Replaceable, Outcome] | None = None
+    least: tuple[Replaceable, MechanismOutcome] | None = None
     for _, of_one_key in groupby(tried, key=lambda value: value.key):
         each_way = [(value, _outcomes(value, outcome)) for value in _values_to_try(tuple(of_one_key))]
         typed = as_typed(_by_all_methods(each_way[0][0]))
@@ -95,12 +95,12 @@ def find_overrides(
             continue  # the project cannot be read without it: it says what the case is
         value, without = reduce(_worse_way, known)
         helps = any(
-            is_worse(*found, than=typed[name], same=value.same) for name, found in without.items() if name in typed
+            is_worse(found, than=typed[name], same=value.same) for name, found in without.items() if name in typed
         )
         if not value.source and (helps or not value.either_way):
             replaced.append(value)
             for found in without.values():
-                least = (value, found) if least is None or is_worse(*found, than=least[1]) else least
+                least = (value, found) if least is None or is_worse(found, than=least[1]) else least
         if helps:
             overrides.append(_override(value, without))
     for value, without in _hidden(study, tried, replaced, outcome):
@@ -125,19 +125,19 @@ def _hidden(
         return
     replace_all, everything = study.replaced, tuple(each.name for each in study.mechanisms)
 
-    def outcomes(values: Sequence[Replaceable], *, mechanisms: Sequence[str], by_all: bool) -> dict[str, Outcome]:
+    def outcomes(values: Sequence[Replaceable], *, mechanisms: Sequence[str], by_all: bool) -> Outcomes:
         try:
             there = replace_all(values)
         except (AssessError, RecordError, SpectrumError):
             return {}
         standing = {each.name for each in there.mechanisms}
         every = {
-            name: outcome(partial(_alone, there, name), by_all=by_all) if name in standing else (Decision.FAIL, FALLING)
+            name: outcome(name, partial(_alone, there), by_all=by_all) if name in standing else _falling(name)
             for name in mechanisms
         }
         return {name: found for name, found in every.items() if found is not None}
 
-    def outcomes_of_others(by_all: bool) -> dict[str, Outcome]:
+    def outcomes_of_others(by_all: bool) -> Outcomes:
         return outcomes(replaced, mechanisms=everything, by_all=by_all)
 
     without_others = cache(outcomes_of_others)
@@ -146,7 +146,7 @@ def _hidden(
             by_all = _by_all_methods(value)
             without = outcomes((*replaced, value), mechanisms=value.mechanisms, by_all=by_all)
             worse = any(
-                is_worse(*found, than=without_others(by_all)[name], same=value.same)
+                is_worse(found, than=without_others(by_all)[name], same=value.same)
                 for name, found in without.items()
                 if name in without_others(by_all)
             )
@@ -165,34 +165,36 @@ def _values_to_try(of_one_key: tuple[Replaceable, ...]) -> tuple[Replaceable, ..
     return of_one_key[:1] if of_one_key[0].source else of_one_key
 
 
-def _outcomes_as_typed(study: Study, motions: tuple[ScaledRecord, ...], jobs: int, by_all: bool) -> dict[str, Outcome]:
+def _outcomes_as_typed(study: Study, motions: tuple[ScaledRecord, ...], jobs: int, by_all: bool) -> Outcomes:
     """Return the outcome of each mechanism as typed, those that are not built left out."""
     every = {
-        each.name: _outcome(partial(_alone, study, each.name), whole=study, motions=motions, jobs=jobs, by_all=by_all)
+        each.name: _outcome(each.name, partial(_alone, study), whole=study, motions=motions, jobs=jobs, by_all=by_all)
         for each in study.mechanisms
     }
     return {name: found for name, found in every.items() if found is not None}
 
 
-def _outcomes(value: Replaceable, outcome: OutcomeOf) -> dict[str, Outcome]:
+def _outcomes(value: Replaceable, outcome: OutcomeOf) -> Outcomes:
     """Return the outcome without a value of each mechanism that it bears on; empty where one cannot be built so."""
     by_all = _by_all_methods(value)
-    every = {name: outcome(partial(value.study_at, name), by_all=by_all) for name in value.mechanisms}
+    every = {name: outcome(name, value.study_at, by_all=by_all) for name in value.mechanisms}
     without = {name: found for name, found in every.items() if found is not None}
     return without if len(without) == len(every) else {}
 
 
-_Way = tuple[Replaceable, dict[str, "Outcome"]]
+Outcomes = dict[str, MechanismOutcome]
+"""The outcome of each mechanism by its name."""
+_Way = tuple[Replaceable, Outcomes]
 
 
 def _worse_way(one: _Way, other: _Way) -> _Way:
     """Return that of two values in place of one of which some mechanism comes off worst."""
     least, least_other = (reduce(_worse_outcome, way[1].values()) for way in (one, other))
-    return other if is_worse(*least_other, than=least, same=0.0) else one
+    return other if is_worse(least_other, than=least, same=0.0) else one
 
 
-def _worse_outcome(one: Outcome, other: Outcome) -> Outcome:
-    return other if is_worse(*other, than=one, same=0.0) else one
+def _worse_outcome(one: MechanismOutcome, other: MechanismOutcome) -> MechanismOutcome:
+    return other if is_worse(other, than=one, same=0.0) else one
 
 
 def merge_states(typed: Verdict, replaced: Verdict | None, overrides: tuple[Override, ...]) -> Verdict:
@@ -214,19 +216,15 @@ def merge_states(typed: Verdict, replaced: Verdict | None, overrides: tuple[Over
 def decides(replaced: Verdict, typed: Verdict) -> bool:
     """Return whether the state in which values are replaced decides, as it is worse than the project as typed."""
     if replaced.outcome != typed.outcome:
-        return is_worse(replaced.outcome, None, than=(typed.outcome, None))
-    before = {each.mechanism: (each.outcome, each.margin) for each in typed.mechanisms}
-    return any(is_worse(one.outcome, one.margin, than=before[one.mechanism]) for one in replaced.mechanisms)
-
-
-Outcome = tuple[Decision, float | None]
-"""The outcome of a mechanism, and the PGA at capacity over the action's where that is known."""
+        return RANKS.index(replaced.outcome) > RANKS.index(typed.outcome)
+    before = {each.mechanism: outcome_of(each) for each in typed.mechanisms}
+    return any(is_worse(outcome_of(one), than=before[one.mechanism]) for one in replaced.mechanisms)
 
 
 class OutcomeOf(Protocol):
-    """Finds the outcome of the one mechanism of a study that is built when it is asked for; None if it cannot be."""
+    """Finds the outcome of a mechanism in a study of it alone, which is built by its name; None if it cannot be."""
 
-    def __call__(self, build: Callable[[], Study], *, by_all: bool) -> Outcome | None:
+    def __call__(self, name: str, build: Callable[[str], Study], *, by_all: bool) -> MechanismOutcome | None:
         """Find it, by all methods that decide or by the least work."""
 
 
@@ -240,22 +238,32 @@ def _alone(study: Study, name: str) -> Study:
     return replace(study, mechanisms=tuple(each for each in study.mechanisms if each.name == name), falling=())
 
 
+def _falling(name: str) -> MechanismOutcome:
+    return MechanismOutcome(name, Decision.FAIL, 0.0)
+
+
 def _outcome(
-    build: Callable[[], Study], *, whole: Study, motions: tuple[ScaledRecord, ...], jobs: int, by_all: bool
-) -> Outcome | None:
-    """Return the outcome of the one mechanism of a study; one that falls under its loads fails. None if not built.
+    name: str,
+    build: Callable[[str], Study],
+    *,
+    whole: Study,
+    motions: tuple[ScaledRecord, ...],
+    jobs: int,
+    by_all: bool,
+) -> MechanismOutcome | None:
+    """Return the outcome of a mechanism in a study of it alone; one that falls fails. None if not built.
 
     Parameters
     ----------
-    build : builds the study
+    name, build : of the mechanism; builds the study by that
     whole, motions : the study that it varies, and the motions of that
     jobs : number of threads
     by_all : whether by all methods that decide; else by those without histories, where there are any
     """
     try:
-        study = build()
+        study = build(name)
     except FallingError:
-        return Decision.FAIL, FALLING
+        return _falling(name)
     except (AssessError, RecordError, SpectrumError):
         return None
     try:
@@ -271,11 +279,11 @@ def _outcome(
                 asked = replace(asked, suite_faults=suite_faults(study, require_spectrum(study), there))
         checks = checks_without_scan(asked, require_spectrum(study), there, jobs=jobs)
     except FallingError:
-        return Decision.FAIL, FALLING
+        return _falling(name)
     except (AssessError, RecordError, SpectrumError):
-        return Decision.INCOMPLETE, None
-    (found,) = decide(asked, [_CheckedMechanism(study.mechanisms[0].name, checks)]).mechanisms
-    return found.outcome, found.margin
+        return MechanismOutcome(name, Decision.INCOMPLETE, None)
+    (found,) = decide(asked, [_CheckedMechanism(name, checks)]).mechanisms
+    return outcome_of(found)
 
 
 def _goes_with_its_table(value: Replaceable, others: Sequence[Replaceable]) -> bool:
@@ -288,20 +296,20 @@ def _goes_with_its_table(value: Replaceable, others: Sequence[Replaceable]) -> b
     )
 
 
-def _override(value: Replaceable, outcomes: dict[str, Outcome]) -> Override:
+def _override(value: Replaceable, outcomes: Outcomes) -> Override:
     """Return the line of a value, with the outcomes without it of the mechanisms that it bears on."""
-    margins = [margin for _, margin in outcomes.values()]
+    margins = [each.margin for each in outcomes.values()]
     return Override(
         key=value.key,
         value=value.value,
         instead=value.instead,
         of_range=value.of_range,
-        outcome_instead=worst_outcome(outcome for outcome, _ in outcomes.values()),
+        outcome_instead=worst_outcome(each.outcome for each in outcomes.values()),
         source=value.source,
         margin_instead=None if None in margins else min(each for each in margins if each is not None),
+        index_instead=reduce(_worse_outcome, outcomes.values()).index,
     )
 
 
 def _other_state(found: Verdict) -> OtherState:
-    mechanisms = (MechanismOutcome(each.mechanism, each.outcome, each.margin) for each in found.mechanisms)
-    return OtherState(found.outcome, tuple(mechanisms))
+    return OtherState(found.outcome, tuple(map(outcome_of, found.mechanisms)))

@@ -206,11 +206,13 @@ class Sweep:
 
     key : the number; unit : of its values, as the user wrote it, "-" for none
     cases : one for each value, in the user's order, each with the mechanisms that depend on the key
+    has_typed : whether one of them is the study itself, with the value of the file
     """
 
     key: str
     unit: str
     cases: tuple[SweepCase, ...]
+    has_typed: bool = True
 
 
 @dataclass(frozen=True)

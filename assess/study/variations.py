@@ -4,7 +4,8 @@ Every mechanism that a sweep changes is assessed in all its cases. The controlli
 the worst answer that decides: a failing case before an incomplete one, an incomplete one before one that passes. Of
 equals it is the one with the least margin over the site's own action, then the one with the largest demand over
 capacity (overturning before any ratio), then with the least PGA at capacity, then with the least multiplier at uplift;
-then the first. If nothing decides, as without a basis, all checks by the letter of a code are used instead.
+then the first. If nothing decides, as without a basis, all checks by the letter of a code are used instead. Where no
+case has the value that the file itself has, the mechanism as typed stands beside them, and counts where it is worse.
 
 A case of a sensitivity is the mechanism alone with one number at its low or its high value. It goes through the
 procedures that decide, at all levels, with its histories under all records as they are, but without the scan over
@@ -27,7 +28,7 @@ from assess.codes.bases import Basis
 from assess.codes.check import Check, Outcome
 from assess.codes.procedures import uses_histories
 from assess.codes.question import Question
-from assess.codes.verdict import Answer, Decision, MechanismVerdict, Verdict, find_deciding_check, index_of
+from assess.codes.verdict import RANKS, Answer, Decision, MechanismVerdict, Verdict, find_deciding_check, index_of
 from assess.errors import AssessError, locate_errors
 from assess.messages.message import Message, Term, locate, message, note, whole_number
 from assess.results import MechanismResult, OscillatorResult, SensitivityResult, SweepResult
@@ -119,16 +120,23 @@ class MechanismSweep:
         return self.sweep.cases[self.controlling]
 
 
-RANKS = (Decision.PASS, Decision.INCOMPLETE, Decision.FAIL)
+def controlling_cases(
+    sweeps: Sequence[MechanismSweep], as_typed: Mapping[str, MechanismInCase]
+) -> dict[str, MechanismSweep]:
+    """Return, for each mechanism, the sweep whose controlling case represents it: the most severe one.
 
-
-def controlling_cases(sweeps: Sequence[MechanismSweep]) -> dict[str, MechanismSweep]:
-    """Return, for each mechanism, the sweep whose controlling case represents it: the most severe one."""
+    as_typed : the mechanisms of which no case has the value of the file; left out where they are more severe as typed
+    """
     controlling: dict[str, MechanismSweep] = {}
     for swept in sweeps:
         before = controlling.get(swept.mechanism)
         if before is None or severity(swept.cases[swept.controlling]) > severity(before.cases[before.controlling]):
             controlling[swept.mechanism] = swept
+    for name, typed in as_typed.items():
+        swept = controlling[name]
+        of_answer = slice(3)  # a PGA at capacity alone is no more severe: it goes with the site's action
+        if severity(typed)[of_answer] > severity(swept.cases[swept.controlling])[of_answer]:
+            del controlling[name]
     return controlling
 
 
@@ -164,7 +172,23 @@ def sweep_results(
     sweeps: Sequence[MechanismSweep], controlling: Mapping[str, MechanismSweep]
 ) -> tuple[SweepResult, ...]:
     """Return the sweeps as results."""
-    return tuple(_sweep_result(swept, governs=controlling[swept.mechanism] is swept) for swept in sweeps)
+    return tuple(_sweep_result(swept, governs=controlling.get(swept.mechanism) is swept) for swept in sweeps)
+
+
+def mechanisms_beside_cases(sweeps: Sequence[Sweep]) -> set[str]:
+    """Return the mechanisms that are swept, but in no case as the file itself has them."""
+    swept, typed = (
+        {each.name for sweep in some for each in sweep.cases[0].study.mechanisms}
+        for some in (sweeps, [sweep for sweep in sweeps if sweep.has_typed])
+    )
+    return swept - typed
+
+
+def in_case(study: Study, results: Sequence[MechanismResult]) -> Iterator[MechanismInCase]:
+    """Yield the mechanisms of a study with the verdict of each, and their checks marked by it."""
+    decided = decide(study, results)
+    for result, mechanism_verdict in zip(results, decided.mechanisms, strict=True):
+        yield MechanismInCase(mark_result(decided, study.question, result), mechanism_verdict)
 
 
 def case_messages(swept: MechanismSweep) -> Iterator[Message]:
@@ -344,12 +368,7 @@ def _assess_case(
     faults = study.suite_faults if motions_there is motions else suite_faults(case.study, spectrum, motions_there)
     assessed = replace(case.study, suite_faults=faults)
     results = assess_mechanisms(assessed, spectrum, motions_there, jobs=jobs, progress=no_progress)
-    decided = decide(assessed, results)
-    pairs = zip(results, decided.mechanisms, strict=True)
-    return tuple(
-        MechanismInCase(mark_result(decided, assessed.question, result), mechanism_verdict)
-        for result, mechanism_verdict in pairs
-    )
+    return tuple(in_case(assessed, results))
 
 
 def _round_severity(value: float) -> float:

@@ -285,6 +285,7 @@ CONTROLLING_CASE = say(
 )
 REPRESENTS = say("This case represents the mechanism in the rest of this report.")
 REPRESENTED = say("In the rest of this report the mechanism is represented by a case of another study.")
+AS_TYPED = say("In the rest of this report the mechanism is as the project file has it: no case is more critical.")
 
 
 def _sweep_blocks(results: Results, mechanism: MechanismResult, stem: str) -> list[Block]:
@@ -292,6 +293,7 @@ def _sweep_blocks(results: Results, mechanism: MechanismResult, stem: str) -> li
     made: list[Block] = [*_weakest_direction(mechanism, stem)]
     own = [each for each in results.sweeps if each.mechanism == mechanism.name]
     made += [Prose((CONTROLLING_CASE,))] if own else []
+    otherwise = REPRESENTED if any(each.governs for each in own) else AS_TYPED
     for place, each in enumerate(own, start=1):
         name = f"{stem}-sweep-{place:02d}"
         caption = say(
@@ -299,21 +301,21 @@ def _sweep_blocks(results: Results, mechanism: MechanismResult, stem: str) -> li
             key=Verbatim(each.key),
         )
         made += [
-            Prose((_sweep_sentence(each),)),
+            Prose((_sweep_sentence(each, otherwise=otherwise),)),
             _sweep_table(each, name=name),
             Figure(name, caption, partial(sensitivity.draw_sweep, each)),
         ]
     return made
 
 
-def _sweep_sentence(found: SweepResult) -> Text:
-    """State what was swept, which case controls, and whether it represents the mechanism."""
+def _sweep_sentence(found: SweepResult, *, otherwise: Text) -> Text:
+    """State what was swept, which case controls, and whether it represents the mechanism; otherwise : what does."""
     taken = say_count(
         "{key} takes {number} value;", "{key} takes {number} values;", len(found.value), key=Verbatim(found.key)
     )
     case = swept_value(found.value[found.controlling], found.unit)
     controls = say("{case} controls.", case=case)
-    return Paragraph((taken, controls, REPRESENTS if found.governs else REPRESENTED))
+    return Paragraph((taken, controls, REPRESENTS if found.governs else otherwise))
 
 
 def _sweep_table(found: SweepResult, *, name: str) -> Table:

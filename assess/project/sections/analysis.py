@@ -120,7 +120,7 @@ class SweepSection(ProjectSection):
     evidence = Evidence(
         "chosen",
         "either",
-        "a pass has the value typed at the key as a condition where it is beyond the cases",
+        "the value typed at the key counts beside the cases, and the worst of all decides",
         judged="the worst of the cases decides",
     )
 

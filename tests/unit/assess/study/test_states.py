@@ -351,3 +351,18 @@ def test_a_mode_typed_higher_than_two_thirds_of_the_drawing_is_as_drawn(table: s
         for each in found:
             (there,) = each.study_at("wall").amplified.values()
             assert there.amplification.mode.effective_height == pytest.approx(drawn, rel=1e-9)  # type: ignore[union-attr]
+
+
+def test_an_ordinate_of_no_source_that_helps_a_failing_wall_has_its_line() -> None:
+    """ASCE 41-13 permits no such wall at any S_X1, so that margins are 0; h/t over the table's tells them apart."""
+    tables = copy.deepcopy(PROJECTS["asce41-wall"])
+    tables["bodies"]["wall"]["box"]["thickness"] = "0.2 m"  # h/t = 22.5, above 20 of the mildest row and column
+    alone = verdict_on(tables)
+    tables["procedures"] = {"asce41-13": {"s_x1": "0.2 g"}}
+    found = verdict_on(tables)
+    assert alone.mechanisms[0].margin == found.mechanisms[0].margin == 0.0
+    assert alone.index is not None
+    assert (found.outcome, found.index, found.state) == (Decision.FAIL, alone.index, State.REPLACED)
+    (line,) = [each for each in found.overrides if each.key == "procedures.asce41-13.s_x1"]
+    assert line.index_instead == alone.index
+    assert f"without it: fail, D/C {alone.index.value:.3g}" in line.message.text

@@ -239,27 +239,27 @@ def test_the_verdict_of_a_swept_site_stands_at_the_action_of_the_case_that_contr
 
 
 @pytest.mark.parametrize(
-    ("key", "values", "told"),
+    ("key", "values", "of_a_case"),
     [
-        ("bodies.wall.box.thickness", '["2.5 m", "3 m"]', ["bodies.wall.box.thickness from 2.5 m to 3 m"]),
-        ("bodies.wall.box.thickness", '["300 cm", "250 cm"]', ["bodies.wall.box.thickness from 250 cm to 300 cm"]),
-        ("site.pga", '["0.01 g", "0.015 g"]', ["site.pga from 0.01 g to 0.015 g"]),
+        ("bodies.wall.box.thickness", '["2.5 m", "3 m"]', False),
+        ("bodies.wall.box.thickness", '["10 cm", "250 cm"]', True),
+        ("bodies.wall.box.height", '["1 cm", "20 cm"]', False),
+        ("site.pga", '["0.01 g", "0.015 g"]', False),
     ],
 )
-def test_a_pass_of_a_sweep_beyond_the_value_of_the_file_has_that_as_condition(
-    tmp_path: Path, key: str, values: str, told: list[str]
+def test_a_mechanism_counts_as_the_file_has_it_beside_the_cases_of_its_sweep(
+    tmp_path: Path, key: str, values: str, of_a_case: bool
 ) -> None:
-    """A wall 0.2 m thick that fails does not pass unremarked because its sweep begins at 2.5 m."""
-    found = run_study(study_of(tmp_path, swept_wall(key, values)), jobs=1).verdict
-    assert found.outcome == "pass"
-    texts = [each.text for each in found.conditions if each.key == "swept-without-typed"]
-    assert [text.removeprefix("a pass is valid for ").partition(",")[0] for text in texts] == told
-
-
-@pytest.mark.parametrize("values", ['["0.1 m", "3 m"]', '["0.2 m", "3 m"]'])
-def test_a_sweep_that_reaches_the_value_of_the_file_has_no_condition(tmp_path: Path, values: str) -> None:
-    facts = study_of(tmp_path, swept_wall("bodies.wall.box.thickness", values)).facts
-    assert not any(each.key == "swept-without-typed" for each in facts["wall"][1])
+    """A wall 0.2 m thick that fails does not pass because its sweep begins at 2.5 m, or skips what the file has."""
+    project = swept_wall(key, values)
+    alone = run_study(study_of(tmp_path, project.partition("[analysis.sweep]")[0]), jobs=1)
+    found = run_study(study_of(tmp_path, project), jobs=1)
+    assert alone.verdict is not None
+    assert found.verdict is not None
+    assert alone.verdict.outcome == found.verdict.outcome == "fail"
+    assert found.sweeps[0].governs is of_a_case
+    assert (found.mechanisms == alone.mechanisms) is not of_a_case
+    assert ("sweep-as-typed" in [each.key for each in found.warnings]) is not of_a_case
 
 
 def swept_wall(key: str, values: str) -> str:

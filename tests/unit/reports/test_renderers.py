@@ -17,6 +17,7 @@ RENDERERS = sorted(
 LETTERS = {
     "spectra.arrays",  # what counts as a number
     "spectra.formulas",  # which text a spreadsheet would run
+    "spectra.gravity",  # a constant
     "assess.codes.calculation_sheet",  # the lines of a calculation sheet
     "assess.messages.message",
     "assess.messages.texts",

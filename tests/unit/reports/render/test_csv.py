@@ -6,7 +6,7 @@ import csv
 from pathlib import Path
 
 import pytest
-from scipy.constants import foot, kilo
+from scipy.constants import kilo
 
 from reports.document import NOTHING, Cell, Column, Document, OutcomeCell, Section, Table
 from reports.language.locale import Locale
@@ -14,6 +14,8 @@ from reports.language.texts import Text, Verbatim, quantity, say
 from reports.render.table_text import csv_field, write_csv
 from spectra.formulas import is_formula
 from tests.support.sample_document import HOSTILE, sample_document
+
+FOOT = 0.3048  # m, exact
 
 
 def written(folder: Path, columns: tuple[Column, ...], row: tuple[Cell, ...], locale: Locale) -> list[list[str]]:
@@ -24,7 +26,7 @@ def written(folder: Path, columns: tuple[Column, ...], row: tuple[Cell, ...], lo
         return list(csv.reader(stream))
 
 
-@pytest.mark.parametrize(("locale", "unit", "size"), [(Locale("it"), "m", 1.0), (Locale("en", "US"), "ft", foot)])
+@pytest.mark.parametrize(("locale", "unit", "size"), [(Locale("it"), "m", 1.0), (Locale("en", "US"), "ft", FOOT)])
 def test_numbers_are_whole_in_the_unit_of_their_head_with_a_point(
     tmp_path: Path, locale: Locale, unit: str, size: float
 ) -> None:
@@ -88,7 +90,7 @@ def test_a_sheet_has_its_results_as_numbers_in_both_systems(tmp_path: Path) -> N
     with (tmp_path / "sheet.csv").open(encoding="utf-8", newline="") as stream:
         first, second, third = csv.DictReader(stream)
     assert (float(first["Value"]), first["Unit"]) == (22.0725, "m")
-    assert (float(first["Value, US"]), first["Unit, US"]) == (22.0725 / foot, "ft")
+    assert (float(first["Value, US"]), first["Unit, US"]) == (22.0725 / FOOT, "ft")
     assert (second["Value"], second["Value, US"]) == ("≤ 0.5", "")
     assert third["Value"] == ""
 

@@ -182,19 +182,20 @@ ASCE41_13 = Basis(
 )
 """ASCE/SEI 41-13: permissible h/t of unreinforced masonry walls out of plane (11.3.3, Table 11-5)."""
 
+DESIGN_BASIS = "DBE"
 ASCE43_05 = Basis(
     name="asce43-05",
     edition="ASCE/SEI 43-05",
     index=IndexKind.DEMAND_CAPACITY,
     states=(
         LimitState(
-            "DBE",
+            DESIGN_BASIS,
             "no overturning",
-            ("DBE",),
+            (DESIGN_BASIS,),
             ((Method("asce43-05-history"),), (Method("asce43-05-spectrum", Acceptance.IF_NAMED),)),
         ),
     ),
-    default="DBE",
+    default=DESIGN_BASIS,
     clauses=(
         (
             "mean of the maxima of at least five records within half of the rotation that overturns",

@@ -52,6 +52,8 @@ ELEMENTS: dict[WallSupport, str] = {
     "spanning": "held at base and top, as walls and facades",
     "hinged": "chain of hinges, not in Table 4.4: the smallest value",
 }
+IMPORTANCE_FACTORS = {"I": 0.8, "II": 1.0, "III": 1.2, "IV": 1.4}  # gamma_I by importance class, 4.2.5(5)
+REFERENCE_YEARS = 475.0  # return period of a_gR, 2.1(1)
 TIED, TYPED = "held at or above its centre of mass by a lasting tie, as braced chimneys and gables", "as stated"
 RESONANCE = 1.0  # T_a / T_1 where building or element are not known: the worst
 BENDING: dict[WallSupport, float] = {"free": 6.2, "spanning": 2.2}  # 2 pi sqrt(12) / 1.875^2, and over pi^2

@@ -239,6 +239,8 @@ TEXTS: Mapping[str, str] = {
     "Table 3.3)",
     "missing-return-period-of-level": "importance level {level} asks for ULS at {years} years, R = {needed}; the "
     "spectrum has R = {given}",
+    "missing-importance-factor": "importance class {class} asks for γ_I = {needed} (EN 1998-1, 4.2.5); the spectrum "
+    "has {given}, by its importance_factor or return period",
     "missing-return-period": "the return period of the spectrum, which is given as a table",
     "missing-damping-of-table": "the damping of the spectrum, which is given as a table",
     "missing-return-period-of-state": "{state} asks for a return period of {years}; the spectrum is that of {given}",
@@ -271,6 +273,9 @@ TEXTS: Mapping[str, str] = {
     "floor-spectrum-of-other-code": "a pass is by the floor spectrum of another country's code: {clause}",
     "return-period-unstated": "a pass is valid only if the spectrum of the site is that of {state} with a return "
     "period of {years} (class of use {class}, nominal life of 50 years): [site] return_period does not say so",
+    "dbe-by-asce7": "a pass is valid only if the spectrum by ASCE 7 (hazard = {hazard}) is no less than the design "
+    "basis earthquake of the facility, which ASCE/SEI 43-05 has from the uniform hazard at its own return periods: [site] "
+    "limit_state declares it so",
     "pga-lowered": "a pass is valid for site.pga = {given}, which replaces {own} from the parameters of the spectrum",
     "one-of-several": 'a pass is by the first of {procedures} that is answered, as rule = "any" has it: by another one '
     "of them the same mechanism may fail",
@@ -289,6 +294,8 @@ TEXTS: Mapping[str, str] = {
     "premise-collar-joints": "a pass is valid only if the collar joints between the leaves are sound",
     "premise-coursed": "a pass is valid for coursed masonry, not for rubble: state which it is in "
     "procedures.asce41-13.masonry",
+    "premise-importance-class": "a pass is valid only for a building of importance class {class} or lower (EN 1998-1, "
+    "4.2.5), for which γ_I = {given}: [building] use_class does not say so",
     "premise-no-floors": "a pass is valid only for an element that carries no floor, such as a gable, parapet or "
     "chimney",
     "other-spectrum": "written for spectra of {codes}, here on one of {code}: for information",

@@ -80,7 +80,6 @@ from assess.study.study import (
     Study,
     Sweep,
     SweepCase,
-    case_value_text,
     levels_with_site,
 )
 from assess.study.suites import ALL_PERIODS, RecordSet, record_messages

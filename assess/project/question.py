@@ -9,9 +9,10 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import chain
 from pathlib import Path
 
-from assess.codes.bases import BASES, BY_SITE, Basis, IndexKind, stated_basis
+from assess.codes.bases import BASES, BY_SITE, DESIGN_BASIS, Basis, IndexKind, stated_basis
 from assess.codes.check import TABLE_SPECTRUM, Premise
 from assess.codes.context import FreePeriod, SiteHazard
+from assess.codes.en1998_1 import EC8_ELEMENT, IMPORTANCE_FACTORS, REFERENCE_YEARS
 from assess.codes.italian_limit_states import ItalianOptions
 from assess.codes.ntc2018_clauses import free_period
 from assess.codes.nzsee2017 import NZSEE2017_FACE_LOADED, ULS_YEARS, required_return_factor
@@ -31,7 +32,7 @@ from assess.study.fragility_runs import measure
 from assess.study.study import FragilityQuestion, deciding_limit_states
 from records.reading import relative_path
 from spectra import ntc
-from spectra.design_spectra import LEAST_LIFE, Nzs1170Spectrum
+from spectra.design_spectra import LEAST_LIFE, Asce7MappedSpectrum, Asce7Spectrum, Ec8Spectrum, Nzs1170Spectrum
 from spectra.gravity import g
 from spectra.spectrum import Spectrum
 
@@ -140,8 +141,13 @@ def facts_of(
         *conditions_of_works(content, question),
         *_conditions_of_own_basis(content, question),
         *_unstated_return_period(content, question, years),
+        *_dbe_by_asce7(content),
+        *_unstated_importance_class(content, question),
     )
-    importance = _missing_importance(content) if NZSEE2017_FACE_LOADED.name in methods_of(question) else ()
+    importance = (
+        *(_missing_importance(content) if NZSEE2017_FACE_LOADED.name in methods_of(question) else ()),
+        *_missing_importance_factor(content, question),
+    )
     lacking = (*importance, *_missing_of_table(content, question), *_too_short_return_period(content, question, years))
     return {
         name: (
@@ -172,6 +178,60 @@ def _missing_importance(content: sections.Content) -> Iterator[Missing]:
         key, line = ("return_period", f"{years:.0f}") if way.r is None else ("r", f"{needed:.4g}")
         why = message("missing-return-period-of-level", {**asked, "given": given, "needed": least})
         yield missing_input(f"site.spectrum.{key}", why, f"{key} = {line}")
+
+
+def _provided_importance(content: sections.Content, question: Question) -> float | None:
+    """Return gamma_I of a spectrum under EN 1998-1, stated or by its return period; None where that code is not asked.
+
+    The rate of exceedance is taken to fall with the cube of the acceleration (2.1(4), note; from memory).
+    """
+    site = content.site
+    if site is None or EC8_ELEMENT.name not in methods_of(question):
+        return None
+    way, years = site.spectrum.plain, site.return_period or REFERENCE_YEARS
+    by_years = float((years / REFERENCE_YEARS) ** (1.0 / 3.0))
+    return max(by_years, way.importance_factor) if isinstance(way, Ec8Spectrum) else by_years
+
+
+def _missing_importance_factor(content: sections.Content, question: Question) -> Iterator[Missing]:
+    """Yield gamma_I where it is less than that of the building's class: the spectrum is that of a lower one."""
+    given, use_class = _provided_importance(content, question), use_class_of(content)
+    if given is None or use_class is None or given >= IMPORTANCE_FACTORS[use_class] * (1.0 - LIKE):
+        return
+    needed = IMPORTANCE_FACTORS[use_class]
+    values: dict[str, Value] = {
+        "class": use_class,
+        "needed": Quantity(needed, "ratio", 3),
+        "given": Quantity(given, "ratio", 3),
+    }
+    assert content.site is not None
+    if isinstance(content.site.spectrum.plain, Ec8Spectrum):
+        key, line = "site.spectrum.importance_factor", f"importance_factor = {needed}"
+    else:
+        key, line = "site.return_period", f"return_period = {REFERENCE_YEARS * needed**3:.0f}"
+    yield missing_input(key, message("missing-importance-factor", values), line)
+
+
+def _unstated_importance_class(content: sections.Content, question: Question) -> Iterator[Message]:
+    """Yield the condition that the building is of no higher class than the spectrum's gamma_I is for."""
+    given = _provided_importance(content, question)
+    if given is None or use_class_of(content) is not None:
+        return
+    classes = [each for each, needed in IMPORTANCE_FACTORS.items() if needed * (1.0 - LIKE) <= given]
+    values: dict[str, Value] = {"class": classes[-1] if classes else "I", "given": Quantity(given, "ratio", 3)}
+    yield message("premise-importance-class", values, severity=Severity.WARNING)
+
+
+def _dbe_by_asce7(content: sections.Content) -> Iterator[Message]:
+    """Yield the condition that a spectrum by ASCE 7 is the design basis earthquake that it is declared to be.
+
+    ASCE/SEI 43-05 has that from the uniform hazard at 4e-4 or 1e-4 a year; ASCE 7 takes two thirds of its own maximum.
+    """
+    way = None if content.site is None else content.site.spectrum.plain
+    if content.site is None or not isinstance(way, Asce7Spectrum | Asce7MappedSpectrum):
+        return
+    if content.site.own_limit_state == DESIGN_BASIS:
+        yield message("dbe-by-asce7", {"hazard": way.hazard}, severity=Severity.WARNING)
 
 
 ORDINARY_LIFE = 50.0  # years: nominal life of ordinary works (NTC 2018, 2.4.1), where the project gives none

@@ -175,8 +175,8 @@ class BuildingSection(ProjectSection):
     ground_elevation: Annotated[Length | None, GROUND_ELEVATION] = None
     """elevation of the ground in the coordinates of the bodies; 0 if absent and the lowest body stands there"""
     use_class: Annotated[Literal["I", "II", "III", "IV"] | None, USE_CLASS] = None
-    """class of use "I" to "IV", of the Italian codes; if absent a hazard over return periods is read as for IV, with
-    which the verdict is provisional"""
+    """class of use "I" to "IV", of the Italian codes, and importance class of EN 1998-1; if absent a hazard over return
+    periods is read as for IV, with which the verdict is provisional"""
     importance_level: Annotated[int | None, Number(least=1, most=4), IMPORTANCE_LEVEL] = None
     """importance level 1 to 4 of NZS 1170.0, for nzsee2017: ULS at 100, 500, 1000 or 2500 years"""
     school: Annotated[StrictBool | None, SCHOOL] = None

@@ -370,7 +370,7 @@ def pass_needs(tmp_path, basis, site, building):
     of = load_project(tmp_path, text).content
     missing, conditions = facts_of(of, question_of(of, site_pga=1.0), ("wall",))["wall"]
     keys = [each.key for each in missing if each.key.startswith(("site.", "building."))]
-    return keys, [each.key for each in conditions if each.key == "return-period-unstated"]
+    return keys, [each.key for each in conditions]
 
 
 @pytest.mark.parametrize(
@@ -398,7 +398,8 @@ def test_a_stated_return_period_is_held_against_limit_state_and_class(
 ):
     site = {"limit_state": state, "return_period": years, "spectrum": SPECTRUM_OF[basis]}
     building = {} if use_class is None else {"use_class": use_class}
-    assert pass_needs(tmp_path, basis, site, building) == ([missing] if missing else [], [])
+    conditions = ["premise-importance-class"] if basis == "ec8" else []
+    assert pass_needs(tmp_path, basis, site, building) == ([missing] if missing else [], conditions)
 
 
 @pytest.mark.parametrize(("basis", "state", "told"), [("ntc2018", "SLV", True), ("ec8", "ULS", False)])
@@ -446,3 +447,36 @@ def test_a_spectrum_that_has_its_return_period_takes_no_second_one(tmp_path, spe
     text = project_toml(site={"return_period": 475, "spectrum": spectrum})
     with pytest.raises(ProjectError, match=f"site.return_period: 475: {why}"):
         load_project(tmp_path, text)
+
+
+FACTOR_KEY = "site.spectrum.importance_factor"
+
+
+@pytest.mark.parametrize(
+    ("use_class", "given", "missing", "conditions"),
+    [
+        # gamma_I of 4.2.5(5); a_g of 475 x 1.2^3 = 821 years is that of class III without it, 475 x 1.4^3 of class IV
+        ("III", {}, [FACTOR_KEY], []),
+        ("IV", {"importance_factor": 1.2}, [FACTOR_KEY], []),
+        ("IV", {"importance_factor": 1.4}, [], []),
+        ("III", {"return_period": 821}, [], []),
+        ("IV", {"return_period": 821}, [FACTOR_KEY], []),
+        ("II", {}, [], []),
+        ("I", {}, [], []),
+        (None, {}, [], ["premise-importance-class"]),
+        (None, {"importance_factor": 1.2}, [], ["premise-importance-class"]),
+    ],
+)
+def test_the_importance_class_of_en1998_is_held_against_the_spectrum(tmp_path, use_class, given, missing, conditions):
+    years = {key: value for key, value in given.items() if key == "return_period"}
+    factor = {key: value for key, value in given.items() if key == "importance_factor"}
+    site = {"limit_state": "ULS", "spectrum": EC8 | factor, **years}
+    building = {} if use_class is None else {"use_class": use_class}
+    assert pass_needs(tmp_path, "ec8", site, building) == (missing, conditions)
+
+
+@pytest.mark.parametrize("hazard", ["design", "mce"])
+def test_a_spectrum_by_asce_7_that_is_declared_the_design_basis_earthquake_has_that_as_condition(tmp_path, hazard):
+    site = {"limit_state": "DBE", "spectrum": ASCE7 | {"hazard": hazard}}
+    assert pass_needs(tmp_path, "asce43-05", site, {}) == ([], ["dbe-by-asce7"])
+    assert pass_needs(tmp_path, "asce41-13", site | {"limit_state": "BSE-1E"}, {}) == ([], [])

@@ -15,7 +15,7 @@ from pydantic import Tag
 from pydantic.fields import FieldInfo
 
 from assess.declaration import BOUNDS, Evidence, Number
-from assess.project.section import ProjectSection, UncertainNumber, field_marks
+from assess.project.section import OrValue, ProjectSection, UncertainNumber, field_marks
 from assess.project.sections.content import Content
 from assess.project.units import QuantityKind
 
@@ -113,11 +113,17 @@ def _keys_of(path: str, tables: Mapping[str, Table]) -> Iterator[Key]:
         below: dict[str, dict[Table, list[str]]] = {}
         for form, field in having.items():
             evidence = tables[form].evidence_of_keys().get(name)
-            for place, inner, table in places_below(f"{path}.{name}".lstrip("."), field.annotation):
+            places = list(places_below(f"{path}.{name}".lstrip("."), field.annotation))
+            several = len({table for _, _, table in places if table is not None}) > 1
+            for place, inner, table in places:
                 if table is None:
                     values.setdefault(place, []).append(Key(place, (form,), field, evidence))
                 else:
-                    below.setdefault(place, {}).setdefault(table, []).append(inner or form)
+                    for mark in field_marks(field):
+                        if isinstance(mark, OrValue):
+                            said = next(iter(table.evidence_of_keys().values()), None)
+                            values.setdefault(place, []).append(Key(place, (form,), mark.field, said))
+                    below.setdefault(place, {}).setdefault(table, []).append((several and inner) or form)
         for keys in values.values():
             yield from _merge_alike(keys, tuple(tables))
         for place, held in below.items():

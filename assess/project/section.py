@@ -169,6 +169,20 @@ def field_marks(field: FieldInfo) -> Iterator[Any]:
         yield from field_marks(mark) if isinstance(mark, FieldInfo) else (mark,)
 
 
+class OrValue:
+    """The mark of a key at which one value may stand in place of its table.
+
+    annotation : of that value; forms : its JSON Schemas
+    """
+
+    def __init__(self, annotation: Annotation, *forms: JsonSchemaValue) -> None:
+        self.field, self.forms = FieldInfo.from_annotated_attribute(_file_type(annotation), None), forms
+
+    def __get_pydantic_json_schema__(self, schema: CoreSchema, handler: GetJsonSchemaHandler) -> JsonSchemaValue:
+        table = handler(schema)
+        return {"anyOf": [*table.get("anyOf", [table]), *self.forms]}
+
+
 EVIDENCE = "x-evidence"
 """The keyword of the schema that says who vouches for a key, and which way it helps a wall."""
 

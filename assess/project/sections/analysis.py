@@ -32,7 +32,7 @@ from assess.declaration import (
     Several,
 )
 from assess.project.key_errors import error_at, quote_names
-from assess.project.section import SCATTER, ProjectSection
+from assess.project.section import SCATTER, OrValue, ProjectSection
 from assess.project.sections.procedures import ProcedureNames
 from assess.project.units import KINDS, SHARE_UNITS, QuantityError, key_value, number_and_unit
 from assess.project.values import PATTERN_MARK, WRITTEN_QUANTITY_SCHEMA, InputFile, number_or_text
@@ -264,13 +264,7 @@ def _table_or_none(value: Any) -> Any:
     return {} if value is True else None if value is False else value
 
 
-def _or_switch(schema: dict[str, Any]) -> None:
-    schema["anyOf"].append({"type": "boolean"})
-
-
-SensitivityOrSwitch = Annotated[
-    Sensitivity | None, BeforeValidator(_table_or_none), Field(json_schema_extra=_or_switch)
-]
+SensitivityOrSwitch = Annotated[Sensitivity | None, BeforeValidator(_table_or_none), OrValue(bool, {"type": "boolean"})]
 FEWEST_SAMPLES, MOST_SAMPLES = 16, 65536  # samples
 
 

@@ -11,14 +11,11 @@ from pydantic import (
     BeforeValidator,
     Discriminator,
     Field,
-    GetJsonSchemaHandler,
     StrictStr,
     Tag,
     WithJsonSchema,
     model_validator,
 )
-from pydantic.json_schema import JsonSchemaValue
-from pydantic_core import CoreSchema
 
 from assess.declaration import (
     UNCERTAIN_COORDINATE,
@@ -37,6 +34,7 @@ from assess.declaration import (
     Safe,
     Several,
     Tried,
+    annotations_of,
 )
 from assess.interfaces.contact import Interface
 from assess.loads.load import Place
@@ -46,7 +44,7 @@ from assess.mechanisms.mechanism import DRAWN_HINGES, BlockMechanism
 from assess.mechanisms.restitution import RESTITUTION_NUMBER, RESTITUTIONS, Restitution
 from assess.messages.message import Term
 from assess.project.key_errors import error_at, quote_names
-from assess.project.section import DeclaredSection, ProjectSection, table_of
+from assess.project.section import DeclaredSection, OrValue, ProjectSection, table_of
 from assess.project.sections.bodies_and_loads import Disintegration, LoadSection
 from assess.project.values import CHECKLIST, ItemKeys
 
@@ -115,18 +113,6 @@ HingeName = Annotated[StrictStr, WithJsonSchema({"enum": list("ABCD"), "type": "
 """Which hinges a mechanism has is among its faults."""
 
 
-class _OneForBoth:
-    """The mark of a key whose one value stands for both directions."""
-
-    def __get_pydantic_json_schema__(self, schema: CoreSchema, handler: GetJsonSchemaHandler) -> JsonSchemaValue:
-        return {
-            "anyOf": [handler(schema), {"type": "number", "minimum": 0, "maximum": 1}, {"enum": list(RESTITUTIONS)}]
-        }
-
-
-ONE_FOR_BOTH = _OneForBoth()
-
-
 if TYPE_CHECKING:
     RestitutionKeys = DeclaredSection
 else:
@@ -142,6 +128,14 @@ class RestitutionSection(RestitutionKeys):
         if isinstance(value, list):
             raise error_at((), RESTITUTION_NUMBER.form)
         return value if isinstance(value, dict | RestitutionSection) else {"positive": value, "negative": value}
+
+
+ONE_FOR_BOTH = OrValue(
+    annotations_of(Restitution)["positive"],
+    {"type": "number", "minimum": 0, "maximum": 1},
+    {"enum": list(RESTITUTIONS)},
+)
+"""The mark of a restitution that may be one value for both directions."""
 
 
 AMPLIFIED = Evidence("chosen", "either", "the other methods that can be computed stand beside it")

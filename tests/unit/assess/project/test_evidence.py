@@ -99,6 +99,31 @@ def test_the_schema_has_the_evidence_of_each_key_and_no_other() -> None:
     assert "judged" not in schema["properties"]["title"][EVIDENCE]
 
 
+def test_the_keys_listed_are_those_of_the_schema_that_hold_a_value() -> None:
+    schema = json_schema()
+    listed = {key.path for key in KEYS.values() if not key.path.startswith("KEY.")}
+    assert set(_values_of(schema, "", schema["$defs"])) == listed
+
+
+def _values_of(node: dict[str, Any], path: str, definitions: dict[str, Any]) -> Iterator[str]:
+    """Yield the places at which a schema takes a value that is no table; a list of values is one."""
+    if "$ref" in node:
+        name = node["$ref"].removeprefix("#/$defs/")
+        if not name.startswith("UncertainNumber"):
+            yield from _values_of(definitions[name], path, definitions)
+    forms = (node[word] for word in ("then", "else") if word in node)
+    for each in (*node.get("anyOf", ()), *node.get("oneOf", ()), *forms):
+        yield from _values_of(each, path, definitions)
+    for key, each in node.get("properties", {}).items():
+        yield from _values_of(each, f"{path}.{key}".lstrip("."), definitions)
+    if isinstance(each := node.get("additionalProperties"), dict):
+        yield from _values_of(each, f"{path}.NAME", definitions)
+    for each in (*node.get("prefixItems", ()), *([node["items"]] if "items" in node else [])):
+        yield from _values_of(each, f"{path}[]", definitions)
+    if node.get("type") not in (None, "object", "array") or "enum" in node or "const" in node:
+        yield path.rstrip("[]")
+
+
 def _found(node: Any) -> Iterator[dict[str, str]]:
     if isinstance(node, dict):
         for key, each in node.items():

@@ -68,7 +68,13 @@ MODULUS = Evidence(
     judged="it sets the stiffness of joints and the first mode of the building, and a softer one may rock more or less",
     safe=Range((Tried("0.15 GPa"), Tried("1.5 GPa"), Tried("15 GPa"))),
 )
-COMPRESSION = Evidence("measured", "up", "the lower bound of the type of masonry, that of LC1; never above 50 MPa")
+LEAST_STRENGTH = 1.0e6  # Pa: the lower bound of disordered rubble, the least of Circolare 7/2019, Table C8.5.I
+COMPRESSION = Evidence(
+    "measured",
+    "up",
+    "where joints crush by it, 1 MPa, the least of Table C8.5.I; never above 50 MPa",
+    safe=LEAST_STRENGTH,
+)
 TENSION = Evidence(
     "measured",
     "either",

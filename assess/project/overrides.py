@@ -125,15 +125,17 @@ def _built_once(build: Callable[[], Callable[[str], Study]]) -> Callable[[str], 
 def _bears_on(path: KeyPath, methods: Sequence[str], content: sections.Content) -> bool:
     """Return whether a key can bear on the methods that decide.
 
-    Records bear on histories, options of a code on its own methods, and a modulus without a source where joints have
-    their stiffness by it.
+    Records bear on histories, options of a code on its own methods, modulus and strength of a masonry where joints have
+    their stiffness or strength by it.
     """
     if path[0] == "records":
         return any(map(follows_motion, methods))
-    if path[-1] == "young_modulus":
+    if path[-1] in ("young_modulus", "compressive_strength"):
         chains = (each for each in content.mechanisms.values() if isinstance(each, sections.ChainSection))
-        joints = (joint for each in chains for joint in (each.interface, *each.interfaces.values()))
-        return any(joint.course_thickness is not None for joint in joints)
+        joints = [joint for each in chains for joint in (each.interface, *each.interfaces.values())]
+        if path[-1] == "young_modulus":
+            return any(joint.course_thickness is not None for joint in joints)
+        return any(joint.model != "rigid" and joint.strength is None for joint in joints)
     if path[0] != "procedures":
         return True
     options = {PROCEDURES[name].options.replace("_", "-") for name in methods}

@@ -54,6 +54,61 @@ def test_what_is_measured_and_helps_either_way_has_a_range_or_something_in_its_p
     assert stated == {"procedures.ntc2018.free_periods.NAME.young_modulus"}  # its table is left out
 
 
+CASE = "it is the case itself, which somebody else states: the drawing, or the hazard of the site"
+HELD = "it is held against something else, and a pass is incomplete, or has a condition, where it does not fit"
+TARGET = "it sets what is compared with the index, which page 1 prints beside it"
+PUBLISHED = "the parameters of a published mechanism are the case, and a pass of one says so"
+TABLE = "its whole table is left out: the outline of the mesh counts in place of the shape"
+SHARED_FATE = "alone it vouches for nothing: what it is the reason or source of is replaced with it"
+RISK = "it bears on fragility and risk, of which no verdict asks"
+MAY_STAND = {
+    CASE: (
+        *("site.spectrum.damping (table)", "site.spectrum.s_ds (asce7)", "site.spectrum.s_d1 (asce7)"),
+        *("site.spectrum.t_l (asce7, mapped)", "site.spectrum.s_s (mapped)", "site.spectrum.s_1 (mapped)"),
+        *("site.spectrum.hazard[].return_period", "site.spectrum.hazard[].a_g", "site.spectrum.hazard[].t_c_star"),
+        *("site.spectrum.a_g (ec8, ntc)", "site.spectrum.z (nzs1170.5)", "site.spectrum.t_c_star (ntc)"),
+        *("site.spectrum.topography (ntc, hazard)", "building.storeys", "bodies.NAME.box.thickness"),
+        *("bodies.NAME.box.height", "mechanisms.NAME.elevation (equivalent-block)"),
+    ),
+    HELD: (
+        *("site.spectrum.return_period (nzs1170.5)", "site.spectrum.nominal_life (hazard)", "site.return_period"),
+        *("site.spectrum.phase (hazard)", "site.spectrum.use_class (hazard)", "site.pga", "building.use_class"),
+        *("building.importance_level", "verdict.rule", "analysis.scan", "procedures.asce43-05.floor_spectrum"),
+        *("materials.NAME.disintegration", "bodies.NAME.disintegration (direct)"),
+        *("mechanisms.NAME.disintegration (equivalent-block)", "records.select.count", "records.synthetic.count"),
+    ),
+    TARGET: ("verdict.works", "verdict.upgrading", "verdict.target_nbs"),
+    PUBLISHED: tuple(f"mechanisms.NAME.{key} (equivalent-block)" for key in ("p", "uplift", "radius")),
+    TABLE: tuple(
+        f"mechanisms.NAME.{joint}.shape.{form}"
+        for joint in ("interface", "interfaces.NAME")
+        for form in ("rectangle", "hollow_rectangle", "circle", "annulus", "polygon")
+    ),
+    SHARED_FATE: ("building.limit_states.NAME.reason", "report.sources.NAME"),
+    RISK: (
+        *("analysis.fragility.epistemic.NAME", "analysis.risk.target"),
+        *(f"analysis.risk.hazard[].{key}" for key in ("pga", "return_period", "rate")),
+    ),
+    "only what is at the limit hangs on it, no outcome": ("verdict.survey_tolerance",),
+    "a factor up the building may let histories fail, and never pass": (
+        "mechanisms.NAME.amplification.soil_factor (printed)",
+    ),
+    "no less than 1 is read, its default, which more of it makes worse": ("procedures.ec8.importance_factor",),
+}
+"""Why a key stands as typed though it may help a wall and nobody vouches for it."""
+
+
+def test_what_may_help_a_wall_has_something_in_its_place_or_a_reason_to_stand() -> None:
+    stated = [
+        name
+        for name, key in KEYS.items()
+        if key.evidence is not None
+        and key.evidence.helps not in ("either", "none")
+        and key.evidence.safe is Safe.STATED
+    ]
+    assert sorted(stated) == sorted(name for names in MAY_STAND.values() for name in names)
+
+
 def test_only_a_choice_in_order_has_a_first_value() -> None:
     for name, key in KEYS.items():
         if key.evidence is not None and key.evidence.safe is Safe.FIRST:

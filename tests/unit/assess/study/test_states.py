@@ -366,3 +366,25 @@ def test_an_ordinate_of_no_source_that_helps_a_failing_wall_has_its_line() -> No
     (line,) = [each for each in found.overrides if each.key == "procedures.asce41-13.s_x1"]
     assert line.index_instead == alone.index
     assert f"without it: fail, D/C {alone.index.value:.3g}" in line.message.text
+
+
+def test_a_strength_of_the_masonry_without_a_source_is_the_least_of_the_table_where_joints_crush() -> None:
+    """Circolare 7/2019, Table C8.5.I: 1 MPa of disordered rubble; a joint with a strength of its own asks for none."""
+
+    def verdict_of_strength(strength: str, source: str, own: str = "") -> Verdict:
+        tables = on_joint(
+            {"model": "flexible", "stiffness": "4 GPa/m", **({"strength": own} if own else {})}, source=TESTED
+        )
+        tables["materials"]["stone"]["compressive_strength"] = strength
+        tables["procedures"] = {"ntc2018": {"knowledge_level": "LC1"}}
+        tables["report"]["sources"] |= {"materials.stone.compressive_strength": source} if source else {}
+        return verdict_on(tables)
+
+    least, strong = (verdict_of_strength(each, TESTED).mechanisms[0].margin for each in ("1 MPa", "20 MPa"))
+    found = verdict_of_strength("20 MPa", "")
+    assert found.mechanisms[0].margin == pytest.approx(least, rel=1e-9)
+    assert strong > 1.02 * least  # type: ignore[operator]
+    assert [each.key for each in found.overrides] == ["materials.stone.compressive_strength"]
+    assert (
+        verdict_of_strength("0.8 MPa", "").overrides == verdict_of_strength("20 MPa", "", own="2 MPa").overrides == ()
+    )

@@ -51,6 +51,7 @@ from assess.codes.histories import (
     Capacities,
     RuleShares,
     SuiteResponse,
+    SuiteRule,
     capacities_by_share,
     fails_below,
     numerical_spread,
@@ -82,6 +83,23 @@ BUILDINGS = (ELASTIC, BuildingState(PERIOD_UNCERTAINTY), BuildingState(1.0 / PER
 
 def assess_history(oscillator: Oscillator, context: Context, *, options: Asce4305Options) -> tuple[Check, ...]:
     """Return one check for each level that has a suite of time histories."""
+    (rule,) = history_rules(oscillator, context, options=options)
+    lifts = uplift_multiplier(oscillator, linearised=context.linearised)
+    scanned = ScanResult(
+        pga_curve(context.incremental),
+        capacities_by_share(context.incremental, rule),
+        None if lifts is None else lifts / context.amplification,
+    )
+    checks = (
+        _check(oscillator, suite, context, scanned, numerical_spread(suite, rule.measure, scanned.holds_to))
+        for suite in context.suites
+    )
+    complete = (_with_all_components(check, oscillator, context, options) for check in checks)
+    return warn_at_height(tuple(complete), context=context)
+
+
+def history_rules(oscillator: Oscillator, context: Context, *, options: Asce4305Options) -> tuple[SuiteRule, ...]:
+    """Return the rule that a suite is held to: no record overturns, and the mean is within half the instability."""
 
     def passes(suite: SuiteResponse) -> bool:
         share = mean_share(suite, oscillator)
@@ -91,18 +109,7 @@ def assess_history(oscillator: Oscillator, context: Context, *, options: Asce430
         ratios = _run_shares(suite, oscillator) / HALF
         return rule_shares(ratios, np.isfinite(ratios))
 
-    lifts = uplift_multiplier(oscillator, linearised=context.linearised)
-    scanned = ScanResult(
-        pga_curve(context.incremental),
-        capacities_by_share(context.incremental, measure, passes, least_records=LEAST_RECORDS),
-        None if lifts is None else lifts / context.amplification,
-    )
-    checks = (
-        _check(oscillator, suite, context, scanned, numerical_spread(suite, measure, scanned.holds_to))
-        for suite in context.suites
-    )
-    complete = (_with_all_components(check, oscillator, context, options) for check in checks)
-    return warn_at_height(tuple(complete), context=context)
+    return (SuiteRule(measure, passes, LEAST_RECORDS),)
 
 
 ASCE43_05_HISTORY = CodeProcedure(
@@ -115,6 +122,7 @@ ASCE43_05_HISTORY = CodeProcedure(
     options="asce43_05",
     default_run=DefaultRun(),
     suite_rules="asce43-05",
+    history_rules=history_rules,
     buildings=BUILDINGS,
     building_clause="ASCE 43-05",
 )

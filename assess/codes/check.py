@@ -6,13 +6,16 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 from enum import StrEnum
 from math import inf
-from typing import Literal, TypedDict
+from typing import TYPE_CHECKING, Literal, TypedDict
 
 from assess.codes.calculation_sheet import Bound, Step
 from assess.declaration import Evidence, Safe
 from assess.messages.message import Message, Severity, Term, Value, message
 from assess.oscillator import BRANCH_NAMES, Branch, BranchName, Oscillator
 from assess.short_repr import ShortRepr
+
+if TYPE_CHECKING:
+    from assess.codes.histories import SuiteRule
 
 Role = Literal["deciding", "comparison"]
 Reading = Literal["letter", "thesis"]
@@ -118,6 +121,8 @@ class CodeProcedure:
     default_run : when it runs in a project that names no procedures; None where it must be named
     suite_rules : the code whose rules its suite of records must meet; empty where it uses none
     floor_suite_rules : the code whose rules a suite must meet to give it a floor spectrum; empty where it takes none
+    history_rules : gives the rules that a suite of histories is held to, one for each limit state, in a context; None
+        where it uses none
     required_pga : gives the PGA [m/s2] of the suites it needs, from the levels, hazard and spectrum of the site, its
         options, crushing and the level of knowledge; None where suites at the levels are enough
     premises : what a pass of it depends on, under any basis
@@ -139,6 +144,7 @@ class CodeProcedure:
     default_run: DefaultRun | None = None
     suite_rules: str = ""
     floor_suite_rules: str = ""
+    history_rules: Callable[..., tuple[SuiteRule, ...]] | None = None
     required_pga: Callable[..., tuple[float, ...]] | None = None
     buildings: tuple[BuildingState, ...] = (ELASTIC,)
     building_clause: str = ""

@@ -37,6 +37,7 @@ from assess.codes.italian_histories import (
     SOFTENING_CLAUSE,
     HistoryRule,
     assess_histories,
+    history_rules,
     required_pga,
 )
 from assess.codes.italian_limit_states import (
@@ -283,6 +284,7 @@ DMI2008_HISTORY = CodeProcedure(
     limit_states=tuple(HISTORY_RULE.limits),
     default_run=DefaultRun(spectra=("ntc2008",)),
     suite_rules="ntc2018",
+    history_rules=partial(history_rules, rule=HISTORY_RULE),
     required_pga=partial(required_pga, rule=HISTORY_RULE),
     premises=(Premise.SOUND_MASONRY,),
     buildings=SOFTENING_BUILDING,

@@ -199,6 +199,25 @@ DisplacementMeasure = Callable[[SuiteResponse], RuleShares]
 
 
 @dataclass(frozen=True)
+class SuiteRule:
+    """A rule of a code on a suite of records.
+
+    measure : how often it holds among the runs of each record
+    passes : whether it holds for the records as they are
+    least_records : that a suite must have
+    """
+
+    measure: DisplacementMeasure
+    passes: Callable[[SuiteResponse], bool]
+    least_records: int
+
+    def holds(self, suite: SuiteResponse) -> bool:
+        """Return whether the suite is no failure: the records as they are pass, and so do 84 % of the draws."""
+        enough = len(suite.ratio) >= self.least_records
+        return enough and self.passes(suite) and self.measure(suite).holds >= NEEDED
+
+
+@dataclass(frozen=True)
 class Capacities:
     """The PGA up to which p is at least 0.84 (and the records as they are pass), 0.5 and 0.16 at every level below [g].
 
@@ -236,35 +255,34 @@ def share_upright(suite: SuiteResponse) -> float:
     return _product_of_shares(np.isfinite(suite.runs.ratio))
 
 
-def capacities_by_share(
-    incremental: Sequence[SuiteResponse],
-    measure: DisplacementMeasure,
-    passes: Callable[[SuiteResponse], bool],
-    *,
-    least_records: int,
-) -> Capacities:
+def capacities_by_share(incremental: Sequence[SuiteResponse], rule: SuiteRule) -> Capacities:
     """Return the PGA up to which a rule holds, by the share of the draws.
+
+    Responses are not monotone in PGA: a suite beyond the first failure may pass again and does not count, so that a
+    level can pass above this PGA.
 
     Parameters
     ----------
     incremental : suites at rising PGA
-    measure : how often the rule holds
-    passes : whether the records as they are pass
-    least_records : that a suite must have
+    rule : that is to hold
 
     Returns
     -------
     Capacities
     """
-    shares = {suite.pga: measure(suite).holds for suite in incremental if len(suite.ratio) >= least_records}
-
-    def at_least(share: float) -> float | None:
-        def holds(suite: SuiteResponse) -> bool:
-            return shares[suite.pga] >= share and (share < NEEDED or passes(suite))
-
-        return _pga_before_failure(incremental, holds, least_records=least_records)
-
-    return Capacities(at_least(NEEDED), at_least(HALF_OF_DRAWS), at_least(LOW_SHARE))
+    last: float | None = None
+    found: dict[float, float | None] = {}
+    for suite in incremental:
+        if len(suite.ratio) < rule.least_records:
+            break
+        share = rule.measure(suite).holds
+        for needed in (NEEDED, HALF_OF_DRAWS, LOW_SHARE):
+            if share < needed or (needed == NEEDED and NEEDED not in found and not rule.passes(suite)):
+                found.setdefault(needed, last)
+        if len(found) == 3:
+            break
+        last = suite.pga / g
+    return Capacities(found.get(NEEDED), found.get(HALF_OF_DRAWS), found.get(LOW_SHARE))
 
 
 def numerical_spread(
@@ -438,35 +456,6 @@ def standing_figures(value: float, others: Iterable[float | None], *, most: int 
         return most if far == 0.0 else 0
     place = floor(log10(abs(value)))
     return next((figures for figures in range(most, 0, -1) if far <= 0.5 * 10.0 ** (place - figures + 1)), 0)
-
-
-def _pga_before_failure(
-    incremental: Sequence[SuiteResponse], passes: Callable[[SuiteResponse], bool], *, least_records: int
-) -> float | None:
-    """Return the PGA of the last suite before the first that fails.
-
-    Responses are not monotone in PGA: a suite beyond the first failure may pass again and does not count, so that a
-    level can pass above this PGA.
-
-    Parameters
-    ----------
-    incremental : suites at rising PGA
-    passes : whether a suite passes
-    least_records : that a suite must have
-
-    Returns
-    -------
-    float or None
-        PGA [g]; None if none failed, with too few records, or without a scan.
-    """
-    last: float | None = None
-    for suite in incremental:
-        if len(suite.ratio) < least_records:
-            return None
-        if not passes(suite):
-            return last
-        last = suite.pga / g
-    return None
 
 
 def _product_of_shares(stands: BoolArray) -> float:

@@ -10,20 +10,31 @@ hold in 84 % of the draws among the runs of each record, too.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from functools import cache
 from math import inf, isclose, isinf
 
 import numpy as np
 
 from assess.codes.calculation_sheet import Given, Step, step
-from assess.codes.check import ELASTIC, BuildingState, Check, Outcome, PgaCurve, Reason, caveats_of, reason_message
+from assess.codes.check import (
+    ELASTIC,
+    BuildingState,
+    Check,
+    NumericalSpread,
+    Outcome,
+    PgaCurve,
+    Reason,
+    caveats_of,
+    reason_message,
+)
 from assess.codes.context import Context, SiteHazard
 from assess.codes.histories import (
     Capacities,
-    DisplacementMeasure,
     RuleShares,
     SuiteResponse,
+    SuiteRule,
     capacities_by_share,
     fails_below,
     numerical_spread,
@@ -57,7 +68,7 @@ from assess.codes.italian_limit_states import (
     pga_step,
 )
 from assess.messages.message import Message, Quantity, whole_number
-from assess.oscillator import BRANCH_NAMES, BranchName, Oscillator, displacement, participation_ratio
+from assess.oscillator import BRANCH_NAMES, Branch, BranchName, Oscillator, displacement, participation_ratio
 from spectra.arrays import FloatArray
 from spectra.gravity import g
 from spectra.spectrum import Spectrum
@@ -91,21 +102,22 @@ def assess_histories(
     """Return one check, with its safety index, for each limit state and level that has a suite of time histories."""
     checks: list[Check] = []
     known = context.knowledge.get(rule.edition.code)
-    holds_to = {
-        state: _capacities(oscillator, context, rule.limits[state]) for state in options.requested_states(rule.limits)
-    }
+    requested = options.requested_states(rule.limits)
+    ratios = {state: run_ratios(oscillator, context, rule.limits[state]) for state in requested}
+    scanned = _scan_suites(context)
+    holds_to = {state: capacities_by_share(scanned, _suite_rule(ratios[state])) for state in requested}
     for confidence in confidence_factors(options, crushing=context.crushing, level=known):
         for state, capacity in holds_to.items():
             for level in context.levels:
                 pga = level * pga_ratio(context.hazard, context.spectrum, state)
                 suite = _suite_at(context, pga * confidence.factor)
                 if suite is not None:
-                    found = SuiteDisplacements(
-                        suite, pga, _displacement_ratios(oscillator, context, suite, rule.limits[state])
-                    )
+                    found = SuiteDisplacements(suite, pga, _displacement_ratios(ratios[state], suite))
+                    spread = numerical_spread(suite, _suite_rule(ratios[state]).measure, capacity, FC=confidence.factor)
                     made = _check(
-                        oscillator, context, rule, found, capacity, state=state, level=level, confidence=confidence
-                    )
+                        oscillator, context, rule, found, capacity, spread,
+                        state=state, level=level, confidence=confidence,
+                    )  # fmt: skip
                     checks.append(mark_for_comparison(made, confidence))
     return tuple(add_safety_index(check, context) for check in checks)
 
@@ -187,26 +199,54 @@ class SuiteDisplacements:
         return max(self.limit_ratios) if self.uses_largest else sum(self.limit_ratios) / len(self.limit_ratios)
 
 
-def measure_of(oscillator: Oscillator, context: Context, limit: DisplacementLimit) -> DisplacementMeasure:
-    """Return how often the rule holds, as a function of a suite."""
+RunRatios = Callable[[SuiteResponse], tuple[FloatArray, FloatArray]]
+"""Gives d*/d0* and d*/d_LS of every run of each record [runs, records] [-]; inf where it overturned."""
+
+
+def history_rules(
+    oscillator: Oscillator, context: Context, *, rule: HistoryRule, options: ItalianOptions
+) -> tuple[SuiteRule, ...]:
+    """Return the rule that a suite is held to in each limit state requested."""
+    states = options.requested_states(rule.limits)
+    return tuple(_suite_rule(run_ratios(oscillator, context, rule.limits[state])) for state in states)
+
+
+def run_ratios(oscillator: Oscillator, context: Context, limit: DisplacementLimit) -> RunRatios:
+    """Return what gives the displacements of the runs of a suite, each by the branch of its maximum."""
+
+    @cache
+    def of_branch(name: BranchName) -> tuple[Branch, DisplacementCapacity]:
+        curves = branch_curves(oscillator, context, name)
+        return curves.lasting, displacement_capacity(curves, limit)
+
+    def ratios(suite: SuiteResponse) -> tuple[FloatArray, FloatArray]:
+        runs = suite.runs
+        of_collapse, of_limit = np.full(runs.ratio.shape, inf), np.full(runs.ratio.shape, inf)
+        for name in BRANCH_NAMES:
+            here = (runs.negative == (name == "negative")) & np.isfinite(runs.ratio)
+            if not here.any():
+                continue
+            branch, capacity = of_branch(name)
+            rotation = np.append(runs.ratio[here] * branch.overturning, branch.unstable)
+            moved = displacement(branch, rotation, mass=1.0)
+            of_collapse[here] = moved[:-1] / moved[-1]
+            of_limit[here] = of_collapse[here] * capacity.collapse / capacity.displacement
+        return of_collapse, of_limit
+
+    return ratios
+
+
+def _suite_rule(ratios: RunRatios) -> SuiteRule:
+    """Return the rule of a limit state by the displacements of its runs."""
 
     def measure(suite: SuiteResponse) -> RuleShares:
-        of_collapse, of_limit = _run_ratios(oscillator, context, suite, limit)
+        of_collapse, of_limit = ratios(suite)
         return rule_shares(of_limit, of_collapse <= 1.0, largest=of_limit.shape[1] < RECORDS_FOR_MEAN)
 
-    return measure
+    def passes(suite: SuiteResponse) -> bool:
+        return _passes_rule(SuiteDisplacements(suite, suite.pga, _displacement_ratios(ratios, suite)))
 
-
-def _capacities(oscillator: Oscillator, context: Context, limit: DisplacementLimit) -> Capacities:
-    """Return the PGA of the motion, FC included, up to which the rule holds."""
-
-    def succeeds(suite: SuiteResponse) -> bool:
-        return _passes_rule(
-            SuiteDisplacements(suite, suite.pga, _displacement_ratios(oscillator, context, suite, limit))
-        )
-
-    suites, measure = _scan_suites(context), measure_of(oscillator, context, limit)
-    return capacities_by_share(suites, measure, succeeds, least_records=LEAST_RECORDS)
+    return SuiteRule(measure, passes, LEAST_RECORDS)
 
 
 def _suite_at(context: Context, pga: float) -> SuiteResponse | None:
@@ -228,6 +268,7 @@ def _check(
     rule: HistoryRule,
     found: SuiteDisplacements,
     holds_to: Capacities,
+    spread: NumericalSpread | None,
     *,
     state: str,
     level: float,
@@ -237,7 +278,6 @@ def _check(
     capacity, branch = displacement_capacity(curves, limit), curves.lasting
     lifts = uplift_multiplier(context.starting or oscillator, linearised=context.linearised)
     at_collapse = None if holds_to.sure is None else holds_to.sure / FC
-    spread = numerical_spread(found.suite, measure_of(oscillator, context, limit), holds_to, FC=FC)
     verdict, reason, remarks = with_spread(*_history_outcome(found, state=state), spread)
     moved = capacity.displacement * participation_ratio(branch, mass=curves.mass)
     return Check(
@@ -361,34 +401,13 @@ def _governing_step(found: SuiteDisplacements, rule: HistoryRule, symbol: str) -
     return step(symbol, words, rule.clause, formula, found.governing_ratio, given=near)
 
 
-def _displacement_ratios(
-    oscillator: Oscillator, context: Context, suite: SuiteResponse, limit: DisplacementLimit
-) -> tuple[DisplacementRatios, ...]:
-    """Return d*/d0* and d*/d_LS of each record as it is [-], each by the branch of its maximum."""
-    of_collapse, of_limit = _run_ratios(oscillator, context, suite, limit)
+def _displacement_ratios(ratios: RunRatios, suite: SuiteResponse) -> tuple[DisplacementRatios, ...]:
+    """Return d*/d0* and d*/d_LS of each record as it is [-]."""
+    of_collapse, of_limit = ratios(suite)
     return tuple(
         DisplacementRatios(None, None) if isinf(far) else DisplacementRatios(far, near)
         for far, near in zip(of_collapse[0].tolist(), of_limit[0].tolist(), strict=True)
     )
-
-
-def _run_ratios(
-    oscillator: Oscillator, context: Context, suite: SuiteResponse, limit: DisplacementLimit
-) -> tuple[FloatArray, FloatArray]:
-    """Return d*/d0* and d*/d_LS of every run of each record [runs, records] [-]; inf where it overturned."""
-    runs = suite.runs
-    of_collapse, of_limit = np.full(runs.ratio.shape, inf), np.full(runs.ratio.shape, inf)
-    for name in BRANCH_NAMES:
-        here = (runs.negative == (name == "negative")) & np.isfinite(runs.ratio)
-        if not here.any():
-            continue
-        curves = branch_curves(oscillator, context, name)
-        capacity, branch = displacement_capacity(curves, limit), curves.lasting
-        rotation = np.append(runs.ratio[here] * branch.overturning, branch.unstable)
-        moved = displacement(branch, rotation, mass=1.0)
-        of_collapse[here] = moved[:-1] / moved[-1]
-        of_limit[here] = of_collapse[here] * capacity.collapse / capacity.displacement
-    return of_collapse, of_limit
 
 
 def _passes_rule(found: SuiteDisplacements) -> bool:

@@ -454,12 +454,12 @@ def _assess_task(job: Job) -> ProjectRow:
     from assess.outputs.manifest import RESULTS
     from assess.portfolio.tasks import row_of_verdict
     from assess.project.build import build, build_to_decide
-    from assess.study.run import find_verdict, run_study
+    from assess.study.run import find_outcome, run_study
 
     project = _load_task(job.task)
     if job.keep == "rows":
         study = build_to_decide(project)
-        return row_of_verdict(job, find_verdict(study), study.messages)
+        return row_of_verdict(job, find_outcome(study), study.messages)
     study = build(project)
     results = run_study(study, jobs=1)
     report = _write_outputs(job, results)

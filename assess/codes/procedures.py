@@ -21,6 +21,7 @@ from assess.codes.check import Check, CodeProcedure, Family, Outcome, Premise, R
 from assess.codes.context import Context
 from assess.codes.dmi2008 import DMI2008_HISTORY, DMI2008_LINEAR, DMI2008_NONLINEAR, DMI2008_NONLINEAR_THESIS
 from assess.codes.en1998_1 import EC8_ELEMENT, Ec8Options
+from assess.codes.histories import SuiteRule
 from assess.codes.italian_limit_states import ItalianOptions, floor_of
 from assess.codes.ntc2018 import NTC2018_HISTORY, NTC2018_LINEAR, NTC2018_NONLINEAR
 from assess.codes.nzsee2017 import NZSEE2017_FACE_LOADED, Nzsee2017Options
@@ -230,14 +231,42 @@ def apply_procedure(
     tuple of Check
     """
     given = find_applicability(procedure, oscillator, context)
-    if given.void:  # no number is kept, and what breaks may fall before the mechanism that stands in here
-        context = replace(context, starting=None, breaking=None, limits=())
+    context = _context_where(given, context)
     found = (
         _restricted_check(check, _with_missing_inputs(given, missing_inputs(procedure, check.limit_state, context)))
         for check in assess(oscillator, context)
     )
     premises = premise_conditions(procedure, context)
     return tuple(_condition_on_sliding(_with_conditions(check, premises), context) for check in found)
+
+
+def history_rules(
+    procedure: str, options: CodeOptions, oscillator: Oscillator, context: Context
+) -> tuple[SuiteRule, ...]:
+    """Return the rules that a procedure holds suites of histories to, in the context that it is applied in.
+
+    Parameters
+    ----------
+    procedure : its name
+    options : of every code
+    oscillator : the mechanism
+    context : what is known of it
+
+    Returns
+    -------
+    tuple of SuiteRule
+        One for each limit state requested; none of a procedure without histories.
+    """
+    found = PROCEDURES[procedure]
+    if found.history_rules is None:
+        return ()
+    context = _context_where(find_applicability(procedure, oscillator, context), context)
+    return found.history_rules(oscillator, context, options=getattr(options, found.options))
+
+
+def _context_where(given: Applicability, context: Context) -> Context:
+    """Return the context of a procedure; no number of a void one is kept, and what breaks may fall before it stands."""
+    return replace(context, starting=None, breaking=None, limits=()) if given.void else context
 
 
 def premise_conditions(procedure: str, context: Context) -> tuple[Message, ...]:

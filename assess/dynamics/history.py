@@ -22,7 +22,16 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from assess.dynamics.kernel import columns
-from assess.dynamics.packing import Equation, PackedOscillator, branches_of, check_jobs, kernel_array, pack, tables_of
+from assess.dynamics.packing import (
+    Equation,
+    PackedOscillator,
+    branches_of,
+    check_jobs,
+    kernel_array,
+    pack,
+    pack_all,
+    tables_of,
+)
 from assess.oscillator import Oscillator
 from assess.short_repr import ShortRepr
 from records.record import Record, make_record
@@ -186,7 +195,7 @@ def make_solver(
     ------
     MechanismError : a branch that cannot rock
     """
-    each = [pack(oscillator, equation) for oscillator in oscillators]
+    each = pack_all(oscillators, equation)
     run = _RUNS[equation](each, motions, tolerance)
 
     def answer(jobs: Jobs) -> Peaks:

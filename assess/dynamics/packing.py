@@ -13,7 +13,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Literal, TypeVar
 
 import numpy as np
@@ -54,6 +54,33 @@ def pack(oscillator: Oscillator, equation: Equation) -> PackedOscillator:
     return _PACKING[equation](oscillator)
 
 
+def pack_all(oscillators: Sequence[Oscillator], equation: Equation) -> list[PackedOscillator]:
+    """Pack several oscillators; those that differ in their restitution alone share the cubics of the first."""
+    known: dict[tuple[float, ...], PackedOscillator] = {}
+    packed: list[PackedOscillator] = []
+    for oscillator in oscillators:
+        key = tuple(each for branch in oscillator.branches for each in _table_of(branch))
+        first = known.get(key)
+        packed.append(pack(oscillator, equation) if first is None else _with_restitution(first, oscillator))
+        known.setdefault(key, packed[-1])
+    return packed
+
+
+def _table_of(branch: Branch) -> tuple[float, ...]:
+    """Return what tells the table of a branch from others while both are held: which arrays, and where it falls."""
+    arrays = (branch.rotation, branch.inertia, branch.restoring, branch.excitation)
+    return (*map(id, arrays), branch.unstable, branch.critical)
+
+
+def _with_restitution(packed: PackedOscillator, oscillator: Oscillator) -> PackedOscillator:
+    """Return a packed oscillator with the restitution of another one that has the same tables."""
+    for branch, following in zip(oscillator.branches, reversed(oscillator.branches), strict=True):
+        _check_branch(branch, following=following)
+    rows = packed.branches.copy()
+    rows[:, columns.BOUNCE] = _rows(oscillator, packed.sides)[:, columns.BOUNCE]
+    return replace(packed, branches=rows)
+
+
 def branches_of(oscillators: Sequence[PackedOscillator]) -> FloatArray:
     """Return the branches of all oscillators [oscillators, 2, 6]."""
     return np.array([each.branches for each in oscillators]).reshape(-1, 2, 6)
@@ -92,13 +119,16 @@ def check_jobs(indices: Mapping[str, tuple[IntArray, int]], *, name: str, number
 def tables_of(oscillators: Sequence[PackedOscillator]) -> tuple[FloatArray, IntArray, IntArray]:
     """Return the cubics of all branches over y [segments, 11], and the segments of each smooth piece and branch."""
     rows, smooth, spans, start = [np.empty((0, 11))], [np.empty((0, 2), dtype=np.int64)], [], 0
+    known: dict[int, tuple[int, int]] = {}
     for oscillator in oscillators:
         spans.append(np.zeros((2, 2), dtype=np.int64))
         for side, of in enumerate(oscillator.sides):
-            rows.append(np.vstack([of.y[:-1], of.y[1:], of.restoring, of.excitation, of.stored[:-1]]).T)
-            smooth.append(start + of.smooth)
-            spans[-1][side] = start, start + of.y.size - 2
-            start += of.y.size - 1
+            if id(of) not in known:
+                rows.append(np.vstack([of.y[:-1], of.y[1:], of.restoring, of.excitation, of.stored[:-1]]).T)
+                smooth.append(start + of.smooth)
+                known[id(of)] = start, start + of.y.size - 2
+                start += of.y.size - 1
+            spans[-1][side] = known[id(of)]
     return np.concatenate(rows), np.concatenate(smooth), np.array(spans, dtype=np.int64).reshape(-1, 2, 2)
 
 

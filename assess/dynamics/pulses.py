@@ -30,7 +30,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from assess.dynamics.kernel import columns
-from assess.dynamics.packing import Equation, PackedOscillator, branches_of, check_jobs, kernel_array, pack, tables_of
+from assess.dynamics.packing import (
+    Equation,
+    PackedOscillator,
+    branches_of,
+    check_jobs,
+    kernel_array,
+    pack,
+    pack_all,
+    tables_of,
+)
 from assess.oscillator import Branch, Oscillator, energy
 from assess.short_repr import ShortRepr
 from records.pulses import PulseShape
@@ -246,7 +255,7 @@ def make_pulse_solver(
     ValueError : a frequency that is not positive
     """
     _check_frequency(frequency)
-    each = [pack(oscillator, equation) for oscillator in oscillators]
+    each = pack_all(oscillators, equation)
     if _has_closed_form(shape, equation):
         from assess.dynamics.kernel import sine  # brings numba
 

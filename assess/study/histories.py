@@ -26,7 +26,7 @@ from typing import Literal, TypeVar
 import numpy as np
 
 from assess.amplification import BaseMotion, base_motion
-from assess.codes.histories import LOW_SHARE, RecordRuns, SuiteResponse, share_upright
+from assess.codes.histories import LOW_SHARE, RecordRuns, SuiteResponse, SuiteRule, share_upright
 from assess.codes.procedures import pga_rules, uses_histories
 from assess.dynamics import pulses
 from assess.dynamics.history import Jobs, Peaks, make_solver, peaks, trace
@@ -127,9 +127,45 @@ def run_histories(
     RockingHistories
         Histories at `levels`, and suites at all levels.
     """
-    histories = run_levels(case, motions, levels=levels, further=further, site_pga=site_pga, threads=threads)
-    scan = scan_levels(case, motions, site_pga=site_pga, threads=threads) if with_scan else ()
-    return replace(histories, scan=scan)
+    solve = level_solver(case, motions, site_pga=site_pga, threads=threads)
+    histories = _histories_at(solve, case, levels=levels, further=further, twins="all")
+    return replace(histories, scan=_scan(solve, case, motions, site_pga, (mostly_upright,)) if with_scan else ())
+
+
+def run_to_decide(
+    case: RockingCase,
+    motions: Sequence[ScaledRecord],
+    rules: Sequence[SuiteRule],
+    *,
+    levels: Sequence[float],
+    further: Sequence[float],
+    site_pga: float,
+    with_scan: bool,
+    threads: int,
+) -> RockingHistories:
+    """Run what outcomes and PGA at capacity depend on: the suites of `run_histories`, as far as they do.
+
+    A rule that a suite fails as it is needs no twins there, and once each rule has failed the scan is at its end: the
+    PGA at capacity is the last before the first failure. How near to its limit an answer is cannot be told from these.
+
+    Parameters
+    ----------
+    rules : of the procedures that decide
+    case, motions, levels, further, site_pga, with_scan, threads : as for `run_histories`
+
+    Returns
+    -------
+    RockingHistories
+        Suites alone.
+    """
+    solve = level_solver(case, motions, site_pga=site_pga, threads=threads)
+    scan = _scan(solve, case, motions, site_pga, [rule.holds for rule in rules]) if with_scan else ()
+    every = (*levels, *further)
+    alone = suites_of(solve(every, "none"))
+    passing = [suite.pga for suite in alone if any(rule.passes(suite) for rule in rules)]
+    twins = {suite.pga: suite for suite in suites_of(solve(passing, "all"))} if passing else {}
+    suites = tuple(twins.get(suite.pga, suite) for suite in alone)
+    return RockingHistories((), suites[: len(levels)], suites[len(levels) :], scan)
 
 
 def run_levels(
@@ -144,7 +180,14 @@ def run_levels(
 ) -> RockingHistories:
     """Run one mechanism as `run_histories` does, without the scan, and where requested without twins."""
     solve = level_solver(case, motions, site_pga=site_pga, threads=threads)
-    level_peaks = solve((*levels, *further), "all" if with_twins else "none")
+    return _histories_at(solve, case, levels=levels, further=further, twins="all" if with_twins else "none")
+
+
+def _histories_at(
+    solve: LevelSolver, case: RockingCase, *, levels: Sequence[float], further: Sequence[float], twins: Twins
+) -> RockingHistories:
+    """Return the histories at levels [m/s2], and the suites at these and at further ones."""
+    level_peaks = solve((*levels, *further), twins)
     histories = tuple(
         tuple(
             _history(level_peaks, jobs, at_base, level)
@@ -236,9 +279,10 @@ class LevelPeaks(ShortRepr):
     worse: IntArray
 
 
-def level_solver(
-    case: RockingCase, motions: Sequence[ScaledRecord], *, site_pga: float, threads: int
-) -> Callable[[Sequence[float], Twins], LevelPeaks]:
+LevelSolver = Callable[[Sequence[float], Twins], LevelPeaks]
+
+
+def level_solver(case: RockingCase, motions: Sequence[ScaledRecord], *, site_pga: float, threads: int) -> LevelSolver:
     """Return a solver for the histories of one mechanism; call it with levels of PGA [m/s2] and which twins to run.
 
     "where they matter" is of histories that rock, and the inner twins of those only which the outer ones do not follow
@@ -381,17 +425,34 @@ def scan_levels(
     tuple of SuiteResponse
         At rising PGA, the last one that which ends the scan.
     """
+    solve = level_solver(case, motions, site_pga=site_pga, threads=threads)
+    return _scan(solve, case, motions, site_pga, (mostly_upright,))
+
+
+def mostly_upright(suite: SuiteResponse) -> bool:
+    """Return whether the draws in which no record overturns the mechanism are 16 % or more."""
+    return share_upright(suite) >= LOW_SHARE
+
+
+def _scan(
+    solve: LevelSolver,
+    case: RockingCase,
+    motions: Sequence[ScaledRecord],
+    site_pga: float,
+    rules: Sequence[Callable[[SuiteResponse], bool]],
+) -> tuple[SuiteResponse, ...]:
+    """Run suites at rising PGA until each of some rules has failed."""
     pairs = zip(motions, case.base, strict=True)
     strongest = max(motion.scaling.factor * at_base.record.pga for motion, at_base in pairs) / site_pga
     uplift = g * min(linear_multiplier(branch) for branch in case.oscillator.branches)
     start = SCAN_START * uplift / max(1.0, strongest)
     step, most = (SCAN_STEP_ON_JOINTS, MOST_LEVELS_ON_JOINTS) if vibrates(case.oscillator) else (SCAN_STEP, MOST_LEVELS)
-    solve = level_solver(case, motions, site_pga=site_pga, threads=threads)
     below = round(log(1.0 / SCAN_START) / log(step))  # levels short of uplift, which do not overturn
     suites = list(suites_of(solve([start * step**k for k in range(below)], "where they matter")))
     for k in range(below, most):
         suites += suites_of(solve([start * step**k], "where they matter"))
-        if share_upright(suites[-1]) < LOW_SHARE:
+        rules = [rule for rule in rules if rule(suites[-1])]
+        if not rules:
             break
     return tuple(suites)
 

@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from assess.amplification import pulse_factor
 from assess.codes.check import BuildingState, Check
-from assess.codes.procedures import pga_rules, uses_histories
+from assess.codes.procedures import history_rules, pga_rules, uses_histories
 from assess.codes.question import Question, methods_of
 from assess.codes.verdict import Verdict
 from assess.dynamics.packing import Equation
@@ -40,16 +40,18 @@ from assess.results.provenance import describe_program, stamp
 from assess.short_repr import ShortRepr
 from assess.study.amplification import MechanismAmplification
 from assess.study.assessment import assess_mechanisms, building_states, check_mechanism, on_building
-from assess.study.checks import decide, mark_result
+from assess.study.checks import context_of, decide, mark_result
 from assess.study.controls import control_warnings, equilibrium_controls, multiplier_control
 from assess.study.ground_motion import ground_motion, record_result, spectrum_result, with_primary_pulses
 from assess.study.histories import (
     RockingCase,
     RockingHistories,
     fastest_vibration,
+    further_levels,
     mechanism_histories,
     rule_levels,
     run_levels,
+    run_to_decide,
 )
 from assess.study.history_controls import convergence_control, energy_control, governing_history
 from assess.study.mechanism_results import comparison_rows, parameters
@@ -217,7 +219,24 @@ class CheckedMechanism:
     checks: tuple[Check, ...]
 
 
-def find_verdict(study: Study, *, jobs: int = 1) -> Verdict:
+def find_outcome(study: Study, *, jobs: int = 1) -> Verdict:
+    """Return the verdict of a study but for how near its answers by histories are to their limits.
+
+    Outcomes, PGA at capacity, demands over capacities and what is missing are those of `find_verdict`, in less time;
+    what is at the limit, how far 16 % of the draws hold and the figures of an index are not. Errors are those of
+    `find_verdict`.
+
+    Parameters
+    ----------
+    study : Study
+        Site, records, mechanisms and questions.
+    jobs : int
+        Number of threads; 0 for all cores.
+    """
+    return find_verdict(study, jobs=jobs, run=_histories_of_outcome)
+
+
+def find_verdict(study: Study, *, jobs: int = 1, run: DecidingHistories | None = None) -> Verdict:
     """Return the verdict of a study as `run` finds it, in the worse of its two states.
 
     Parameters
@@ -226,6 +245,8 @@ def find_verdict(study: Study, *, jobs: int = 1) -> Verdict:
         Site, records, mechanisms and questions.
     jobs : int
         Number of threads; 0 for all cores.
+    run : callable, optional
+        Runs the histories of a mechanism; all that the verdict holds if None.
 
     Raises
     ------
@@ -234,7 +255,8 @@ def find_verdict(study: Study, *, jobs: int = 1) -> Verdict:
     AssessError
         If a record, mechanism or procedure cannot be evaluated.
     """
-    typed = find_state_verdict(study, jobs=jobs)
+    run = run or _histories_of_verdict
+    typed = find_state_verdict(study, jobs=jobs, run=run)
     methods = methods_of(study.question)
     study = replace(study, procedures=tuple(procedure for procedure in study.procedures if procedure in methods))
     motions: tuple[ScaledRecord, ...] = ()
@@ -242,11 +264,11 @@ def find_verdict(study: Study, *, jobs: int = 1) -> Verdict:
         motions = motions_of(study, require_spectrum(study), jobs=jobs)
     overrides = find_overrides(study, motions, jobs=jobs, with_sources=False)
     replaced = _replaced(study, overrides)
-    other = None if replaced is None else find_state_verdict(replaced, jobs=jobs)
+    other = None if replaced is None else find_state_verdict(replaced, jobs=jobs, run=run)
     return merge_states(typed, other, overrides.lines)
 
 
-def find_state_verdict(study: Study, *, jobs: int = 1) -> Verdict:
+def find_state_verdict(study: Study, *, jobs: int = 1, run: DecidingHistories | None = None) -> Verdict:
     """Return the verdict of one state of a study.
 
     What is at the limit is found by the usual 5 % alone: the tolerance of the survey, which changes no outcome, is not
@@ -266,7 +288,10 @@ def find_state_verdict(study: Study, *, jobs: int = 1) -> Verdict:
     if needs_motions(study):
         motions = motions_of(study, spectrum, jobs=jobs)
         study = replace(study, suite_faults=suite_faults(study, spectrum, motions))
-    checked = [_check_what_decides(study, spectrum, motions, mechanism, jobs=jobs) for mechanism in study.mechanisms]
+    run = run or _histories_of_verdict
+    checked = [
+        _check_what_decides(study, spectrum, motions, mechanism, run, jobs=jobs) for mechanism in study.mechanisms
+    ]
     return decide(study, checked)
 
 
@@ -455,35 +480,70 @@ def _decide_with_tolerance(
     return decide(with_question, results, losses) if losses else decided
 
 
+@dataclass(frozen=True, repr=False)
+class MechanismCase(ShortRepr):
+    """A mechanism whose histories are run in a study, in one state of the building, on so many threads."""
+
+    study: Study
+    spectrum: Spectrum
+    motions: tuple[ScaledRecord, ...]
+    mechanism: Mechanism
+    case: RockingCase
+    threads: int
+
+    @property
+    def asks_at_rules_alone(self) -> bool:
+        """Whether its procedures by histories ask for suites at PGA of their own, and not at the levels."""
+        return set(filter(uses_histories, self.study.procedures)) <= set(pga_rules(self.study.options))
+
+
+DecidingHistories = Callable[[MechanismCase], RockingHistories]
+
+
 def _check_what_decides(
-    study: Study, spectrum: Spectrum, motions: tuple[ScaledRecord, ...], mechanism: Mechanism, *, jobs: int
-) -> CheckedMechanism:
-    """Return the checks of a mechanism, with time histories where one of them asks for these."""
-
-    def run(there: Study, case: RockingCase) -> RockingHistories:
-        return _histories_that_decide(there, spectrum, motions, mechanism, case, jobs=jobs)
-
-    found = check_mechanism(study, spectrum, mechanism, motions, run)
-    return CheckedMechanism(mechanism.name, found.checks)
-
-
-def _histories_that_decide(
     study: Study,
     spectrum: Spectrum,
     motions: tuple[ScaledRecord, ...],
     mechanism: Mechanism,
-    case: RockingCase,
+    run: DecidingHistories,
     *,
     jobs: int,
-) -> RockingHistories:
-    """Run the time histories that decide; without a scan only those at the PGA that the rules of procedures ask for."""
-    by_histories = set(filter(uses_histories, study.procedures))
-    if not by_histories:
-        return NO_HISTORIES
-    if study.scan or not by_histories <= set(pga_rules(study.options)):
-        return mechanism_histories(study, spectrum, motions, mechanism, case, threads=jobs)
-    levels = rule_levels(study, spectrum, mechanism)
-    return run_levels(case, motions, levels=(), further=levels, site_pga=spectrum.pga, threads=jobs)
+) -> CheckedMechanism:
+    """Return the checks of a mechanism, with time histories where one of them asks for these."""
+
+    def histories(there: Study, case: RockingCase) -> RockingHistories:
+        if not any(map(uses_histories, there.procedures)):
+            return NO_HISTORIES
+        return run(MechanismCase(there, spectrum, motions, mechanism, case, jobs))
+
+    found = check_mechanism(study, spectrum, mechanism, motions, histories)
+    return CheckedMechanism(mechanism.name, found.checks)
+
+
+def _histories_of_verdict(of: MechanismCase) -> RockingHistories:
+    """Run the time histories that a verdict holds; without a scan only those at the PGA that procedures ask for."""
+    if of.study.scan or not of.asks_at_rules_alone:
+        return mechanism_histories(of.study, of.spectrum, of.motions, of.mechanism, of.case, threads=of.threads)
+    levels = rule_levels(of.study, of.spectrum, of.mechanism)
+    return run_levels(of.case, of.motions, levels=(), further=levels, site_pga=of.spectrum.pga, threads=of.threads)
+
+
+def _histories_of_outcome(of: MechanismCase) -> RockingHistories:
+    """Run the time histories that outcomes and PGA at capacity depend on."""
+    study, case = of.study, of.case
+    context = context_of(study, of.spectrum, of.mechanism, NO_HISTORIES, case.base, of.motions)
+    rules = [rule for name in study.procedures for rule in history_rules(name, study.options, case.oscillator, context)]
+    at_rules_alone = of.asks_at_rules_alone and not study.scan
+    return run_to_decide(
+        case,
+        of.motions,
+        rules,
+        levels=() if at_rules_alone else study.levels,
+        further=(rule_levels if at_rules_alone else further_levels)(study, of.spectrum, of.mechanism),
+        site_pga=of.spectrum.pga,
+        with_scan=study.scan,
+        threads=of.threads,
+    )
 
 
 def _controls_of(

@@ -9,10 +9,12 @@ import pytest
 
 from assess.codes.verdict import Verdict
 from assess.examples import EXAMPLES, copy_example
+from assess.portfolio.projects import Task
+from assess.portfolio.tasks import Job, ProjectRow, row_of_verdict
 from assess.project.build import build, build_to_decide
 from assess.project.project_file import load
 from assess.study import run
-from assess.study.run import find_verdict, run_study
+from assess.study.run import find_outcome, find_verdict, run_study
 from assess.study.suites import motions_of
 from tests.support.projects import NTC, project_toml
 
@@ -25,6 +27,11 @@ def without_limit(found: Verdict | None) -> Verdict:
         for one in found.mechanisms
     )
     return replace(found, at_the_limit=False, mechanisms=mechanisms)
+
+
+def row_of(found: Verdict | None, folder: Path) -> ProjectRow:
+    """Return the row of a portfolio that a verdict gives."""
+    return row_of_verdict(Job(Task("wall", "Wall", folder / "project.toml", None, ""), folder, "rows", ""), found)
 
 
 @pytest.mark.study
@@ -66,3 +73,26 @@ def test_motions_are_made_where_they_decide_alone(
     monkeypatch.setattr(run, "motions_of", lambda *given, **more: made.append(1) or motions_of(*given, **more))
     assert find_verdict(build_to_decide(project)) == whole
     assert bool(made) is asked
+    assert row_of(find_outcome(build_to_decide(project)), tmp_path) == row_of(whole, tmp_path)
+
+
+@pytest.mark.parametrize(("thickness", "sides"), [(0.2, "one"), (0.38, "one"), (0.7, "two")])
+@pytest.mark.parametrize(("basis", "state"), [("ntc2018", "SLV"), ("asce43-05", "DBE")])
+def test_row_of_the_outcome_alone_is_that_of_the_verdict(
+    thickness: float, sides: str, basis: str, state: str, tmp_path: Path
+) -> None:
+    """By histories with their scan, of walls that fail and that stand."""
+    (tmp_path / "project.toml").write_text(
+        project_toml(
+            site={"spectrum": {**NTC, "a_g": "0.2 g"}, "limit_state": state},
+            materials={"brick": {"density": 1800, "disintegration": "excluded"}},
+            bodies={"wall": {"material": "brick", "box": {"thickness": thickness, "length": 3, "height": 6}}},
+            mechanisms={"wall": {"kind": "single-block", "blocks": ["wall"], "direction": [1, 0, 0], "sides": sides}},
+            records={"synthetic": {"count": 7, "duration": "25 s"}},
+            verdict={"basis": basis, "limit_state": state, "procedures": [f"{basis}-history"]},
+            building={"ground_elevation": 0},
+            report={"sources": {"materials.brick.disintegration": "measured: one opening"}},
+        )
+    )
+    study = build_to_decide(load(tmp_path))
+    assert row_of(find_outcome(study), tmp_path) == row_of(find_verdict(study), tmp_path)

@@ -276,10 +276,12 @@ class Range:
     values : that are tried; where a source vouches, the first alone, to show what the stated one is worth
     up_to : what gives the far end of further values, which begin at the stated one, by its name in
         `assess.project.overrides`; empty for none
+    between : how many further values are tried, between the stated one and that far end
     """
 
     values: tuple[Tried, ...]
     up_to: str = ""
+    between: int = 3
 
 
 @dataclass(frozen=True)

@@ -41,7 +41,7 @@ BY_FORMULA = Evidence(
     "either",
     "the formula's, on one side over its range in histories",
     judged="less of it takes more energy; of one-sided rocking it also shortens the way back",
-    safe=Range((Tried(Safe.ABSENT, str(Term("that of the formula"))),)),
+    safe=Range((Tried(Safe.ABSENT, str(Term("that of the formula"))),), up_to="restitution", between=1),
 )
 
 

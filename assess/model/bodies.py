@@ -64,7 +64,7 @@ DENSITY = Evidence(
 MODULUS = Evidence(
     "measured",
     "either",
-    "where it gives the stiffness of joints, the worst from 0.15 to 15 GPa; as stated elsewhere",
+    "where it gives the stiffness of joints or a first mode, the worst from 0.15 to 15 GPa",
     judged="it sets the stiffness of joints and the first mode of the building, and a softer one may rock more or less",
     safe=Range((Tried("0.15 GPa"), Tried("1.5 GPa"), Tried("15 GPa"))),
 )

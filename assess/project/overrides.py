@@ -13,10 +13,12 @@ from functools import cache, partial
 import numpy as np
 
 from assess.codes.context import default_period
+from assess.codes.ntc2018_clauses import free_period
 from assess.codes.procedures import PROCEDURES
 from assess.codes.question import methods_of
 from assess.codes.verdict import SAME_MARGIN
 from assess.declaration import Drawn, Evidence, Range, Safe
+from assess.errors import AssessError
 from assess.geometry.solid import Solids
 from assess.project import sections
 from assess.project.key_errors import KeyPath, key_text, look_up, value_text
@@ -25,16 +27,15 @@ from assess.project.project_file import Project, load_tree
 from assess.project.question import basis_of
 from assess.project.section import ProjectSection
 from assess.study.study import Replaceable, Study, follows_motion
+from spectra.errors import SpectrumError
 
 SAME_MULTIPLIER = 1.0 - 1.0 / 1.1  # of a direction or crack: no more than 10 % above that of the weakest
-BETWEEN = 3  # values tried between the one stated and the far end of its range
 NEAR_TOP = 0.98  # of the height of a wall: its crack where nothing presses on it
+StudyAt = Callable[[Setting], Callable[[str], Study]]
 ONE_MODE = 2.0 / 3.0  # of the height: the resultant of a linear mode of even mass (Circolare 7/2019, C7.2.10)
 
 
-def replaceables_of(
-    project: Project, solids: Solids, study: Study, *, study_at: Callable[[Setting], Callable[[str], Study]]
-) -> tuple[Replaceable, ...]:
+def replaceables_of(project: Project, solids: Solids, study: Study, *, study_at: StudyAt) -> tuple[Replaceable, ...]:
     """Return every value of a project that something stands for, in the order of the file.
 
     Parameters
@@ -49,9 +50,9 @@ def replaceables_of(
     methods = methods_of(study.question)
     found = []
     for path, evidence in _keys_as_written(project):
-        if not _bears_on(path, methods, content):
+        if not _bears_on(path, methods, content, study):
             continue
-        for each in _substitutes(path, evidence, content, solids, study):
+        for each in _substitutes(path, evidence, content, solids, study, study_at):
             found.append(
                 Replaceable(
                     key=key_text(path),
@@ -103,9 +104,11 @@ def given_keys(table: ProjectSection, path: KeyPath) -> Iterator[tuple[KeyPath, 
     for name, field, evidence in _declared_keys(type(table)):
         if field not in table.model_fields_set:
             continue
+        value = getattr(table, field)
         if evidence is not None:
-            yield (*path, name), evidence
-        yield from _below((*path, name), getattr(table, field))
+            entries = tuple((entry,) for entry in value) if isinstance(value, Mapping) else ((),)
+            yield from (((*path, name, *entry), evidence) for entry in entries)
+        yield from _below((*path, name), value)
 
 
 @cache
@@ -122,11 +125,11 @@ def _built_once(build: Callable[[], Callable[[str], Study]]) -> Callable[[str], 
     return lambda mechanism: read()(mechanism)
 
 
-def _bears_on(path: KeyPath, methods: Sequence[str], content: sections.Content) -> bool:
+def _bears_on(path: KeyPath, methods: Sequence[str], content: sections.Content, study: Study) -> bool:
     """Return whether a key can bear on the methods that decide.
 
     Records bear on histories, options of a code on its own methods, modulus and strength of a masonry where joints have
-    their stiffness or strength by it.
+    their stiffness or strength by it, the modulus also where the motion passes a first mode that it gives.
     """
     if path[0] == "records":
         return any(map(follows_motion, methods))
@@ -134,7 +137,8 @@ def _bears_on(path: KeyPath, methods: Sequence[str], content: sections.Content) 
         chains = (each for each in content.mechanisms.values() if isinstance(each, sections.ChainSection))
         joints = [joint for each in chains for joint in (each.interface, *each.interfaces.values())]
         if path[-1] == "young_modulus":
-            return any(joint.course_thickness is not None for joint in joints)
+            of_mode = any(map(follows_motion, methods)) and any(each.by_stiffness for each in study.amplified.values())
+            return of_mode or any(joint.course_thickness is not None for joint in joints)
         return any(joint.model != "rigid" and joint.strength is None for joint in joints)
     if path[0] != "procedures":
         return True
@@ -162,11 +166,11 @@ class _Substitute:
 
 
 def _substitutes(
-    path: KeyPath, evidence: Evidence, content: sections.Content, solids: Solids, study: Study
+    path: KeyPath, evidence: Evidence, content: sections.Content, solids: Solids, study: Study, study_at: StudyAt
 ) -> tuple[_Substitute, ...]:
     """Return what stands in place of a value: several of a range; none where the value does not help."""
     if isinstance(evidence.safe, Range):
-        return tuple(_values_of_range(path, evidence.safe, content))
+        return tuple(_values_of_range(path, evidence.safe, content, study_at))
     setting = _setting(path, evidence, content, solids, study)
     if setting is None:
         return ()
@@ -201,8 +205,11 @@ def _setting(
     return {path: safe}
 
 
-def _values_of_range(path: KeyPath, safe: Range, content: sections.Content) -> Iterator[_Substitute]:
-    """Yield the values of a range but the one stated, and what lies between that and its far end, evenly in ratio."""
+def _values_of_range(path: KeyPath, safe: Range, content: sections.Content, study_at: StudyAt) -> Iterator[_Substitute]:
+    """Yield the values of a range but the one stated, and what lies between that and its far end.
+
+    These are even in ratio where there is one, else in difference.
+    """
     given = value_at(content, path)
     for each in safe.values:
         if each.value != given:
@@ -210,10 +217,20 @@ def _values_of_range(path: KeyPath, safe: Range, content: sections.Content) -> I
             yield _Substitute({path: each.value, **beside}, each.words or _value_text(each.value))
     if not safe.up_to:
         return
-    find, unit = FAR_ENDS[safe.up_to]
-    if (end := find(content)) is not None:
-        for value in map(float, np.geomspace(given, end, BETWEEN + 2)[1:-1]):
-            yield _Substitute({path: value}, f"{value:.4g} {unit}")
+    find, unit, has_end = FAR_ENDS[safe.up_to]
+    size, end = _size_of(given), find(path, content, study_at)
+    if size is not None and end is not None:
+        spaced = np.geomspace if size > 0.0 and end > 0.0 else np.linspace
+        for value in map(float, spaced(size, end, safe.between + 2)[1 : None if has_end else -1]):
+            yield _Substitute({path: value}, f"{value:.4g} {unit}".strip())
+
+
+def _size_of(given: object) -> float | None:
+    """Return the number that stands at a key: a period as its element has it, a restitution as of one direction."""
+    if isinstance(given, sections.FreeElement):
+        return free_period(**given.model_dump()).value
+    one_of_two = getattr(given, "positive", given)
+    return float(one_of_two) if isinstance(one_of_two, int | float) else None
 
 
 def _crack_without(path: KeyPath, content: sections.Content, solids: Solids) -> Setting:
@@ -267,23 +284,53 @@ def _resultant_height(content: sections.Content, solids: Solids) -> float | None
     return ONE_MODE * min(known) if known else None
 
 
-def _code_period(content: sections.Content) -> float | None:
+def _code_period(path: KeyPath, content: sections.Content, study_at: StudyAt) -> float | None:
     """Return the first period of the building by the code [s]; None where its height is not known."""
     height = None if content.building is None else content.building.height
     return None if height is None else default_period(height)
 
 
-def _code_frequency(content: sections.Content) -> float | None:
+def _code_frequency(path: KeyPath, content: sections.Content, study_at: StudyAt) -> float | None:
     """Return the first frequency of the building by the code [Hz]; None where its height is not known."""
-    period = _code_period(content)
+    period = _code_period(path, content, study_at)
     return None if period is None else 1.0 / period
 
 
-FAR_ENDS: Mapping[str, tuple[Callable[[sections.Content], float | None], str]] = {
-    "period": (_code_period, "s"),
-    "frequency": (_code_frequency, "Hz"),
+def _own_frequency(path: KeyPath, content: sections.Content, study_at: StudyAt) -> float | None:
+    """Return the first frequency that a mechanism has by [building] or Rayleigh's method, else by the code [Hz]."""
+    study = _built_without(path, study_at)
+    mode = None if study is None else getattr(study.amplified[str(path[1])].amplification, "mode", None)
+    return _code_frequency(path, content, study_at) if mode is None else float(mode.frequency)
+
+
+def _restitution_by_formula(path: KeyPath, content: sections.Content, study_at: StudyAt) -> float | None:
+    """Return the restitution of the formula [-], of the positive direction where one number stands for both."""
+    study = _built_without(path, study_at)
+    return None if study is None else study.mechanisms[0].restitution["negative" in path]
+
+
+def _built_without(path: KeyPath, study_at: StudyAt) -> Study | None:
+    """Return the study of a mechanism without one of its keys; None where it cannot be built."""
+    try:
+        return study_at({path: Safe.ABSENT})(str(path[1]))
+    except (AssessError, SpectrumError):
+        return None
+
+
+def _rest(path: KeyPath, content: sections.Content, study_at: StudyAt) -> float:
+    """Return the period of what is rigid until it lifts off [s]."""
+    return 0.0
+
+
+FAR_ENDS: Mapping[str, tuple[Callable[[KeyPath, sections.Content, StudyAt], float | None], str, bool]] = {
+    "period": (_code_period, "s", False),
+    "frequency": (_code_frequency, "Hz", True),
+    "own frequency": (_own_frequency, "Hz", True),
+    "restitution": (_restitution_by_formula, "", False),
+    "rigid": (_rest, "s", False),
 }
-"""What gives the far end of a range that begins at the stated value, by its name, and its unit."""
+"""What gives the far end of a range that begins at the stated value, by its name; its unit; whether it is tried itself,
+as it is not what stands where the key is absent."""
 
 
 def _lowest_foot(content: sections.Content, solids: Solids) -> float | None:

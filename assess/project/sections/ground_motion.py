@@ -33,6 +33,7 @@ from assess.declaration import (
     Safe,
     Tried,
 )
+from assess.messages.message import Term
 from assess.project.key_errors import error_at, quote_names
 from assess.project.section import DeclaredSection, ProjectSection, plain_data, table_of
 from assess.project.tables import table_by_code
@@ -153,8 +154,8 @@ FIRST_DAMPING = Evidence("measured", "up", "5 %; above 10 % only measured, never
 FIRST_FREQUENCY = Evidence(
     "measured",
     "either",
-    "the worst from it to that of 0.05 H^0.75",
-    safe=Range((Tried(Safe.ABSENT, "1 / (0.05 H^0.75)"),), up_to="frequency"),
+    "the worst from it to that of 0.05 H^0.75, and Rayleigh's",
+    safe=Range((Tried(Safe.ABSENT, str(Term("that of the building's period, or Rayleigh's"))),), up_to="frequency"),
 )
 EFFECTIVE_HEIGHT = Evidence(
     "measured",

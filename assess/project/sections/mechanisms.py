@@ -142,8 +142,8 @@ AMPLIFIED = Evidence("chosen", "either", "the other methods that can be computed
 FIRST_MODE = Evidence(
     "measured",
     "either",
-    "the worst of it and that of the building, or Rayleigh's",
-    safe=Range((Tried(Safe.ABSENT, str(Term("that of the building or Rayleigh's"))),)),
+    "the worst from it to that of the building, or Rayleigh's",
+    safe=Range((Tried(Safe.ABSENT, str(Term("that of the building or Rayleigh's"))),), up_to="own frequency"),
 )
 
 

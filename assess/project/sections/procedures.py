@@ -210,8 +210,8 @@ GivenFreePeriod = Annotated[
 FREE_PERIOD = Evidence(
     "measured",
     "either",
-    "none: rigid before it lifts off, where that is worse",
-    safe=Range((Tried(Safe.ABSENT, "0 s"),)),
+    "the worst from it to none, rigid before it lifts off",
+    safe=Range((Tried(Safe.ABSENT, "0 s"),), up_to="rigid"),
 )
 
 

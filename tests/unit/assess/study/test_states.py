@@ -8,10 +8,11 @@ import numpy as np
 import pytest
 
 from assess.codes.verdict import Decision, State, Verdict
+from assess.errors import ProjectError
 from assess.project.build import build, build_to_decide
 from assess.project.project_file import load, load_tree
 from assess.study.run import find_verdict, run_study
-from assess.study.study import Replaceable
+from assess.study.study import Replaceable, Study
 from tests.support.projects import NTC, block, lines, project_toml, wall
 from tools.adversary.projects import HISTORIES, ITALY, PROJECTS
 from tools.adversary.trials import answer
@@ -313,10 +314,11 @@ def test_a_restitution_without_a_source_stands_beside_that_of_the_formula(writte
     housner = 1 - 1.5 * 0.4**2 / (0.4**2 + 4.5**2)
     expected = housner if sides == "two" else housner**2 * (1.5 * 4.5**2 / (0.4**2 + 4.5**2) - 1)
     for number, key in enumerate(keys):
-        (found,) = substitutes(tables, f"mechanisms.wall.{key}")
-        (mechanism,) = found.study_at("wall").mechanisms
+        found, between = substitutes(tables, f"mechanisms.wall.{key}")
+        (mechanism,), (half_way,) = (each.study_at("wall").mechanisms for each in (found, between))
         if number == 0 or sides == "two":
             assert mechanism.restitution[number] == pytest.approx(expected, rel=1e-9)
+            assert half_way.restitution[number] == pytest.approx((0.3 * expected) ** 0.5, rel=1e-9)
             assert mechanism.rebounds == ((1.0,) if sides == "two" else (1.0, 0.5, 1.5))
         assert (found.of_range, found.source) == (True, "")
 
@@ -388,3 +390,75 @@ def test_a_strength_of_the_masonry_without_a_source_is_the_least_of_the_table_wh
     assert (
         verdict_of_strength("0.8 MPa", "").overrides == verdict_of_strength("20 MPa", "", own="2 MPa").overrides == ()
     )
+
+
+@pytest.mark.parametrize(
+    "typed",
+    ["0.4 s", {"length": "2 m", "thickness": "0.3 m", "young_modulus": "0.075 GPa", "density": "1900 kg/m^3"}],
+)
+def test_of_a_period_before_uplift_without_a_source_the_worst_down_to_0_decides(typed: Any) -> None:
+    """The floor shakes most what vibrates as the building does: neither what is rigid nor what is slow."""
+    tables = copy.deepcopy(PROJECTS["ntc-upstairs"])
+    tables["verdict"]["procedures"] = ["ntc2018-linear"]
+    key = "procedures.ntc2018.free_periods.wall"
+
+    def stating(period: Any, source: str) -> dict[str, Any]:
+        given = {"procedures": {"ntc2018": {"free_periods": {"wall": period}}}} if period else {}
+        sources = {key: source} if period and source else {}
+        return {**tables, **given, "report": {"sources": tables["report"]["sources"] | sources}}
+
+    study = study_of_tables(stating(typed, ""))
+    slow = study.free_periods["wall"].value
+    tried = [each.study_at("wall").free_periods.get("wall") for each in study.replaceables if each.key == key]
+    periods = [0.0 if each is None else each.value for each in tried]
+    assert periods == pytest.approx([share * slow for share in (0.0, 0.75, 0.5, 0.25)], rel=1e-9)
+    margins = [verdict_on(stating(each, TESTED)).mechanisms[0].margin for each in (slow, *periods)]
+    assert verdict_on(stating(typed, "")).mechanisms[0].margin == pytest.approx(min(margins), rel=1e-9)  # type: ignore[type-var]
+    assert min(margins) < 0.95 * min(margins[:2])  # type: ignore[operator, type-var]
+
+
+def test_a_level_of_knowledge_of_one_mechanism_needs_its_source_too() -> None:
+    """It stood as typed beside the level of all mechanisms, which is replaced."""
+
+    def with_level(options: dict[str, Any], source: str = "") -> Verdict:
+        tables = on_joint({"model": "flexible", "stiffness": "4 GPa/m", "strength": "2 MPa"}, source=TESTED)
+        tables["procedures"] = {"ntc2018": options}
+        tables["report"]["sources"] |= {"procedures.ntc2018.knowledge_levels.wall": source} if source else {}
+        return verdict_on(tables)
+
+    least, own = {"knowledge_level": "LC1"}, {"knowledge_level": "LC1", "knowledge_levels": {"wall": "LC3"}}
+    found = with_level(own)
+    assert found.mechanisms[0].margin == pytest.approx(with_level(least).mechanisms[0].margin, rel=1e-9)
+    assert [each.key for each in found.overrides] == ["procedures.ntc2018.knowledge_levels.wall"]
+    assert with_level(own, TESTED).mechanisms[0].margin > 1.15 * found.mechanisms[0].margin  # type: ignore[operator]
+
+
+def test_of_a_mode_typed_in_a_mechanism_what_lies_between_it_and_that_of_the_building_is_tried() -> None:
+    """A building of 8 m has 0.05 H^0.75 = 0.238 s; the mode of the mechanism is 1 Hz. Even in ratio."""
+    tables = copy.deepcopy(HISTORIES["own-histories-upstairs"])
+    tables["mechanisms"]["wall"]["amplification"]["natural_frequency"] = 1.0
+    tried = substitutes(tables, "mechanisms.wall.amplification.natural_frequency")
+    absent, *tried = tried
+    with pytest.raises(ProjectError, match="no young_modulus for Rayleigh's method"):
+        absent.study_at("wall")
+    found = [each.study_at("wall").amplified["wall"].amplification.mode.frequency for each in tried]  # type: ignore[attr-defined]
+    end = 1 / (0.05 * 8.0**0.75)
+    assert found == pytest.approx([end**share for share in (0.25, 0.5, 0.75, 1.0)], rel=1e-9)
+
+
+def test_a_modulus_that_gives_the_first_mode_needs_its_source() -> None:
+    """By Rayleigh's method, where neither the building nor the mechanism states a frequency; it stood as typed."""
+    tables = copy.deepcopy(HISTORIES["own-histories-upstairs"])
+    tables["bodies"]["wall"]["box"] |= {"height": "8 m", "base": [0.0, 0.0, 0.0]}
+    tables["materials"]["stone"]["young_modulus"] = "3 GPa"
+    tables["mechanisms"]["wall"] |= {"cut": 4.0, "amplification": {"method": "modal-filter"}}
+    del tables["building"]["height"]
+    tried = substitutes(tables, "materials.stone.young_modulus")
+    frequencies = [each.study_at("wall").amplified["wall"].amplification.mode.frequency for each in tried]  # type: ignore[attr-defined]
+    assert [each.instead for each in tried] == ["0.15 GPa", "1.5 GPa", "15 GPa"]
+    np.testing.assert_allclose(np.array(frequencies) / frequencies[0], np.sqrt([1.0, 10.0, 100.0]), rtol=1e-6)
+
+
+def study_of_tables(tables: dict[str, Any]) -> Study:
+    """Return the study of a project."""
+    return build_to_decide(load_tree(copy.deepcopy(tables), Path("project.toml"), sha256=""))

@@ -215,13 +215,13 @@ def overburden_force(
     name = overburden_name(number)
     head = top_edge(piece.body)
     if head is None:
-        raise GeometryError(f'{where}: {name}: the wall has no geometry, so no top; write a load of kind = "force"')
+        raise GeometryError(f'{where}: the wall has no geometry, so no top; write a load of kind = "force"')
     middle, elevation = (head[0][0] + head[1][0]) / 2.0, head[0][1]
-    _require_on_top(load, thickness=head[1][0] - head[0][0], where=f"{where}: {name}")
+    _require_on_top(load, thickness=head[1][0] - head[0][0], where=where)
     if load.force is not None:
         at = (middle + (load.eccentricity or 0.0), elevation)
         return Force(name, (0.0, -load.force), at, UPPER, until="collapse", evidence=WEIGHT), ()
-    found, states = _weight_on_wall(load, piece, solids, moving, where=f"{where}: {name}")
+    found, states = _weight_on_wall(load, piece, solids, moving, where=where)
     x = point_in_plane(found.at.tolist(), direction)[0]
     if load.eccentricity is not None or load.through == "joint":
         x = middle + (load.eccentricity or 0.0)  # at rest the resultant of a joint is in its middle
@@ -253,7 +253,7 @@ def _require_on_top(load: OverburdenLoad, *, thickness: float, where: str) -> No
     beyond = abs(load.eccentricity or 0.0) - thickness / 2.0
     if beyond > ROUNDING * thickness:
         raise GeometryError(
-            f"{where}: eccentricity {load.eccentricity:.4g} m is {beyond:.3g} m outside the wall, whose top is "
+            f"{where}.eccentricity = {load.eccentricity:.4g} m: {beyond:.3g} m outside the wall, whose top is "
             f"{thickness:.4g} m thick; give at most {thickness / 2.0:.4g} m from mid-thickness"
         )
 

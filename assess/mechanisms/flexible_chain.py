@@ -274,7 +274,7 @@ class JointedChain(ShortRepr):
     @cached_property
     def places(self) -> list[str]:
         """What errors call each joint."""
-        return [f'mechanism "{self.name}", interface {hinge_name}' for hinge_name in hinge_names(self.chain)]
+        return [f'mechanism "{self.name}": interface {hinge_name}' for hinge_name in hinge_names(self.chain)]
 
     def configuration(self, rotation: FloatArray, sunk: FloatArray) -> Configuration:
         """Return the blocks at `rotation` [n], the joints sunk [hinges, n] [m]: a loop of arms with these offsets."""

@@ -136,7 +136,7 @@ def find_restitution(
         sides = "one" if starting is None else "two"
         known = ", ".join(f'"{rule}"' for rule in offered)
         raise MechanismError(
-            f'mechanism "{name}": restitution "{choice}" is not for a {kind} with sides = "{sides}"; use {known} or a '
+            f'mechanism "{name}": restitution = "{choice}": not for a {kind} with sides = "{sides}"; use {known} or a '
             "number"
         )
     if starting is None:

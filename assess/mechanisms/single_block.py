@@ -98,7 +98,7 @@ def single_block(
     MechanismError : no base, a base of no width, or a block that is already falling
     """
     if sides == "one" and hinge_negative is not None:
-        raise MechanismError(f'mechanism "{name}": hinges_negative with sides = "one"; remove one of them')
+        raise MechanismError(f'mechanism "{name}": hinges_negative: given with sides = "one"; remove one of them')
     off_base = (
         *_off_base_warnings(body, hinge, "A"),
         *_off_base_warnings(body, hinge_negative, "A'"),

@@ -108,7 +108,7 @@ def two_block(
     MechanismError : a body without geometry whose edge is needed, or hinges out of order
     """
     if sides == "one" and hinges_negative is not None:
-        raise MechanismError(f'mechanism "{name}": hinges_negative with sides = "one"; remove one of them')
+        raise MechanismError(f'mechanism "{name}": hinges_negative: given with sides = "one"; remove one of them')
     outlines = (lower.outline, upper.outline)
     blocks = tuple(RigidBlock(body.mass, body.centroid, body.inertia) for body in (lower, upper))
     front = hinges or _edge_hinges(lower, upper, ahead=True, name=name)
@@ -191,7 +191,7 @@ def _require_order(hinges: Hinges, *, name: str) -> None:
     a, b, c = hinges
     if not a[1] < b[1] < c[1]:
         raise MechanismError(
-            f'mechanism "{name}": hinges A {point_text(a)}, B {point_text(b)} and C {point_text(c)} must rise '
+            f'mechanism "{name}": hinges: A {point_text(a)}, B {point_text(b)} and C {point_text(c)} must rise '
             "in this order: base, crack, top"
         )
 

@@ -101,7 +101,7 @@ class PressedHinge:
     @property
     def where(self) -> str:
         """The mechanism and the interface, as errors name them."""
-        return f'mechanism "{self.name}", interface {self.hinge_name}'
+        return f'mechanism "{self.name}": interface {self.hinge_name}'
 
     @property
     def point(self) -> tuple[float, float]:

@@ -273,7 +273,7 @@ def pieces_of(name: str, definition: BlockMechanism, bodies: Bodies) -> tuple[Pi
     ------
     GeometryError : the cut misses all of them, or crosses a body without geometry
     """
-    plane = cut_of(definition, where=f'mechanism "{name}"')
+    plane = cut_of(definition, where=f'mechanism "{name}": cut')
     if plane is None:
         return tuple(_uncut_block(block, definition.towards, bodies) for block in definition.blocks)
     crossed = [_crosses_plane(block, plane, bodies) for block in definition.blocks]
@@ -418,7 +418,7 @@ def _block_above_cut(
     name: str, block: Sequence[str], plane: Plane, direction: Sequence[float], bodies: Bodies
 ) -> Piece:
     """Return the part of a block above a cut."""
-    parts = divide(_solids_to_cut(name, block, bodies), plane, where=f'mechanism "{name}"')
+    parts = divide(_solids_to_cut(name, block, bodies), plane, where=f'mechanism "{name}": cut')
     return replace(piece_above_cut(parts, direction), fixed=parts.below)
 
 
@@ -433,8 +433,8 @@ def _solids_to_cut(name: str, block: Sequence[str], bodies: Bodies) -> tuple[Sol
     for body in block:
         if bodies[body].solid is None:
             raise GeometryError(
-                f'mechanism "{name}": body "{body}" has no geometry to cut; give it a mesh, box or profile, or remove '
-                "the cut and give the values of what lies above"
+                f'mechanism "{name}": cut: body "{body}" has no geometry to cut; give it a mesh, box or profile, or '
+                "remove the cut and give the values of what lies above"
             )
     return solids_of_block(block, bodies)
 

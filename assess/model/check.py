@@ -59,10 +59,10 @@ def _block_problems(definition: BlockMechanism, bodies: Bodies) -> Iterator[str]
     count = len(definition.blocks)
     most = definition.number_of_blocks
     if not 1 <= count <= most or not all(definition.blocks):
-        yield f"{count} blocks: give 1{f' to {most}' if most > 1 else ''}, each of one body or more"
+        yield f"blocks: {count} of them; give 1{f' to {most}' if most > 1 else ''}, each of one body or more"
     for body in definition.bodies:
         if body not in bodies:
-            yield f'"{body}" is no body; known: {", ".join(bodies)}'
+            yield f'blocks: "{body}" is no body; known: {", ".join(bodies)}'
 
 
 def _material_problems(bodies: Bodies) -> Iterator[str]:

@@ -538,7 +538,7 @@ def _solids_of_blocks(name: str, definition: BlockMechanism, bodies: Bodies) -> 
     for body in definition.bodies:
         if bodies[body].solid is None:
             raise MechanismError(
-                f'mechanism "{name}": direction = "sweep", but body "{body}" has no geometry; give it a mesh, box or '
+                f'mechanism "{name}": direction = "sweep": body "{body}" has no geometry; give it a mesh, box or '
                 "profile, or give the direction"
             )
     return tuple(solid for block in definition.blocks for solid in solids_of_block(block, bodies))
@@ -582,10 +582,10 @@ def _is_held_at_top(definition: BlockMechanism) -> bool:
 
 def _standing_above_cut(name: str, definition: BlockMechanism, solids: tuple[Solid, ...]) -> StandingBlock:
     """Return the block above its cut, which is the same in every direction."""
-    plane = cut_of(definition, where=f'mechanism "{name}"')
+    plane = cut_of(definition, where=f'mechanism "{name}": cut')
     if plane is None:
         return StandingBlock(solids, lowest_corners(solids))
-    parts = divide(solids, plane, where=f'mechanism "{name}"')
+    parts = divide(solids, plane, where=f'mechanism "{name}": cut')
     return StandingBlock(parts.above, parts.foot, parts.below)
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 from math import inf
 from typing import assert_never
 
@@ -64,7 +65,7 @@ def loads_of(
     alone = {solid.name: solid.mass for solid in count_once(known)}
     shares = {solid.name: alone.get(solid.name, 0.0) / solid.mass for solid in known}
     parts = [
-        _loads_of_entry(number, load, blocks, definition, bodies, shares, find=find)
+        _loads_of_entry(number, load, _at_load(number, blocks), definition, bodies, shares, find=find)
         for number, load in enumerate(definition.loads, start=1)
     ]
     warnings = [each for part in parts for each in part.warnings] + list(overlap_warnings(known))
@@ -83,6 +84,11 @@ def surroundings(load: BodyLoad, blocks: MechanismBlocks, number: int, bodies: B
     others += [solid for place, piece in enumerate(pieces) if place != number for solid in piece.solids]
     fixed = tuple(solid for piece in pieces for solid in piece.fixed)
     return Surroundings(pieces[number].solids, tuple(others), fixed, blocks.along, where=blocks.where)
+
+
+def _at_load(number: int, blocks: MechanismBlocks) -> MechanismBlocks:
+    """Return blocks with the load in the place that errors name."""
+    return replace(blocks, where=f"{blocks.where}: loads[{number}]")
 
 
 def _loads_of_entry(
@@ -116,7 +122,7 @@ def _loads_of_entry(
             return LoadSet((), ())  # it lies wholly in the bodies of loads before it, and pushes nothing
         part = _loads_of_body(load, blocks, definition, bodies, once, find=find)
     else:
-        part = LoadSet((_load_in_plane(number, load, definition.towards),), ())
+        part = LoadSet((_load_in_plane(number, load, definition.towards, where=blocks.where),), ())
     outlines = [piece.body.outline for piece in blocks.pieces]
     _require_end_within_height(part.loads, outlines, where=blocks.where)
     warnings = (
@@ -174,6 +180,8 @@ def _load_in_plane(
     number: int,
     load: MassLoad | ForceLoad | TieLoad,
     direction: Sequence[float],
+    *,
+    where: str,
 ) -> Load:
     """Return a load in the plane of motion, named by its kind and number."""
     name, at = f"{load.kind} {number}", point_in_plane(load.at, direction)
@@ -184,7 +192,7 @@ def _load_in_plane(
             force = _force_in_plane(load, direction)
             return Force(name, force, at, load.block, until=load.until, evidence=load.evidence)
         case TieLoad():
-            return _tie_in_plane(name, load, at, direction)
+            return _tie_in_plane(name, load, at, direction, where=where)
         case _:
             assert_never(load)
 
@@ -198,12 +206,12 @@ def _force_in_plane(load: ForceLoad, direction: Sequence[float]) -> Point:
     return (load.force * along, load.force * up)
 
 
-def _tie_in_plane(name: str, load: TieLoad, at: Point, direction: Sequence[float]) -> Tie:
+def _tie_in_plane(name: str, load: TieLoad, at: Point, direction: Sequence[float], *, where: str) -> Tie:
     """Return a tie in the plane of motion; raise GeometryError if its anchor is then where it holds the block."""
     way = None if load.direction is None else unit_in_plane(load.direction, direction)
     anchor = None if load.anchor is None else point_in_plane(load.anchor, direction)
     if anchor == at:
-        raise GeometryError(f'load "{name}": seen in the plane of motion its anchor is where it holds; move one')
+        raise GeometryError(f"{where}.anchor: seen in the plane of motion it is where the tie holds; move one")
     return Tie(
         name,
         load.force,
@@ -228,7 +236,7 @@ def _require_end_within_height(loads: Sequence[Load], outlines: Sequence[Outline
         height = load.at[1] - min(levels) if levels else inf
         if isinstance(end, float) and end > height > 0.0:
             raise MechanismError(
-                f'{where}: load "{load.name}": until = {end:.4g} m is longer than its point is high above the base of '
+                f"{where}.until = {end:.4g} m: longer than its point is high above the base of "
                 f"what moves, {height:.4g} m; give the displacement at which it ends"
             )
 

@@ -134,7 +134,7 @@ def blocks_at(elevation: float, name: str, definition: TwoBlock, whole: Piece) -
 
     Raises CrackError where the crack does not lie in the wall.
     """
-    parts = divide(whole.solids, level_plane(elevation), where=f'mechanism "{name}", crack')
+    parts = divide(whole.solids, level_plane(elevation), where=f'mechanism "{name}": crack')
     if not parts.below:
         raise CrackError(f"the crack at z = {elevation:.4g} m is at the foot of the wall; give one above it")
     return _block_below_crack(parts, whole, definition.towards), piece_above_cut(parts, definition.towards)

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+import re
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import Executor
-from contextlib import suppress
-from dataclasses import dataclass, field, replace
+from contextlib import contextmanager, suppress
+from dataclasses import dataclass, field, fields, replace
 from functools import partial
 from pathlib import Path
 from typing import Protocol
@@ -16,7 +17,7 @@ from assess.codes.asce43_05 import VERTICAL_RATIO
 from assess.codes.context import Building
 from assess.codes.verdict import falling_message
 from assess.dynamics.packing import Equation
-from assess.errors import FallingError, Faults, ProjectError, locate_errors
+from assess.errors import AssessError, FallingError, Faults, ProjectError, locate_errors
 from assess.geometry.mesh import MeshesBySelection
 from assess.geometry.solid import Solid, scale_density
 from assess.loads.load import bodies_of as loading_bodies
@@ -31,7 +32,7 @@ from assess.model.walls import stands_on_masonry
 from assess.project import sections
 from assess.project.input_messages import project_messages
 from assess.project.inputs import FileStates, inputs_of, note_states, refuse_changes
-from assess.project.key_errors import value_text
+from assess.project.key_errors import key_text, value_text
 from assess.project.keys import KeySweep, ProjectVariant, Setting, dependents, read_case
 from assess.project.overrides import replace_values, replaceables_of
 from assess.project.project_file import Project, resolve
@@ -289,8 +290,24 @@ def _gather_mechanism_faults(content: sections.Content, solids: Mapping[str, Sol
         moved = definition.bodies if isinstance(definition, BlockMechanism) else ()
         loads = definition.loads if isinstance(definition, BlockMechanism) else ()
         if set(solids).issuperset((*moved, *(body for load in loads for body in loading_bodies(load)))):
-            with faults.gather(), suppress(FallingError):
+            with faults.gather(), suppress(FallingError), _errors_at(name, definition):
                 mechanism_in_direction(name, definition, sound)
+
+
+@contextmanager
+def _errors_at(name: str, definition: Definition) -> Iterator[None]:
+    """Name the key of a mechanism, as the file has it, in errors of the model, which names the mechanism."""
+    try:
+        yield
+    except FallingError:
+        raise
+    except AssessError as error:
+        key, text = key_text(("mechanisms", name)), str(error).removeprefix(f'mechanism "{name}": ')
+        if not text.startswith(key):
+            below = re.match(r"(\w+)[^ ]*( =|:) ", text)
+            of_its_own = below is not None and below[1] in {each.name for each in fields(definition)}
+            text = f"{key}{'.' if of_its_own else ': '}{text}"
+        raise type(error)(text) from None
 
 
 def _deciding_study(
@@ -342,7 +359,7 @@ def _study_of_mechanisms(
     faults = Faults()
     for name, section in chosen.items():
         try:
-            with faults.gather(besides=(FallingError,)):
+            with faults.gather(besides=(FallingError,)), _errors_at(name, definitions[name]):
                 built[name] = known.get(name) or built_by(name, definitions[name], bodies)
         except FallingError as error:
             if not may_fall:
@@ -351,6 +368,10 @@ def _study_of_mechanisms(
             falling.append(FallingMechanism(name, section.label, section.kind, error.multiplier, reason))
     faults.raise_all()
     chosen = {name: chosen[name] for name in built}
+    heights = {}
+    for name, section in chosen.items():
+        with _errors_at(name, definitions[name]):  # here a mechanism is first placed on its joints
+            heights[name] = ground_mechanism(section, built[name].mechanism, ground)
     in_place = {
         name: MechanismInPlace(
             name=name,
@@ -378,7 +399,7 @@ def _study_of_mechanisms(
         scan=content.analysis.scan,
         question=question,
         facts=facts_of(content, question, tuple(chosen), files.spectrum, solids=files.solids),
-        heights={name: ground_mechanism(section, built[name].mechanism, ground) for name, section in chosen.items()},
+        heights=heights,
         on_masonry={
             name: stands_on_masonry(definition, bodies)
             for name, definition in definitions.items()

@@ -221,7 +221,7 @@ def test_a_word_that_is_no_direction_is_refused(tmp_path: Path) -> None:
 def test_a_body_without_geometry_has_no_other_direction(tmp_path: Path) -> None:
     text = swept("").replace('material = "m"', "mass = 9\ncentroid = [0, 2]\ninertia = 9")
     (tmp_path / "project.toml").write_text(text)
-    with pytest.raises(MechanismError, match=r'direction = "sweep", but body "tower" has no geometry'):
+    with pytest.raises(MechanismError, match=r'direction = "sweep": body "tower" has no geometry'):
         build(load(tmp_path))
 
 

@@ -313,7 +313,7 @@ def test_crushed_at_rest(tmp_path):
         tmp_path, STONE, SINGLE, 'interface = { model = "flexible", stiffness = 2e8, strength = "0.1 MPa" }'
     )
     most = 1800 * 6 * g / 0.1e6
-    assert 'mechanism "wall", interface A: its normal force' in text
+    assert "mechanisms.wall: interface A: its normal force" in text
     assert f"{most:.4g} times what it can carry" in text
     assert "more strength or area" in text
 

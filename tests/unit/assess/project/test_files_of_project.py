@@ -93,6 +93,6 @@ def test_faults_of_bodies_and_mechanisms_are_told_at_once(house: Path) -> None:
     assert [line.removeprefix(f"{project.path}: ").split(":")[0] for line in lines] == [
         'body "floor"',
         'body "roof"',
-        'mechanism "gable"',
+        "mechanisms.gable.cut",
     ]
     assert lines[0].endswith("did you mean Upper floor? (and 2 more)")

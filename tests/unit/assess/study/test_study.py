@@ -11,7 +11,7 @@ import pytest
 from scipy.constants import g
 
 from assess.amplification import BaseMotion
-from assess.errors import GeometryError, MechanismError, ProjectError
+from assess.errors import AssessError, GeometryError, MechanismError, ProjectError
 from assess.project.build import build
 from assess.project.project_file import load
 from assess.study.histories import RockingCase, scan_levels
@@ -27,6 +27,7 @@ from tests.support.projects import block, lines, project_toml, wall
 
 ASCE = 'code = "asce7-16"\ns_ds = "0.5 g"\ns_d1 = "0.2 g"\nt_l = 6'
 QUIET = 'files = ["a.csv", "b.csv"]'
+SOFT = 'interface = { model = "flexible", '
 
 
 def as_they_are(motions):
@@ -340,12 +341,20 @@ def test_a_cut_that_slopes_across_the_motion_is_pointed_out(tmp_path):
 @pytest.mark.parametrize(
     ("mechanism", "words"),
     [
-        ('cut = "9 m"', r'project\.toml: mechanism "m": the cut at z = 9 m misses the body, which ends at z = 4\.5 m'),
-        ("cut = { point = [0, 0, 1], normal = [1, 0, 0] }", "give one that points up"),
+        (
+            'cut = "9 m"',
+            r"project\.toml: mechanisms\.m\.cut: the cut at z = 9 m misses the body, .* z = 4\.5 m",
+        ),
+        ("cut = { point = [0, 0, 1], normal = [1, 0, 0] }", r"mechanisms\.m\.cut: .* give one that points up"),
+        ('sides = "one"\nhinges_negative = { A = [0, 0] }', r"mechanisms\.m\.hinges_negative: given with sides"),
+        ('restitution = "sorrentino"', r'mechanisms\.m\.restitution = "sorrentino": not for a single-block'),
+        ("hinges = { A = [0.2, 4.0] }", r"mechanisms\.m: the centroid lies .* check hinges and cut"),
+        (f"{SOFT}stiffness = 1e5 }}", r"mechanisms\.m: it falls by itself: its joints are too soft"),
+        (f'{SOFT}course_thickness = "10 cm" }}', r"mechanisms\.m: interface A: course_thickness needs young_modulus"),
     ],
 )
-def test_cuts_that_cannot_be_are_refused(tmp_path, mechanism, words):
-    with pytest.raises(GeometryError, match=words):
+def test_what_the_model_refuses_is_told_at_its_key(tmp_path, mechanism, words):
+    with pytest.raises(AssessError, match=words):
         study_of(tmp_path, mechanism=mechanism)
 
 
@@ -359,7 +368,7 @@ def test_a_block_of_several_bodies_is_cut_and_one_without_geometry_is_not(tmp_pa
     assert mechanism.positive.blocks[0].mass == pytest.approx(2000 * (0.6 * 4 * 3 + 4), rel=1e-12)
     assert len(mechanism.outlines[0]) == 2
     (tmp_path / "project.toml").write_text(text.replace("[mechanisms.m]", direct + "[mechanisms.m]"))
-    with pytest.raises(GeometryError, match='mechanism "m": body "v" has no geometry to cut'):
+    with pytest.raises(GeometryError, match=r'mechanisms\.m\.cut: body "v" has no geometry to cut'):
         build(load(tmp_path))
 
 

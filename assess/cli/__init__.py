@@ -11,6 +11,7 @@ import gc
 import signal
 import sys
 from collections.abc import Sequence
+from string import ascii_letters
 from typing import NoReturn
 
 from assess.cli.stderr import log_to_stderr
@@ -57,7 +58,9 @@ def main(arguments: list[str] | None = None) -> NoReturn:
 def _refuse_other_digits(arguments: Sequence[str]) -> None:
     """Raise AssessError for a number in other digits than 0 to 9, which would be read without a word."""
     for each in arguments:
-        if any(c.isdecimal() and not c.isascii() for c in each) and _is_number(each.rpartition("=")[2]):
+        joined = each.removeprefix("-").lstrip(ascii_letters)  # -j2, a short option with its value
+        other = any(c.isdecimal() and not c.isascii() for c in each)
+        if other and any(map(_is_number, (each.rpartition("=")[2], joined))):
             raise AssessError(f'"{each:.40}": a number is written with the digits 0 to 9')
 
 

@@ -293,11 +293,11 @@ def select(
     from assess.workers import process_pool
     from records.formats.header import HeaderOverrides
 
-    written = None
+    written, left_out = None, tuple[str, ...]()
     if target is None:
         with progress(), process_pool(jobs) as executor:
             if lock:
-                found, written = lock_project(places[0], table=table, executor=executor)
+                found, written, left_out = lock_project(places[0], table=table, executor=executor)
             else:
                 found = suite_of_project(places[0], executor=executor)
     else:
@@ -315,6 +315,7 @@ def select(
     _print_suite(found, output, as_json=as_json, as_csv=as_csv)
     if written is not None:
         print_note(f'{written} written; [records] lock = "{written.name}" uses it')
+    print_warnings([f"{each}; so the lock has no suite for its site" for each in left_out], of="sites without a suite")
 
 
 def scale(

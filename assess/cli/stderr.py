@@ -34,10 +34,10 @@ def log_to_stderr() -> None:
     LOG.setLevel(USUAL)
 
 
-def print_warnings(warnings: Sequence[str]) -> None:
-    """Print a line for each warning that is not empty, the first few of many."""
+def print_warnings(warnings: Sequence[str], *, of: str = "records with warnings") -> None:
+    """Print a line for each warning that is not empty, the first few of many; of : what the others are."""
     found = [warning for warning in warnings if warning]
-    more = [f"and {len(found) - MAX_LINES} more records with warnings"] if len(found) > MAX_LINES else []
+    more = [f"and {len(found) - MAX_LINES} more {of}"] if len(found) > MAX_LINES else []
     for text in (*found[:MAX_LINES], *more):
         LOG.warning("assess: warning: %s", escape_text(text))
 

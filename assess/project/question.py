@@ -385,6 +385,7 @@ def _conditions(content: sections.Content, name: str) -> tuple[Message, ...]:
     tied = (load.body for load in loads if load.kind == "body" and load.tied)
     return (
         *_unexamined_below_cut(content, name),
+        *_not_drawn(content, name),
         *(message("thrust-is-tied", {"what": body}, severity=Severity.WARNING) for body in tied),
     )
 
@@ -401,6 +402,20 @@ def _unexamined_below_cut(content: sections.Content, name: str) -> Iterator[Mess
     bodies = [body for block in section.blocks for body in block if body not in from_their_base]
     if bodies and not content.report.source_of(f"mechanisms.{name}.cut"):
         yield message("examined-above-cut", {"bodies": ", ".join(bodies)}, severity=Severity.WARNING)
+
+
+def _not_drawn(content: sections.Content, name: str) -> Iterator[Message]:
+    """Yield the condition that what a mechanism by values alone states is so: nothing drawn shows it, and no source."""
+    section = content.mechanisms[name]
+    if isinstance(section, sections.ChainSection):
+        bodies = dict.fromkeys(chain(*section.blocks))
+        by_values = [each for each in bodies if isinstance(content.bodies[each], sections.DirectBody)]
+        stated = [f"bodies.{body}.{key}" for body in by_values for key in ("mass", "centroid", "inertia")]
+        stated += [f"mechanisms.{name}.hinges"] if by_values else []
+    else:
+        stated = [f"mechanisms.{name}.{key}" for key in ("p", "uplift", "radius", "elevation")]
+    if keys := [key for key in stated if not content.report.source_of(key)]:
+        yield message("not-drawn", {"keys": ", ".join(keys)}, severity=Severity.WARNING)
 
 
 def procedures_of(content: sections.Content) -> tuple[str, ...]:

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from concurrent.futures import Executor
-from contextlib import suppress
 from dataclasses import dataclass, replace
 from math import isnan
 from pathlib import Path
@@ -12,7 +11,7 @@ from typing import Any, get_args
 
 from assess.errors import AssessError
 from assess.messages.message import Message
-from assess.portfolio.projects import find_tasks, project_tree
+from assess.portfolio.projects import find_tasks, project_tree, row_fault
 from assess.project.build import build
 from assess.project.project_file import Project, load, load_tree
 from assess.project.record_set import horizontal_records, overrides_of
@@ -92,7 +91,7 @@ def suite_of_project(path: Path, *, executor: Executor | None = None) -> ScaledS
 
 def lock_project(
     path: Path, *, table: Path | None = None, executor: Executor | None = None
-) -> tuple[ScaledSuite, Path]:
+) -> tuple[ScaledSuite, Path, tuple[str, ...]]:
     """Write the lock of a project: its records as [records] finds, makes and scales them, whatever its lock says.
 
     Parameters
@@ -104,7 +103,8 @@ def lock_project(
 
     Returns
     -------
-    The suite, and the lock: the file of [records] lock, or records.lock.toml beside the project file
+    The suite; the lock, the file of [records] lock, or records.lock.toml beside the project file; and what is wrong
+    with the rows of the sites that have no suite in it
 
     Raises
     ------
@@ -116,11 +116,13 @@ def lock_project(
         raise AssessError(f"{project.path}: records.files: missing; add what the lock is to be made of, or `synthetic`")
     lock = given.lock or project.folder / LOCK_NAME
     found, suite = _found_suite(project, lock.parent, executor=executor)
-    suites = {suite.target: suite}
-    for each in () if table is None else _suites_of_rows(table, project.path, lock.parent, executor=executor):
-        suites.setdefault(each.target, each)
+    suites, left_out = {suite.target: suite}, tuple[str, ...]()
+    if table is not None:
+        of_rows, left_out = _suites_of_rows(table, project.path, lock.parent, executor=executor)
+        for each in of_rows:
+            suites.setdefault(each.target, each)
     write_lock(lock, lock_text(*suites.values()))
-    return found, lock
+    return found, lock, left_out
 
 
 def _found_suite(project: Project, place: Path, *, executor: Executor | None) -> tuple[ScaledSuite, LockedSuite]:
@@ -145,15 +147,29 @@ def _found_suite(project: Project, place: Path, *, executor: Executor | None) ->
     return _suite_of(study, motions), locked
 
 
-def _suites_of_rows(table: Path, template: Path, place: Path, *, executor: Executor | None) -> Iterator[LockedSuite]:
-    """Yield the suite of each site that the rows of a table have, found with the first of its rows that has one."""
+def _suites_of_rows(
+    table: Path, template: Path, place: Path, *, executor: Executor | None
+) -> tuple[list[LockedSuite], tuple[str, ...]]:
+    """Return the suite of each site that the rows of a table have, found with the first of its rows that has one.
+
+    And what is wrong with the first row of each site of which no row has one.
+    """
+    found: list[LockedSuite] = []
     done: list[Any] = []
+    faults: list[tuple[Any, str]] = []
     for task in find_tasks(table, template):
-        with suppress(AssessError, RecordError, SpectrumError):  # what is wrong with a row its batch tells
+        site: Any = task  # where its row cannot be read, nobody knows its site
+        try:
             tables = project_tree(task)
-            if tables.get("site") not in done:
-                yield _found_suite(load_tree(tables, template, sha256=task.sha256), place, executor=executor)[1]
-                done.append(tables.get("site"))
+            site = tables.get("site")
+            if site not in done:
+                found.append(_found_suite(load_tree(tables, template, sha256=task.sha256), place, executor=executor)[1])
+                done.append(site)
+        except (AssessError, RecordError, SpectrumError) as error:
+            faults.append((site, row_fault(task, str(error))))
+    sites = [site for site, _ in faults]
+    left_out = (fault for number, (site, fault) in enumerate(faults) if site not in (*done, *sites[:number]))
+    return found, tuple(left_out)
 
 
 def lock_target(target: Path, found: SelectedSuite) -> Path:

@@ -63,6 +63,14 @@ PORTAL: Tables = {
     "direction": [1, 0, 0],
     "hinges": {"A": [0.2, 0.0], "B": [-0.2, 4.5], "C": [2.8, 4.5], "D": [3.2, 0.0]},
 }
+PUBLISHED: Tables = {
+    "kind": "equivalent-block",
+    "p": 1.6,
+    "uplift": 0.07,
+    "radius": 2.84,
+    "elevation": 0.0,
+    "disintegration": "excluded",
+}
 PROJECTS: dict[str, Tables] = {
     "ntc-wall": _project("ntc2018", ITALY, {"wall": _block(sides="one", loads=[FLOOR, TIE])}, **STATIC),
     "ntc-free": _project("ntc2018", ITALY, {"wall": _block()}, **STATIC),
@@ -88,8 +96,8 @@ PROJECTS: dict[str, Tables] = {
     "ntc-tabled": _project(
         "ntc2018",
         ITALY,
-        {"wall": {"kind": "equivalent-block", "p": 1.6, "uplift": 0.07, "radius": 2.84, "disintegration": "excluded"}},
-        report={"sources": {"mechanisms.wall.disintegration": SURVEY}},
+        {"wall": {**PUBLISHED}},
+        report={"sources": {f"mechanisms.wall.{key}": SURVEY for key in PUBLISHED if key != "kind"}},
     ),
     "dmi-wall": _project("dmi2008", ITALY, {"wall": _block(sides="one", loads=[FLOOR])}),
     "nz-wall": _project("nzsee2017", ZEALAND, {"wall": _block(loads=[FLOOR])}, verdict=NBS, building=OF_LEVEL_2),

@@ -36,8 +36,9 @@ def test_a_wrong_command_is_told_in_plain_words(typed: str, told: str) -> None:
 def test_a_number_in_other_digits_is_refused(typed: str, capsys: pytest.CaptureFixture[str]) -> None:
     assert ended("run", "x", "--jobs", typed) == 2
     assert f'"{typed}": a number is written with the digits 0 to 9' in capsys.readouterr().err
-    assert ended("run", "x", f"--jobs={typed}") == 2
-    assert "a number is written with the digits 0 to 9" in capsys.readouterr().err
+    for joined in (f"--jobs={typed}", f"-j{typed}", f"-vj{typed}"):
+        assert ended("run", "x", joined) == 2
+        assert f'"{joined}": a number is written with the digits 0 to 9' in capsys.readouterr().err
 
 
 def _commands(group, names=()):

@@ -57,7 +57,7 @@ def test_what_is_measured_and_helps_either_way_has_a_range_or_something_in_its_p
 CASE = "it is the case itself, which somebody else states: the drawing, or the hazard of the site"
 HELD = "it is held against something else, and a pass is incomplete, or has a condition, where it does not fit"
 TARGET = "it sets what is compared with the index, which page 1 prints beside it"
-PUBLISHED = "the parameters of a published mechanism are the case, and a pass of one says so"
+PUBLISHED = "nothing is drawn that gives another, and a pass without a source has that as condition"
 TABLE = "its whole table is left out: the outline of the mesh counts in place of the shape"
 SHARED_FATE = "alone it vouches for nothing: what it is the reason or source of is replaced with it"
 RISK = "it bears on fragility and risk, of which no verdict asks"
@@ -68,7 +68,7 @@ MAY_STAND = {
         *("site.spectrum.hazard[].return_period", "site.spectrum.hazard[].a_g", "site.spectrum.hazard[].t_c_star"),
         *("site.spectrum.a_g (ec8, ntc)", "site.spectrum.z (nzs1170.5)", "site.spectrum.t_c_star (ntc)"),
         *("site.spectrum.topography (ntc, hazard)", "building.storeys", "bodies.NAME.box.thickness"),
-        *("bodies.NAME.box.height", "mechanisms.NAME.elevation (equivalent-block)"),
+        "bodies.NAME.box.height",
     ),
     HELD: (
         *("site.spectrum.return_period (nzs1170.5)", "site.spectrum.nominal_life (hazard)", "site.return_period"),
@@ -78,7 +78,7 @@ MAY_STAND = {
         *("mechanisms.NAME.disintegration (equivalent-block)", "records.select.count", "records.synthetic.count"),
     ),
     TARGET: ("verdict.works", "verdict.upgrading", "verdict.target_nbs"),
-    PUBLISHED: tuple(f"mechanisms.NAME.{key} (equivalent-block)" for key in ("p", "uplift", "radius")),
+    PUBLISHED: tuple(f"mechanisms.NAME.{key} (equivalent-block)" for key in ("p", "uplift", "radius", "elevation")),
     TABLE: tuple(
         f"mechanisms.NAME.{joint}.shape.{form}"
         for joint in ("interface", "interfaces.NAME")

@@ -462,3 +462,43 @@ def test_a_modulus_that_gives_the_first_mode_needs_its_source() -> None:
 def study_of_tables(tables: dict[str, Any]) -> Study:
     """Return the study of a project."""
     return build_to_decide(load_tree(copy.deepcopy(tables), Path("project.toml"), sha256=""))
+
+
+VALUES = {"mass": "8000 kg", "centroid": [0.0, 2.25], "inertia": "14000 kg*m^2", "disintegration": "excluded"}
+BY_VALUES: dict[str, Any] = {
+    "bodies": {"wall": VALUES},
+    "mechanisms": {"wall": {"kind": "single-block", "blocks": ["wall"], "sides": "one", "hinges": {"A": [2.0, 0.0]}}},
+    "report": {"sources": {"bodies.wall.disintegration": TESTED}},
+}
+TABLED: dict[str, Any] = {
+    "mechanisms": {
+        "wall": {"kind": "equivalent-block", "p": 1.6, "uplift": 0.6, "radius": 2.84, "disintegration": "excluded"}
+    },
+    "report": {"sources": {"mechanisms.wall.disintegration": TESTED}},
+}
+
+
+@pytest.mark.parametrize(
+    ("given", "vouched", "left"),
+    [
+        (BY_VALUES, (), ["bodies.wall.mass", "bodies.wall.centroid", "bodies.wall.inertia", "mechanisms.wall.hinges"]),
+        (BY_VALUES, ("bodies.wall",), ["mechanisms.wall.hinges"]),
+        (BY_VALUES, ("bodies.wall", "mechanisms.wall.hinges"), []),
+        (TABLED, (), [f"mechanisms.wall.{key}" for key in ("p", "uplift", "radius", "elevation")]),
+        (
+            TABLED,
+            ("mechanisms.wall.p", "mechanisms.wall.uplift", "mechanisms.wall.radius"),
+            ["mechanisms.wall.elevation"],
+        ),
+    ],
+)
+def test_a_mechanism_by_values_alone_passes_on_the_condition_that_they_are_so(
+    given: dict[str, Any], vouched: tuple[str, ...], left: list[str]
+) -> None:
+    """A hinge 2 m in front of a centroid is held against no outline."""
+    tables = copy.deepcopy(PROJECTS["ntc-free"]) | copy.deepcopy(given)
+    tables["report"]["sources"] |= dict.fromkeys(vouched, TESTED)
+    found = verdict_on(tables)
+    assert found.outcome == Decision.PASS
+    told = [each.text.partition(": ")[2] for each in found.conditions if each.key == "not-drawn"]
+    assert told == ([", ".join(left)] if left else [])

@@ -11,8 +11,9 @@ import shapely
 from numpy.typing import NDArray
 
 from assess.geometry.boolean import intersect
-from assess.geometry.solid import THINNEST, Solid, remember
+from assess.geometry.solid import THINNEST, Solid
 from assess.geometry.surface import area_vectors, areas_and_normals
+from assess.memory import remember
 from spectra.arrays import FloatArray, IntArray
 
 CONTACT_TOLERANCE = 0.01  # m: faces this near each other touch; joints are as thick, and drawings no better

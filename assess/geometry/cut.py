@@ -13,8 +13,9 @@ from numpy.typing import ArrayLike
 from assess.errors import GeometryError
 from assess.geometry.boolean import split
 from assess.geometry.planar import BASE_TOLERANCE, PlanarBody
-from assess.geometry.solid import THINNEST, Solid, polyhedron, remember
+from assess.geometry.solid import THINNEST, Solid, polyhedron
 from assess.geometry.surface import Surface
+from assess.memory import remember
 from spectra.arrays import FloatArray, IntArray
 
 FLATTEST = 1e-6  # vertical part of a unit normal: below this a plane is upright and has no side above

@@ -12,11 +12,10 @@ products are the positive integrals).
 
 from __future__ import annotations
 
-from collections.abc import Callable, Hashable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property
 from itertools import combinations_with_replacement
-from typing import Annotated, Any, TypeVar
+from typing import Annotated, Any
 
 import numpy as np
 import shapely
@@ -29,7 +28,6 @@ from assess.messages.message import Message
 from assess.short_repr import ShortRepr
 from spectra.arrays import FloatArray, IntArray, is_number
 
-T = TypeVar("T")
 THINNEST = 1e-12  # volume / (size of the body)^3, area / size^2: below this a body is rounding, not masonry
 
 
@@ -55,30 +53,6 @@ class Solid(ShortRepr):
     vertices: FloatArray
     triangles: IntArray
     history: tuple[Message, ...] = ()
-
-    @cached_property
-    def answers(self) -> dict[tuple[Hashable, ...], tuple[Sequence[Solid], Any]]:
-        """What `remember` keeps of this body, by what was asked, with the bodies that it was asked of."""
-        return {}
-
-
-def remember(solids: Sequence[Solid], asked: tuple[Hashable, ...], find: Callable[[], T]) -> T:
-    """Return what has been found of bodies, found once as long as the first of them lives.
-
-    A study builds a mechanism anew for each value that it varies, mostly of the same bodies.
-
-    Parameters
-    ----------
-    solids : the bodies, at least one; they are known by identity
-    asked : what is asked of them
-    find : finds it
-    """
-    answers, key = solids[0].answers, (*asked, *map(id, solids))
-    kept = answers.get(key)
-    if kept is None or any(one is not other for one, other in zip(kept[0], solids, strict=True)):
-        kept = answers[key] = tuple(solids), find()
-    found: T = kept[1]
-    return found
 
 
 Solids = Mapping[str, Solid | None]

@@ -20,6 +20,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, fields, replace
+from functools import cache, partial
+from hashlib import sha256
 from math import inf, isclose, isfinite, isinf, log
 from typing import Literal, TypeVar
 
@@ -33,6 +35,7 @@ from assess.dynamics.history import Jobs, Peaks, make_solver, peaks, trace
 from assess.dynamics.packing import Equation
 from assess.dynamics.pulses import Envelope
 from assess.mechanisms.mechanism import Mechanism
+from assess.memory import remember
 from assess.oscillator import Branch, BranchName, Oscillator, elastic_frequency, linear_multiplier
 from assess.results import (
     HistoryResult,
@@ -291,7 +294,11 @@ def level_solver(case: RockingCase, motions: Sequence[ScaledRecord], *, site_pga
     factors = np.array([motion.scaling.factor for motion in motions])
     records = [at_base.record for at_base in case.base]
     polarity, oscillator_number = run_variants(case)
-    run = variant_solver(case, records, threads=threads)
+    solver = cache(partial(variant_solver, case, records, threads=threads))
+    digest = sha256(factors.tobytes() + TWIN_FACTORS.tobytes())
+    for record in records:
+        digest.update(np.float64(record.dt).tobytes() + record.acceleration.tobytes())
+    same = (case.equation, case.rebounds, site_pga, digest.digest())
 
     def jobs(levels: FloatArray, records: IntArray, variant: IntArray, runs: FloatArray) -> Jobs:
         """Return the jobs of records at levels in one variant each [n], in every run [n, runs]."""
@@ -300,6 +307,11 @@ def level_solver(case: RockingCase, motions: Sequence[ScaledRecord], *, site_pga
         return Jobs(oscillator, motion, scale.ravel())
 
     def solve(levels: Sequence[float], twins: Twins) -> LevelPeaks:
+        asked = (*same, tuple(levels), twins)
+        return remember((case.oscillator, *case.others), asked, lambda: solve_anew(levels, twins))
+
+    def solve_anew(levels: Sequence[float], twins: Twins) -> LevelPeaks:
+        run = solver()
         shape = (len(levels), len(motions), polarity.size)
         level, record, variant = (each.ravel() for each in np.indices(shape))
         pga = np.asarray(levels)[level]

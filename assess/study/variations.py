@@ -187,8 +187,9 @@ def mechanisms_beside_cases(sweeps: Sequence[Sweep]) -> set[str]:
 def in_case(study: Study, results: Sequence[MechanismResult]) -> Iterator[MechanismInCase]:
     """Yield the mechanisms of a study with the verdict of each, and their checks marked by it."""
     decided = decide(study, results)
-    for result, mechanism_verdict in zip(results, decided.mechanisms, strict=True):
-        yield MechanismInCase(mark_result(decided, study.question, result), mechanism_verdict)
+    verdicts = {each.mechanism: each for each in decided.mechanisms}  # those of mechanisms that fall among them
+    for result in results:
+        yield MechanismInCase(mark_result(decided, study.question, result), verdicts[result.name])
 
 
 def case_messages(swept: MechanismSweep) -> Iterator[Message]:

@@ -8,7 +8,8 @@ from scipy.spatial import ConvexHull
 from scipy.spatial.transform import Rotation
 
 from assess.errors import GeometryError
-from assess.geometry.solid import box, join, polyhedron, profile, remember
+from assess.geometry.solid import box, join, polyhedron, profile
+from assess.memory import remember
 from tests.support.solids import assert_same_mass, irregular_tower
 
 DENSITY = 2240.0

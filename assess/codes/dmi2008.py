@@ -16,6 +16,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import partial
+from typing import Annotated, Literal
 
 import numpy as np
 
@@ -41,6 +42,7 @@ from assess.codes.italian_histories import (
     required_pga,
 )
 from assess.codes.italian_limit_states import (
+    FURTHER_STATES,
     BranchCurves,
     Demands,
     Floor,
@@ -58,6 +60,7 @@ from assess.codes.pga_rotation import (
     to_equivalent_blocks,
     to_pga_curve,
 )
+from assess.declaration import Several
 from assess.messages.message import Quantity, Term, message
 from assess.oscillator import Branch, BranchName, Oscillator, displacement, participation_ratio, threshold
 from spectra.arrays import FloatArray
@@ -75,6 +78,16 @@ DAMPING = 0.05  # of every ordinate: the clauses know no other
 ULTIMATE = 0.4  # d_u* / d_0*, and d_s* / d_u* (C8A.4.2.2)
 DISPLACEMENT_LIMIT = kinematic.DisplacementLimit(ULTIMATE, breaks=False, clause="C8A.4.2.2")
 LINEAR_CLAUSE = "C8A.4.2.1"
+
+
+@dataclass(frozen=True)
+class Dmi2008Options(ItalianOptions):
+    """Options of the Italian procedure of DM 2008 with Circolare 617/2009."""
+
+    limit_states: Annotated[tuple[Literal["SLD", "SLV"], ...], Several(1, unlike="limit state"), FURTHER_STATES] = (
+        "SLV",
+    )
+    """limit states to check: "SLD" by dmi2008-linear, "SLV" by all"""
 
 
 def assess_linear(oscillator: Oscillator, context: Context, *, options: ItalianOptions) -> tuple[Check, ...]:

@@ -13,14 +13,16 @@ strength of the masonry is not in the multiplier, FC is that of LC1 whatever the
 from __future__ import annotations
 
 from collections.abc import Callable, Container, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from math import exp, log
+from typing import Annotated, Literal
 
 import numpy as np
 
 from assess.codes.calculation_sheet import Bound, Step, step
 from assess.codes.check import Check, InputAt, Outcome, branch_of, worst_branch_check
 from assess.codes.context import Context, SiteHazard
+from assess.declaration import Evidence, Name, NotAKey, Number, Safe
 from assess.messages.message import Quantity, message
 from assess.oscillator import BRANCH_NAMES, Branch, BranchName, LocalLimit, Oscillator
 from spectra.floor import first_mode_factor
@@ -43,18 +45,30 @@ class ItalianEdition:
     confidence: str
 
 
+KnowledgeLevel = Literal["LC1", "LC2", "LC3"]
+KNOWLEDGE = Evidence("measured", ("LC1", "LC2", "LC3"), "LC1", safe=Safe.FIRST)
+CONFIDENCE_FACTOR = Evidence(
+    "code", "down", "that of the knowledge level; one below it is for comparison", safe=Safe.ABSENT
+)
+FURTHER_STATES = Evidence(
+    "chosen", "none", '"SLV"', judged="the limit states that decide are checked whatever stands here"
+)
+
+
 @dataclass(frozen=True)
 class ItalianOptions:
-    """Options of an edition.
+    """What both Italian procedures may say."""
 
-    confidence_factor : FC [-] in place of that of the level of knowledge; one below it is shown and never decides
-    limit_states : to check
-    behaviour_factor : q of the linear check at SLV [-]
-    """
-
-    confidence_factor: float | None = None
+    knowledge_level: Annotated[KnowledgeLevel | None, KNOWLEDGE] = None
+    """level of knowledge, which gives the confidence factor where crushing is modelled: LC1 1.35, LC2 1.20, LC3 1.00;
+    1.35 wherever it is not"""
+    knowledge_levels: Annotated[Mapping[Name, KnowledgeLevel], KNOWLEDGE] = field(default_factory=dict)
+    """{ MECHANISM = "LC2" }: of single mechanisms, in place of knowledge_level"""
+    confidence_factor: Annotated[float, Number("ratio", least=1), CONFIDENCE_FACTOR] | None = None
+    """FC in place of the code's: a larger one decides, a lower one is shown for comparison"""
     limit_states: tuple[str, ...] = ("SLV",)
-    behaviour_factor: float = 2.0
+    """limit states to check"""
+    behaviour_factor: Annotated[float, NotAKey()] = 2.0  # q of the linear check at SLV
 
     def requested_states(self, known: Container[str]) -> tuple[str, ...]:
         """Return the limit states requested that a procedure knows."""

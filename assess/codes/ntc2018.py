@@ -7,9 +7,10 @@ at SLV or SLC (C8.7.1.2.1.6, .8). Non-linear dynamic: no record beyond d0*, the 
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
 from functools import partial
+from typing import Annotated, Literal
 
 import numpy as np
 
@@ -27,17 +28,42 @@ from assess.codes.italian_histories import (
     required_pga,
 )
 from assess.codes.italian_limit_states import (
+    FURTHER_STATES,
     Demands,
     ItalianOptions,
     LimitStateCase,
     check_each_limit_state,
 )
+from assess.declaration import Evidence, Name, PositiveTime, Range, Safe, Several, Tried
 from assess.messages.message import Quantity, Term, message
 from assess.oscillator import Oscillator
 from spectra.damping import ec8_eta
 from spectra.floor import PLATEAU
 
 LINEAR_CLAUSES = {"SLD": "C8.7.1.2.1.5", "SLV": "C8.7.1.2.1.7"}
+
+
+FREE_PERIOD = Evidence(
+    "measured",
+    "either",
+    "the worst from it to none, rigid before it lifts off",
+    safe=Range((Tried(Safe.ABSENT, "0 s"),), up_to="rigid"),
+)
+
+
+@dataclass(frozen=True)
+class Ntc2018Options(ItalianOptions):
+    """Options of the Italian procedure of NTC 2018 with Circolare 7/2019."""
+
+    limit_states: Annotated[
+        tuple[Literal["SLD", "SLV", "SLC"], ...], Several(1, unlike="limit state"), FURTHER_STATES
+    ] = ("SLV",)
+    """limit states to check: "SLD" by ntc2018-linear, "SLC" by ntc2018-nonlinear and -history, "SLV" by all"""
+    free_periods: Annotated[Mapping[Name, PositiveTime | clauses.FreeElement], FREE_PERIOD] = field(
+        default_factory=dict
+    )
+    """{ MECHANISM = "0.2 s" }: period before uplift of those that vibrate freely, as parapets and pinnacles do; or in
+    place of the period { length, thickness, young_modulus, density, support }"""
 
 
 def assess_linear(oscillator: Oscillator, context: Context, *, options: ItalianOptions) -> tuple[Check, ...]:

@@ -25,6 +25,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from typing import Annotated, Literal
 
 import numpy as np
 
@@ -40,6 +41,7 @@ from assess.codes.italian_kinematic import (
     uplift_pga,
 )
 from assess.codes.italian_limit_states import BranchCurves, Demands, Floor, ItalianEdition, floor_of
+from assess.declaration import Evidence, PositiveDensity, PositiveLength, PositiveStress
 from assess.errors import ProcedureError
 from assess.oscillator import Branch, elastic_frequency, participation_ratio
 from spectra.arrays import FloatArray
@@ -144,30 +146,39 @@ def elastic_branch(moved: float, *, T0: float) -> float:
     return 4 * np.pi**2 * moved / T0**2
 
 
-def free_period(
-    *, length: float, thickness: float, young_modulus: float, density: float, support: str = "cantilever"
-) -> FreePeriod:
+AS_DRAWN = Evidence("drawn", "either", "as drawn")
+CRACKED_MODULUS = Evidence("measured", "either", "as its table, which gives a period before uplift")
+
+
+@dataclass(frozen=True)
+class FreeElement:
+    """A wall that vibrates between its supports before it lifts off: its period follows by C8.7.1.7."""
+
+    length: Annotated[PositiveLength, AS_DRAWN]
+    """height of the wall that is free, like "2 m\""""
+    thickness: Annotated[PositiveLength, AS_DRAWN]
+    """thickness of the wall"""
+    young_modulus: Annotated[PositiveStress, CRACKED_MODULUS]
+    """Young's modulus, reduced for cracks, like "0.8 GPa\""""
+    density: Annotated[PositiveDensity, Evidence("defines", "either", "that of its material")]
+    """density of the masonry"""
+    support: Annotated[Literal["cantilever", "supported"], AS_DRAWN] = "cantilever"
+    """"cantilever", or "supported" at both ends"""
+
+
+def free_period(element: FreeElement) -> FreePeriod:
     """Return T0 = kappa (L/t) L sqrt(W / (E g)) of a wall that vibrates between its supports (C8.7.1.7).
 
-    Parameters
-    ----------
-    length, thickness : L and t [m]
-    young_modulus : E, reduced for cracks [Pa]
-    density : W / g [kg/m3]
-    support : "cantilever" (kappa = 6.2), or "supported" at both ends (2.2)
-
-    Returns
-    -------
-    FreePeriod
+    kappa is 6.2 for a cantilever, 2.2 where it is supported at both ends.
     """
-    kappa = KAPPA[support]
-    value = float(kappa * length**2 / thickness * np.sqrt(density / young_modulus))
+    kappa, L, t = KAPPA[element.support], element.length, element.thickness
+    value = float(kappa * L**2 / t * np.sqrt(element.density / element.young_modulus))
     inputs: Given = {
         "κ": kappa,
-        "L": (length, "m"),
-        "t": (thickness, "m"),
-        "ρ": (density, "kg/m3"),
-        "E": (young_modulus, "Pa"),
+        "L": (L, "m"),
+        "t": (t, "m"),
+        "ρ": (element.density, "kg/m3"),
+        "E": (element.young_modulus, "Pa"),
     }
     return FreePeriod(value, "κ L² / t √(ρ / E)", inputs, "ρ = W / g")
 

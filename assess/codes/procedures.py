@@ -19,11 +19,17 @@ from assess.codes.asce43_05 import ASCE43_05_SPECTRUM, ASCE43_05_SPECTRUM_THESIS
 from assess.codes.asce43_05_history import ASCE43_05_HISTORY
 from assess.codes.check import Check, CodeProcedure, Family, Outcome, Premise, Reason, reason_message
 from assess.codes.context import Context
-from assess.codes.dmi2008 import DMI2008_HISTORY, DMI2008_LINEAR, DMI2008_NONLINEAR, DMI2008_NONLINEAR_THESIS
+from assess.codes.dmi2008 import (
+    DMI2008_HISTORY,
+    DMI2008_LINEAR,
+    DMI2008_NONLINEAR,
+    DMI2008_NONLINEAR_THESIS,
+    Dmi2008Options,
+)
 from assess.codes.en1998_1 import EC8_ELEMENT, Ec8Options
 from assess.codes.histories import SuiteRule
-from assess.codes.italian_limit_states import ItalianOptions, floor_of
-from assess.codes.ntc2018 import NTC2018_HISTORY, NTC2018_LINEAR, NTC2018_NONLINEAR
+from assess.codes.italian_limit_states import floor_of
+from assess.codes.ntc2018 import NTC2018_HISTORY, NTC2018_LINEAR, NTC2018_NONLINEAR, Ntc2018Options
 from assess.codes.nzsee2017 import NZSEE2017_FACE_LOADED, Nzsee2017Options
 from assess.codes.sliding import ASCE43_05_SLIDING, SLIDING, sliding_pga
 from assess.errors import ProcedureError
@@ -63,8 +69,8 @@ class CodeOptions:
     """The options of every code."""
 
     asce43_05: Asce4305Options = field(default_factory=Asce4305Options)
-    dmi2008: ItalianOptions = field(default_factory=ItalianOptions)
-    ntc2018: ItalianOptions = field(default_factory=ItalianOptions)
+    dmi2008: Dmi2008Options = field(default_factory=Dmi2008Options)
+    ntc2018: Ntc2018Options = field(default_factory=Ntc2018Options)
     nzsee2017: Nzsee2017Options = field(default_factory=Nzsee2017Options)
     asce41_13: Asce41Options = field(default_factory=Asce41Options)
     ec8: Ec8Options = field(default_factory=Ec8Options)

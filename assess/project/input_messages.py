@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from assess.codes.bases import BASES
 from assess.codes.check import Family
-from assess.codes.italian_limit_states import LARGEST_FACTOR
+from assess.codes.italian_limit_states import LARGEST_FACTOR, ItalianOptions
 from assess.codes.procedures import KNOWLEDGE_CODES, PROCEDURES
 from assess.codes.question import methods_of
 from assess.dynamics.packing import Equation
@@ -126,7 +126,7 @@ def _first_mode_messages(content: sections.Content) -> Iterator[Message]:
 
 
 def _crushing_messages(
-    code: str, circular: str, options: sections.Italian, mechanisms: Sequence[Mechanism]
+    code: str, circular: str, options: ItalianOptions, mechanisms: Sequence[Mechanism]
 ) -> Iterator[Message]:
     """Warn of levels of knowledge and factors that have no effect, as the mechanism does not model crushing."""
     without = [mechanism.name for mechanism in mechanisms if not mechanism.crushing]

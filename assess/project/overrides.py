@@ -13,7 +13,7 @@ from functools import cache, partial
 import numpy as np
 
 from assess.codes.context import default_period
-from assess.codes.ntc2018_clauses import free_period
+from assess.codes.ntc2018_clauses import FreeElement, free_period
 from assess.codes.procedures import PROCEDURES
 from assess.codes.question import methods_of
 from assess.codes.verdict import SAME_MARGIN
@@ -25,7 +25,7 @@ from assess.project.key_errors import KeyPath, key_text, look_up, value_text
 from assess.project.keys import Setting, dependents, value_at, with_values
 from assess.project.project_file import Project, load_tree
 from assess.project.question import basis_of
-from assess.project.section import ProjectSection
+from assess.project.section import ProjectSection, plain_data
 from assess.study.study import Replaceable, Study, follows_motion
 from spectra.errors import SpectrumError
 
@@ -227,8 +227,8 @@ def _values_of_range(path: KeyPath, safe: Range, content: sections.Content, stud
 
 def _size_of(given: object) -> float | None:
     """Return the number that stands at a key: a period as its element has it, a restitution as of one direction."""
-    if isinstance(given, sections.FreeElement):
-        return free_period(**given.model_dump()).value
+    if isinstance(element := plain_data(given), FreeElement):
+        return free_period(element).value
     one_of_two = getattr(given, "positive", given)
     return float(one_of_two) if isinstance(one_of_two, int | float) else None
 

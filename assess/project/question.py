@@ -6,6 +6,7 @@ Where the project names no procedures, those run whose `default_run` applies at 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import fields, replace
 from itertools import chain
 from pathlib import Path
 
@@ -13,8 +14,7 @@ from assess.codes.bases import BASES, BY_SITE, DESIGN_BASIS, Basis, IndexKind, s
 from assess.codes.check import TABLE_SPECTRUM, Premise
 from assess.codes.context import FreePeriod, SiteHazard
 from assess.codes.en1998_1 import EC8_ELEMENT, IMPORTANCE_FACTORS, REFERENCE_YEARS
-from assess.codes.italian_limit_states import ItalianOptions
-from assess.codes.ntc2018_clauses import free_period
+from assess.codes.ntc2018_clauses import FreeElement, free_period
 from assess.codes.nzsee2017 import NZSEE2017_FACE_LOADED, ULS_YEARS, required_return_factor
 from assess.codes.procedures import KNOWLEDGE_CODES, PROCEDURES, CodeOptions, default_procedures
 from assess.codes.question import SOURCES, Action, Missing, Question, VerdictFacts, methods_of, missing_input
@@ -465,26 +465,19 @@ def with_procedures_run(resolved: Mapping[str, ResolvedValue], content: sections
 def options_of(content: sections.Content) -> CodeOptions:
     """Return the options of every code; the limit states that decide are among theirs."""
     section, deciding = content.procedures, deciding_limit_states(question_of(content, site_pga=0.0))
-    dmi2008, ntc2018 = section.dmi2008, section.ntc2018
-    return CodeOptions(
-        asce43_05=plain_data(section.asce43_05),
-        nzsee2017=plain_data(section.nzsee2017),
-        asce41_13=plain_data(section.asce41_13),
-        ec8=plain_data(section.ec8),
-        dmi2008=ItalianOptions(dmi2008.confidence_factor, _limit_states(dmi2008.limit_states, deciding)),
-        ntc2018=ItalianOptions(ntc2018.confidence_factor, _limit_states(ntc2018.limit_states, deciding)),
-    )
-
-
-def _limit_states(requested: tuple[str, ...], deciding: tuple[str, ...]) -> tuple[str, ...]:
-    return tuple(state for state in ("SLD", "SLV", "SLC") if state in (*requested, *deciding))
+    options = {each.name: plain_data(getattr(section, each.name)) for each in fields(CodeOptions)}
+    for code in KNOWLEDGE_CODES:
+        checked = {*options[code].limit_states, *deciding}
+        states = tuple(state for state in ("SLD", "SLV", "SLC") if state in checked)
+        options[code] = replace(options[code], limit_states=states)
+    return CodeOptions(**options)
 
 
 def knowledge_of(content: sections.Content) -> Mapping[str, Mapping[str, str]]:
     """Return the level of knowledge by mechanism and code; raise ProjectError for an unknown mechanism."""
     found: dict[str, dict[str, str]] = {name: {} for name in content.mechanisms}
     for code in KNOWLEDGE_CODES:
-        section: sections.Italian = getattr(content.procedures, code)
+        section = getattr(content.procedures, code)
         _require_mechanisms(content, f"procedures.{code}.knowledge_levels", section.knowledge_levels)
         for name, levels in found.items():
             level = section.knowledge_levels.get(name, section.knowledge_level)
@@ -498,8 +491,8 @@ def free_periods_of(content: sections.Content) -> Mapping[str, FreePeriod]:
     given = content.procedures.ntc2018.free_periods
     _require_mechanisms(content, "procedures.ntc2018.free_periods", given)
     return {
-        name: free_period(**each.model_dump()) if isinstance(each, sections.FreeElement) else FreePeriod(each)
-        for name, each in given.items()
+        name: free_period(each) if isinstance(each, FreeElement) else FreePeriod(each)
+        for name, each in plain_data(given).items()
     }
 
 

@@ -15,7 +15,7 @@ from assess.codes.asce43_05 import Asce4305Options
 from assess.codes.check import Check, branch_of
 from assess.codes.context import Building, Context, FreePeriod, SiteHazard, StatedFirstMode
 from assess.codes.histories import SuiteResponse
-from assess.codes.ntc2018_clauses import free_period
+from assess.codes.ntc2018_clauses import FreeElement, free_period
 from assess.codes.procedures import CodeOptions, with_options
 from assess.interfaces.contact import JointLaw
 from assess.interfaces.section import rectangle
@@ -101,7 +101,7 @@ def special() -> Iterator[tuple[Mechanism, Context]]:
     stated = {"SLV": StatedFirstMode(0.5, 0.08, "by a model"), "SLC": StatedFirstMode(0.55, 0.09, "by a model")}
     spectra = {state: replace(SPECTRUM, factor=share) for state, share in (("SLD", 0.4), ("SLV", 1.0), ("SLC", 1.3))}
     hazard = SiteHazard(spectra, (50.0, 475.0, 975.0), tuple(each.pga for each in spectra.values()))
-    formed = free_period(length=4.0, thickness=0.3, young_modulus=7e8, density=1800.0)
+    formed = free_period(FreeElement(length=4.0, thickness=0.3, young_modulus=7e8, density=1800.0))
     for period, first in ((0.45, 0.24), (3.0, 0.24), (0.9, 0.5)):
         soft = replace(HOUSE, period=first)
         yield high, replace(context_of(high, None), building=soft, free_period=FreePeriod(period))

@@ -33,7 +33,7 @@ from assess.project.sections.mechanisms import (
     MechanismSection,
     NoAmplification,
 )
-from assess.project.sections.procedures import FreeElement, Italian, VerdictSection
+from assess.project.sections.procedures import VerdictSection
 
 __all__ = [
     "SHARE",
@@ -45,9 +45,7 @@ __all__ = [
     "Content",
     "DirectBody",
     "Fragility",
-    "FreeElement",
     "HingesSection",
-    "Italian",
     "MaterialSection",
     "MechanismSection",
     "MeshBody",

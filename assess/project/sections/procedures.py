@@ -5,34 +5,25 @@ from __future__ import annotations
 from typing import Annotated, Literal, get_args
 
 from pydantic import (
-    Discriminator,
-    Field,
     StrictStr,
-    Tag,
     model_validator,
 )
 
 from assess.codes.asce41_13 import Asce41Options
 from assess.codes.asce43_05 import Asce4305Options
 from assess.codes.bases import BASES
+from assess.codes.dmi2008 import Dmi2008Options
 from assess.codes.en1998_1 import Ec8Options
+from assess.codes.ntc2018 import Ntc2018Options
 from assess.codes.nzsee2017 import Nzsee2017Options
 from assess.codes.procedures import THESIS_READINGS
 from assess.declaration import (
     FREE,
     Evidence,
-    Name,
     NotNegativeLength,
-    Number,
-    PositiveDensity,
-    PositiveLength,
     PositiveRatio,
-    PositiveStress,
-    PositiveTime,
-    Range,
     Safe,
     Several,
-    Tried,
 )
 from assess.project.key_errors import error_at, quote_names
 from assess.project.section import ProjectSection, default_table
@@ -143,100 +134,14 @@ class VerdictSection(ProjectSection, title="VerdictSection"):
         return self
 
 
-KnowledgeLevel = Literal["LC1", "LC2", "LC3"]
-
-
-KNOWLEDGE = Evidence("measured", ("LC1", "LC2", "LC3"), "LC1", safe=Safe.FIRST)
-CONFIDENCE_FACTOR = Evidence(
-    "code", "down", "that of the knowledge level; one below it is for comparison", safe=Safe.ABSENT
-)
-
-
-class Italian(ProjectSection):
-    """What both Italian procedures may say."""
-
-    knowledge_level: Annotated[KnowledgeLevel | None, KNOWLEDGE] = None
-    """level of knowledge, which gives the confidence factor where crushing is modelled: LC1 1.35, LC2 1.20, LC3 1.00;
-    1.35 wherever it is not"""
-    knowledge_levels: Annotated[dict[Name, KnowledgeLevel], KNOWLEDGE] = Field(default_factory=dict)
-    """{ MECHANISM = "LC2" }: of single mechanisms, in place of knowledge_level"""
-    confidence_factor: Annotated[float, Number("ratio", least=1), CONFIDENCE_FACTOR] | None = None
-    """FC in place of the code's: a larger one decides, a lower one is shown for comparison"""
-
-
-FURTHER_STATES = Evidence(
-    "chosen", "none", '"SLV"', judged="the limit states that decide are checked whatever stands here"
-)
-
-
-class Dmi2008(Italian):
-    """Options of the Italian procedure of DM 2008 with Circolare 617/2009."""
-
-    limit_states: Annotated[tuple[Literal["SLD", "SLV"], ...], Several(1, unlike="limit state"), FURTHER_STATES] = (
-        "SLV",
-    )
-    """limit states to check: "SLD" by dmi2008-linear, "SLV" by all"""
-
-
-AS_DRAWN = Evidence("drawn", "either", "as drawn")
-CRACKED_MODULUS = Evidence(
-    "measured",
-    "either",
-    "as its table, which gives a period before uplift",
-)
-
-
-class FreeElement(ProjectSection):
-    """A wall that vibrates between its supports before it lifts off: its period follows by C8.7.1.7."""
-
-    length: Annotated[PositiveLength, AS_DRAWN]
-    """height of the wall that is free, like "2 m\""""
-    thickness: Annotated[PositiveLength, AS_DRAWN]
-    """thickness of the wall"""
-    young_modulus: Annotated[PositiveStress, CRACKED_MODULUS]
-    """Young's modulus, reduced for cracks, like "0.8 GPa\""""
-    density: Annotated[PositiveDensity, Evidence("defines", "either", "that of its material")]
-    """density of the masonry"""
-    support: Annotated[Literal["cantilever", "supported"], AS_DRAWN] = "cantilever"
-    """"cantilever", or "supported" at both ends"""
-
-
-GivenFreePeriod = Annotated[
-    Annotated[PositiveTime, Tag("<time>")] | Annotated[FreeElement, Tag("<element>")],
-    Discriminator(lambda value: "<element>" if isinstance(value, dict | FreeElement) else "<time>"),
-]
-
-
-FREE_PERIOD = Evidence(
-    "measured",
-    "either",
-    "the worst from it to none, rigid before it lifts off",
-    safe=Range((Tried(Safe.ABSENT, "0 s"),), up_to="rigid"),
-)
-
-
-class Ntc2018(Italian):
-    """Options of the Italian procedure of NTC 2018 with Circolare 7/2019."""
-
-    limit_states: Annotated[
-        tuple[Literal["SLD", "SLV", "SLC"], ...],
-        Several(1, unlike="limit state"),
-        FURTHER_STATES,
-    ] = ("SLV",)
-    """limit states to check: "SLD" by ntc2018-linear, "SLC" by ntc2018-nonlinear and -history, "SLV" by all"""
-    free_periods: Annotated[dict[Name, GivenFreePeriod], FREE_PERIOD] = Field(default_factory=dict)
-    """{ MECHANISM = "0.2 s" }: period before uplift of those that vibrate freely, as parapets and pinnacles do; or in
-    place of the period { length, thickness, young_modulus, density, support }"""
-
-
 class Procedures(ProjectSection):
     """Options of the code procedures, one table each."""
 
     asce43_05: Asce4305Options = default_table(Asce4305Options, alias="asce43-05")
     """options of asce43-05-sliding"""
-    dmi2008: Dmi2008 = Field(default_factory=Dmi2008)
+    dmi2008: Dmi2008Options = default_table(Dmi2008Options)
     """options of the procedures dmi2008-…"""
-    ntc2018: Ntc2018 = Field(default_factory=Ntc2018)
+    ntc2018: Ntc2018Options = default_table(Ntc2018Options)
     """options of the procedures ntc2018-…"""
     nzsee2017: Nzsee2017Options = default_table(Nzsee2017Options)
     """options of nzsee2017-face-loaded"""

@@ -141,7 +141,7 @@ def test_edition_of_2008_has_one_limit_state_and_the_same_share():
 
 def test_suites_are_needed_at_the_action_of_each_state_times_fc():
     states, rule = ("SLD", "SLV", "SLC"), ntc2018.HISTORY_RULE
-    given = {"rule": rule, "options": ItalianOptions(None, states), "crushing": True}
+    given = {"rule": rule, "options": ItalianOptions(limit_states=states), "crushing": True}
     spectrum = context(0.0).spectrum
     best = required_pga((0.1, 0.2), None, spectrum, **given, knowledge={"ntc2018": "LC3"})
     assert best == (0.1, 0.2, 0.1, 0.2)

@@ -31,7 +31,7 @@ WALL = equivalent_block("w", p=1.6, uplift=0.2, radius=3.0).oscillator
 
 def italian_checks(procedure="ntc2018-nonlinear", *, state="SLV", factor=None, spectrum=None, building=None, **more):
     used = spectrum or SPECTRA["SLV"]
-    options = ItalianOptions(factor, (state,))
+    options = ItalianOptions(confidence_factor=factor, limit_states=(state,))
     return checks_of(procedure, WALL, context_at(used, (used.pga,), building=building, **more), options)
 
 

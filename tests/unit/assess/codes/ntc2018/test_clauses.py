@@ -53,10 +53,9 @@ def test_elastic_branch(d: float, T0: float, a: float) -> None:
     # kappa L^2 / t sqrt(1800 / 1e9), L = 3 m: 6.2 x 30 x 0.001341641
     [("cantilever", 3.0, 0.249545), ("supported", 3.0, 0.0885483), ("cantilever", 6.0, 0.998181)],
 )
-def test_free_period(support: str, length: float, period: float) -> None:
-    found = ntc2018_clauses.free_period(
-        length=length, thickness=0.3, young_modulus=1e9, density=1800.0, support=support
-    )
+def test_free_period(support, length: float, period: float) -> None:
+    element = ntc2018_clauses.FreeElement(length, thickness=0.3, young_modulus=1e9, density=1800.0, support=support)
+    found = ntc2018_clauses.free_period(element)
     assert found.value == pytest.approx(period, rel=HAND)
 
 

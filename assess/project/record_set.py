@@ -15,6 +15,7 @@ from assess.mechanisms.mechanism import Mechanism
 from assess.messages.message import Message, first_names, note, warning
 from assess.project import sections
 from assess.project.sections.ground_motion import Records
+from assess.project.site_and_structure import fill
 from assess.project.suite_lock import AGAIN, LockedArtificial, LockedChoice, LockedRecord, LockedSuite, read_lock
 from assess.results.provenance import file_sha256
 from assess.study.study import Fitting, GivenFactors, Study
@@ -214,16 +215,7 @@ def files_of_lock(path: Path) -> tuple[Path, ...]:
 
 def _criteria_of_section(section: sections.Records, selection: sections.Select, over: Band) -> SuiteCriteria:
     """Return the criteria of the selection."""
-    return SuiteCriteria(
-        count=selection.count,
-        band=over,
-        filters=selection.plain,
-        scale_limits=selection.scale_limits,
-        one_per_event=selection.one_per_event,
-        fit=selection.fit,
-        components=selection.components,
-        scale_to=section.scale_to,
-    )
+    return fill(SuiteCriteria, selection, band=over, filters=selection.plain, scale_to=section.scale_to)
 
 
 def _locked_record(one: LockedRecord, *, path: Path, folder: Path) -> Record:

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
-from itertools import combinations, groupby
+from itertools import combinations, groupby, product
 from math import inf
 from typing import Any
 
@@ -152,16 +152,19 @@ OVERLAP_WARNED = 5e-3  # of the smaller body's volume: bodies that share less ar
 SAME_PLACE = 0.1  # of the smaller body's volume: a body that shares more with a block is another state of it
 
 
-def overlap_warnings(bodies: Sequence[Solid]) -> Iterator[Message]:
+def overlap_warnings(bodies: Sequence[Solid], *, built_into: Sequence[Solid] = ()) -> Iterator[Message]:
     """Warn of each pair of bodies that overlap where they move as one: their common volume counts once (`count_once`).
 
     Parameters
     ----------
     bodies : any number
+    built_into : others, into which these may be drawn by a tenth, as the ends of a floor are
     """
-    for one, other in combinations(bodies, 2):
+    pairs = [(pair, OVERLAP_WARNED) for pair in combinations(bodies, 2)]
+    pairs += [(pair, SAME_PLACE) for pair in product(built_into, bodies)]
+    for (one, other), most in pairs:
         shared = intersect(one, other) if _boxes_overlap(one, other) else None
-        if shared is not None and shared.share > OVERLAP_WARNED:
+        if shared is not None and shared.share > most:
             yield warning(
                 "overlap",
                 one=one.name,
@@ -169,6 +172,18 @@ def overlap_warnings(bodies: Sequence[Solid]) -> Iterator[Message]:
                 volume=Quantity(shared.volume, "volume", 3),
                 share=Quantity(100.0 * shared.share, "percent", 3),
             )
+
+
+def mass_within(block: Sequence[Solid], other: Solid) -> float:
+    """Return the mass of a body that lies in the solids of a block, which count that volume themselves [kg].
+
+    Parameters
+    ----------
+    block : its solids, no two of which overlap
+    other : the body
+    """
+    share, shared = shared_volume([solid for solid in block if _boxes_overlap(solid, other)], other)
+    return other.mass * shared / abs(volume(other.vertices, other.triangles)) if share > NEGLIGIBLE_OVERLAP else 0.0
 
 
 def shared_volume(block: Sequence[Solid], other: Solid) -> tuple[float, float]:

@@ -74,6 +74,7 @@ def body_loads(
     mass: float,
     around: Surroundings,
     once: float = 1.0,
+    within: float = 0.0,
     find: FindContact = find_block_contact,
 ) -> LoadSet:
     """Return the point mass of a body, and the force of its thrust if it has one.
@@ -87,6 +88,8 @@ def body_loads(
     around : the block, and what stands around it
     once : what no other load counts of the body, over its mass [-]; its thrust is that of the whole, so that an
         overlap in the drawing takes none away
+    within : mass of it that lies in the block, which counts it: it rests there, so that all of it leaves the part that
+        the block carries [kg]
     find : finds where it meets the block
 
     Raises
@@ -106,6 +109,8 @@ def body_loads(
     source, pushed = [of, part.source, how, *_place_source(load, found, along=around.along)], list[Force]()
     if once < 1.0:
         source.insert(1, message("load-counted-once", {"share": Quantity(100.0 * once, "percent", 3)}))
+    if within > 0.0:
+        source.insert(1, message("load-within-block", {"mass": Quantity(within, "mass", 3)}))
     if roof is not None:
         thrust = _thrust_on(placed, V=g * part.share * whole, along=around.along)
         force = Force(f"{load.body} (thrust)", (thrust.size, 0.0), at, block, tuple(thrust.source))
@@ -113,8 +118,9 @@ def body_loads(
         source += [] if thrust.size else thrust.source
     if load.seat is not None and not bearing:
         raise GeometryError(f"{placed.where}: it only pushes, so it has no seat; remove seat, or write bearing = true")
-    carried = PointMass(load.body, part.share * whole * once, at, bearing, block, tuple(source), load.seat)
-    return LoadSet((carried, *pushed) if once else tuple(pushed), (*meeting.warnings, *part.warnings))
+    rest = max(part.share * whole * once - within, 0.0)
+    carried = PointMass(load.body, rest, at, bearing, block, tuple(source), load.seat)
+    return LoadSet((carried, *pushed) if rest else tuple(pushed), (*meeting.warnings, *part.warnings))
 
 
 def loaded_blocks(
@@ -257,6 +263,10 @@ class MechanismBlocks:
     cracked: bool
     along: FloatArray
     where: str
+
+    def pieces_at(self, number: int) -> tuple[Piece, ...]:
+        """Return what is drawn as one with a block: the block, or both parts of a body that a crack parts."""
+        return self.pieces if self.cracked else self.pieces[number : number + 1]
 
 
 @dataclass(frozen=True)

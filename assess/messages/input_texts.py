@@ -166,6 +166,7 @@ GEOMETRY_TEXTS: Mapping[str, str] = {
     "load-mass-direct": "{mass} (direct values)",
     "load-mass": "{mass} ({own})",
     "load-counted-once": "{share} of it, as loads before it count what they share with it",
+    "load-within-block": "less {mass} of it that lies in the block, which counts it",
     "load-ungewitter": "Ungewitter's case {case}, {name}: {thickness} x {density} (assumed) x intrados {area}",
     "load-with-fill": "{own}, and fill {fill} x plan {plan}",
     "load-thrust": "H = V x / f = {V} x {x} / {f} = {H}",

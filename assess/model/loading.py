@@ -10,10 +10,11 @@ from typing import assert_never
 import numpy as np
 
 from assess.errors import GeometryError, MechanismError
-from assess.geometry.boolean import count_once, overlap_warnings
+from assess.geometry.boolean import count_once, mass_within, overlap_warnings
 from assess.geometry.contact import CONTACT_TOLERANCE
 from assess.geometry.cut import Piece
 from assess.geometry.planar import Outline, distance_to_outline
+from assess.geometry.solid import Solid
 from assess.loads.bearing import overburden_force
 from assess.loads.body_loads import (
     FindContact,
@@ -62,13 +63,13 @@ def loads_of(
     blocks = _blocks_of(name, definition, pieces)
     carried = dict.fromkeys(load.body for load in definition.loads if isinstance(load, BodyLoad) and load.mass is None)
     known = [solid for body in carried if (solid := bodies[body].solid) is not None]
-    alone = {solid.name: solid.mass for solid in count_once(known)}
-    shares = {solid.name: alone.get(solid.name, 0.0) / solid.mass for solid in known}
+    remainders = {solid.name: None for solid in known} | {solid.name: solid for solid in count_once(known)}
     parts = [
-        _loads_of_entry(number, load, _at_load(number, blocks), definition, bodies, shares, find=find)
+        _loads_of_entry(number, load, _at_load(number, blocks), definition, bodies, remainders, find=find)
         for number, load in enumerate(definition.loads, start=1)
     ]
-    warnings = [each for part in parts for each in part.warnings] + list(overlap_warnings(known))
+    moving = [solid for piece in pieces for solid in piece.solids]
+    warnings = [each for part in parts for each in part.warnings] + list(overlap_warnings(known, built_into=moving))
     return LoadSet(
         loads=tuple(load for part in parts for load in part.loads),
         warnings=distinct(warnings),
@@ -97,13 +98,13 @@ def _loads_of_entry(
     blocks: MechanismBlocks,
     definition: BlockMechanism,
     bodies: Bodies,
-    shares: Mapping[str, float],
+    remainders: Mapping[str, Solid | None],
     *,
     find: FindContact,
 ) -> LoadSet:
     """Find the loads of one entry of `loads`, its number counted from 1.
 
-    shares : of each body, what no load before it has counted, over its mass [-]
+    remainders : of each body that counts by its volume, what no load before it counts; None where nothing is left
     """
     if isinstance(load, OverburdenLoad):
         force, warnings = overburden_force(
@@ -117,10 +118,10 @@ def _loads_of_entry(
         )
         return LoadSet((force,), warnings, (False,))
     if isinstance(load, BodyLoad):
-        once = shares.get(load.body, 1.0)
-        if not once and load.role == "floor":
+        remainder = remainders.get(load.body, bodies[load.body].solid)
+        if remainder is None and load.body in remainders and load.role == "floor":
             return LoadSet((), ())  # it lies wholly in the bodies of loads before it, and pushes nothing
-        part = _loads_of_body(load, blocks, definition, bodies, once, find=find)
+        part = _loads_of_body(load, blocks, definition, bodies, remainder, find=find)
     else:
         part = LoadSet((_load_in_plane(number, load, definition.towards, where=blocks.where),), ())
     outlines = [piece.body.outline for piece in blocks.pieces]
@@ -149,15 +150,18 @@ def _loads_of_body(
     blocks: MechanismBlocks,
     definition: BlockMechanism,
     bodies: Bodies,
-    once: float,
+    remainder: Solid | None,
     *,
     find: FindContact,
 ) -> LoadSet:
     """Find what a body puts on each block that it loads; nothing if it rests below the cut.
 
+    remainder : what no load before it counts; None for nothing, and without geometry
+
     Raises GeometryError where it touches nothing of them, or it is not known which of them it loads.
     """
-    body = bodies[load.body].solid
+    body, counts_volume = bodies[load.body].solid, load.mass is None
+    once = 1.0 if body is None or not counts_volume else 0.0 if remainder is None else remainder.mass / body.mass
     taken = {each.block for each in definition.loads if isinstance(each, BodyLoad) and each.body == load.body}
     found, warnings = loaded_blocks(load, body, among=blocks, taken=taken)
     parts = [
@@ -167,6 +171,7 @@ def _loads_of_body(
             body=body,
             mass=bodies[load.body].mass,
             once=once,
+            within=_mass_in_masonry(remainder, blocks.pieces_at(each.contact)) if counts_volume else 0.0,
             around=surroundings(load, blocks, each.contact, bodies),
             find=find,
         )
@@ -174,6 +179,11 @@ def _loads_of_body(
     ]
     loads = tuple(one for part in parts for one in part.loads)
     return LoadSet(loads, (*warnings, *(each for part in parts for each in part.warnings)))
+
+
+def _mass_in_masonry(body: Solid | None, pieces: Sequence[Piece]) -> float:
+    """Return the mass of a body that lies in the masonry of a block [kg]."""
+    return 0.0 if body is None else mass_within([solid for piece in pieces for solid in piece.solids], body)
 
 
 def _load_in_plane(
@@ -255,7 +265,7 @@ def _moving_anchor_warnings(loads: Sequence[Load], outlines: Sequence[Outline]) 
 def _misplaced_load_warnings(loads: Sequence[Load], blocks: MechanismBlocks) -> Iterator[Message]:
     """Warn of each load that is not on or near its block, seen in the plane of motion, ignoring the crack."""
     for load in loads:
-        whole = blocks.pieces if blocks.cracked else [blocks.pieces[min(load.block, len(blocks.pieces) - 1)]]
+        whole = blocks.pieces_at(min(load.block, len(blocks.pieces) - 1))
         outline = tuple(ring for piece in whole for ring in piece.body.outline)
         corners = [point for ring in outline for point in ring]
         size = float(np.ptp(corners, axis=0).max()) if corners else 0.0

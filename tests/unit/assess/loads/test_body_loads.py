@@ -71,7 +71,7 @@ def texts(study) -> str:
 def test_a_floor_built_into_two_walls_rests_with_half_its_weight_on_each(tmp_path):
     study = study_of(tmp_path, FLOOR, 'body = "floor"')
     (floor,) = study.mechanisms[0].positive.loads
-    mass = 500 * 5.8 * 4 * 0.2
+    mass = 500 * (5.8 - 2 * 0.2) * 4 * 0.2  # the ends in the walls count as these
     assert (floor.name, floor.bearing) == ("floor", True)
     assert floor.mass == pytest.approx(mass / 2, rel=1e-9)
     np.testing.assert_allclose(floor.at, (2.8, 3.0), atol=1e-9)  # middle of the 0.2 m in the wall, its underside
@@ -82,6 +82,7 @@ def test_a_floor_built_into_two_walls_rests_with_half_its_weight_on_each(tmp_pat
     assert result.loads[0].mass_kg == floor.mass
     assert 'share 0.5 (statics; the rest on "rear")' in result.loads[0].source
     assert "bears on 0.8 m2" in result.loads[0].source
+    assert "less 80 kg of it that lies in the block" in result.loads[0].source
     assert not texts(study)
 
 
@@ -113,8 +114,9 @@ def test_numbers_of_the_user_override_what_is_found_and_both_are_told(tmp_path):
 def test_a_floor_on_nothing_else_is_carried_whole_with_a_warning(tmp_path):
     short = FLOOR.replace("thickness = 5.8", "thickness = 1.0").replace("[0, 0, 3]", "[2.4, 0, 3]")
     study = study_of(tmp_path, short, 'body = "floor"')
-    assert study.mechanisms[0].positive.loads[0].mass == pytest.approx(500 * 1.0 * 4 * 0.2, rel=1e-9)
+    assert study.mechanisms[0].positive.loads[0].mass == pytest.approx(500 * 0.8 * 4 * 0.2, rel=1e-9)
     assert 'load "floor": nothing else in the project carries it, so its whole weight is on the block' in texts(study)
+    assert 'bodies "front" and "floor" overlap by 0.16 m3, 20 % of the smaller one' in texts(study)
 
 
 def test_a_gable_roof_thrusts_by_W_L_over_8_f(tmp_path):
@@ -330,18 +332,31 @@ def test_a_share_that_hangs_on_how_wide_an_edge_bears_is_asked_for(tmp_path):
 
 
 def test_what_loads_share_counts_once_and_is_pointed_out(tmp_path):
-    """A slab of 0.2 m half within the floor below it weighs by its upper half; one wholly within it is no load."""
+    """A slab of 0.2 m half within the floor below it weighs by its upper half; one wholly within it is no load.
+
+    Of both the ends in the wall, 0.2 m of 5.8 m, count as masonry.
+    """
     second = FLOOR.replace("bodies.floor", "bodies.slab").replace("[0, 0, 3]", "[0, 0, 3.1]")
     study = study_of(tmp_path, FLOOR + second, 'body = "floor"', 'body = "slab", share = 0.5')
     assert 'bodies "floor" and "slab" overlap by 2.32 m3' in texts(study)
     floor, slab = study.mechanisms[0].positive.loads
-    assert (floor.mass, slab.mass) == pytest.approx((500 * 5.8 * 4 * 0.2 / 2, 500 * 5.8 * 4 * 0.1 / 2), rel=1e-9)
+    assert (floor.mass, slab.mass) == pytest.approx((500 * 5.4 * 4 * 0.2 / 2, 500 * 5.4 * 4 * 0.1 / 2), rel=1e-9)
     assert "50 % of it, as loads before it count" in slab.source
     stated = study_of(tmp_path, FLOOR + second, 'body = "floor"', 'body = "slab", share = 0.5, mass = "1000 kg"')
     assert stated.mechanisms[0].positive.loads[1].mass == pytest.approx(500.0, rel=1e-9)
     again = FLOOR.replace("bodies.floor", "bodies.slab")
     (only,) = study_of(tmp_path, FLOOR + again, 'body = "floor"', 'body = "slab"').mechanisms[0].positive.loads
     assert only.name == "floor"
+
+
+@pytest.mark.parametrize("into", [0.2, 0.6])
+def test_what_a_slab_shares_with_its_wall_counts_once(tmp_path, into):
+    """A slab as heavy as the wall makes no more of the two than there is, however far it is drawn into it."""
+    long = FLOOR.replace("timber", "heavy").replace("thickness = 5.8", f"thickness = {5.4 + 2 * into}")
+    study = study_of(tmp_path, long, 'body = "floor"')
+    (floor,) = study.mechanisms[0].positive.loads
+    assert floor.mass == pytest.approx(10000 * 2.7 * 4 * 0.2, rel=1e-9)
+    assert "overlap" not in texts(study)
 
 
 def test_a_roof_that_lies_within_another_load_keeps_its_thrust(tmp_path):
@@ -359,7 +374,7 @@ material = "stone"
 box = { thickness = 0.5, length = 5, height = 6, base = [3, 0, 0] }
 """
     study = study_of(tmp_path, FLOOR + other, 'body = "floor"')
-    assert study.mechanisms[0].positive.loads[0].mass == pytest.approx(500 * 5.8 * 4 * 0.2 / 2, rel=1e-9)
+    assert study.mechanisms[0].positive.loads[0].mass == pytest.approx(500 * 5.4 * 4 * 0.2 / 2, rel=1e-9)
     assert 'body "front as it was" stands where the block does' in texts(study)
 
 

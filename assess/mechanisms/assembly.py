@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
+from enum import StrEnum
 from typing import Any, Literal
 
 import numpy as np
@@ -197,14 +198,23 @@ def hinges_in_plane(hinges: Sequence[Place] | None, definition: BlockMechanism) 
 NEAR = 0.01  # of the size of a block: a hinge this far outside it still touches it
 TOUCH = 0.01  # m: blocks this near each other touch, as joints are no thicker
 OUTSIDE = 0.05  # of the width of a base or block: a hinge farther beside it is none
-HINGE_BESIDE = "hinge-beside"
-"""Begins the keys of warnings on hinges beside their contacts. A project that states such a hinge is refused; one that
-a variation of its numbers moves there is not (`assess.model.directions`)."""
+
+
+class HingeBeside(StrEnum):
+    """The keys of warnings on hinges beside their contacts.
+
+    A project that states such a hinge is refused; one that a variation of its numbers moves there is not
+    (`assess.model.directions`).
+    """
+
+    BASE = "hinge-beside-base"
+    BLOCK = "hinge-beside-block"
+    CONTACT = "hinge-beside-contact"
 
 
 def hinge_beside(warnings: Iterable[Message]) -> str:
     """Return the text of the first warning on a hinge beside its contact; empty if there is none."""
-    return next((each.text for each in warnings if each.key.startswith(HINGE_BESIDE)), "")
+    return next((each.text for each in warnings if each.key in frozenset(HingeBeside)), "")
 
 
 def loose_hinges(hinges: Sequence[Point], outlines: Sequence[Outline], *, mark: str = "") -> Iterator[Message]:
@@ -227,7 +237,7 @@ def loose_hinges(hinges: Sequence[Point], outlines: Sequence[Outline], *, mark: 
                     yield warning("loose-hinge", **values)
                     continue
                 nearest = shapely.get_coordinates(shapely.shortest_line(areas[block], shapely.Point(hinge)))[0]
-                yield warning(f"{HINGE_BESIDE}-block", **values, **lengths(near_x=nearest[0], near_z=nearest[1]))
+                yield warning(HingeBeside.BLOCK, **values, **lengths(near_x=nearest[0], near_z=nearest[1]))
 
 
 def _thickness(area: shapely.Geometry) -> float:

@@ -25,8 +25,8 @@ from assess.geometry.cut import Piece
 from assess.geometry.planar import PlanarBody
 from assess.loads.load import Load, Place, Point
 from assess.mechanisms.assembly import (
-    HINGE_BESIDE,
     OUTSIDE,
+    HingeBeside,
     MechanismKind,
     MechanismPieces,
     assemble,
@@ -270,7 +270,7 @@ def _off_base_warnings(body: PlanarBody, hinge: Point | None, label: str) -> lis
         return []
     beside = not low[0] - OUTSIDE * width <= hinge[0] <= high[0] + OUTSIDE * width
     ends = lengths(low_x=low[0], low_z=low[1], high_x=high[0], high_z=high[1])
-    return [warning(f"{HINGE_BESIDE}-base" if beside else "hinge-off-base", hinge=label, **point_values(hinge), **ends)]
+    return [warning(HingeBeside.BASE if beside else "hinge-off-base", hinge=label, **point_values(hinge), **ends)]
 
 
 def _edge_hinge(body: PlanarBody, towards: Literal["positive", "negative"], *, name: str) -> Point:

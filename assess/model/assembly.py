@@ -15,7 +15,7 @@ from assess.interfaces.contact import Interface, JointLaw, contact, out_of_plane
 from assess.interfaces.section import ContactSection, Shape, annulus, circle, hollow_rectangle, polygon, rectangle
 from assess.loads.bearing import UPPER, overburden_name
 from assess.loads.load import Load, LoadDefinition, OverburdenLoad, Through
-from assess.mechanisms.assembly import HINGE_BESIDE, OUTSIDE, MechanismPieces, add_joints, hinges_in_plane
+from assess.mechanisms.assembly import OUTSIDE, HingeBeside, MechanismPieces, add_joints, hinges_in_plane
 from assess.mechanisms.chain import Chain, Joint, hinge_names, top_loads
 from assess.mechanisms.flexible_chain import FlexibleChain, JointedChain
 from assess.mechanisms.hinge_forces import is_top_support
@@ -229,7 +229,7 @@ def _outlined_joint(hinge: PressedHinge, law: JointLaw, *, sense: float) -> tupl
         return joint, ()
     key = "hinge-inside-contact" if aside > 0.0 else "hinge-outside-contact"
     if -aside > OUTSIDE * found.depth and hinge.is_stated:
-        key = f"{HINGE_BESIDE}-contact"
+        key = HingeBeside.CONTACT
     distance, depth = (Quantity(each, "length", 3) for each in (abs(aside), found.depth))
     return joint, (warning(key, interface=hinge.hinge_name, distance=distance, depth=depth),)
 

@@ -15,6 +15,7 @@ from tools.adversary.trials import (
     Trial,
     answer,
     geometry,
+    histories,
     is_told,
     outcome_of,
     pairs,
@@ -23,8 +24,8 @@ from tools.adversary.trials import (
     with_trial,
 )
 
-SHARES = {"trials": 75, "pairs": 30, "geometry": 30}
-"""Trials of the sample: some ten seconds."""
+SHARES = {"trials": 75, "pairs": 30, "geometry": 30, "histories": 8}
+"""Trials of the sample: some ten seconds, and as many for those by histories."""
 
 
 def test_every_project_fails_as_it_is() -> None:
@@ -54,6 +55,7 @@ def _drawn() -> dict[str, list[Trial]]:
         "trials": sample(singles, SHARES["trials"], seed=1),
         "pairs": pairs(singles, SHARES["pairs"], seed=1),
         "geometry": sample(list(geometry()), SHARES["geometry"], seed=1),
+        "histories": sample(list(histories()), SHARES["histories"], seed=1),
     }
 
 

@@ -16,8 +16,8 @@ from spectra.arrays import is_number
 
 KINDS = {
     float: ("a number", "give one in SI units"),
-    int: ("a whole number", "give one without decimal point"),
-    str: ("a text", "give one in quotes"),
+    int: ("a whole number", "write one without decimal point"),
+    str: ("a text", "write it in quotes"),
     bool: ("a truth value", "give True or False"),
 }
 """What a value of each kind is called, as in the messages of project files, and the remedy in Python."""

@@ -54,6 +54,8 @@ FAULTS: list[tuple[dict[str, Any], dict[str, Any], str, str]] = [
     (VAULT, {"construction": 6}, "construction", "must be 5 or less"),
     (VAULT, {"fill": 0.0}, "fill", ABOVE_0),
     # words and names
+    (MASS, {"block": 0.5}, "block", "not a whole number; write one without decimal point"),
+    (FLOOR, {"body": 3}, "body", "not a text; write it in quotes"),
     (FLOOR, {"role": "rooof"}, "role", 'not allowed; write "floor", "roof" or "vault"'),
     (VAULT, {"vault": "groin"}, "vault", 'not allowed; write "barrel" or "quadripartite"'),
     (
@@ -236,8 +238,6 @@ OWN_REMEDIES: list[tuple[dict[str, Any], dict[str, Any], str, str]] = [
     (MASS, {"mass": True}, "mass", "not a number"),
     (MASS, {"bearing": "yes"}, "bearing", "not a truth value"),
     (MASS, {"bearing": 1}, "bearing", "not a truth value"),
-    (MASS, {"block": 0.5}, "block", "not a whole number"),
-    (FLOOR, {"body": 3}, "body", "not a text"),
     (FLOOR, {"share": "all"}, "share", "not a number"),
     (OVERBURDEN, {"bodies": "floor", "force": None}, "bodies", "not a list"),
 ]

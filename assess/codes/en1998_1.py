@@ -82,6 +82,7 @@ class Ec8Options:
 
 def assess_element(oscillator: Oscillator, context: Context, *, options: Ec8Options) -> tuple[Check, ...]:
     """Check F_a / W_a against the multiplier that the mechanism resists, on the worse branch (4.3.5)."""
+
     def one(branch: Branch, name: BranchName, level: float) -> Check:
         check = _check(branch, name, context, options, level)
         if context.spectrum.code != TABLE_SPECTRUM or options.alpha_s is not None:

@@ -24,7 +24,7 @@ from assess.geometry.solid import Solid
 from assess.messages.message import Message, Quantity, Severity, Value, message, whole_number
 from assess.project import sections
 from assess.project.key_errors import value_text
-from assess.project.section import plain_data
+from assess.project.section import fill, plain_data
 from assess.results import ResolvedValue
 from assess.results.fragility import HazardResult, StateResult
 from assess.risk.hazard import read_hazard
@@ -510,16 +510,12 @@ def fragility_question(content: sections.Content, hazard: SiteHazard | None, *, 
     risk = content.analysis.risk or sections.Risk()
     measures = tuple(measure(*sections.measure_of(text)) for text in section.measures or ())
     is_pga = not measures or measures[0].dimension == "ground acceleration"
-    return FragilityQuestion(
+    return fill(
+        FragilityQuestion,
+        section,
         measures=measures,
         states=tuple(map(_fragility_state, section.states)),
-        method=section.method,
-        samples=section.samples,
         largest=None if section.largest is None else float(section.largest) / (g if is_pga else 1.0),
-        largest_factor=section.largest_factor,
-        seed=section.seed,
-        draws=section.draws,
-        epistemic=dict(section.epistemic),
         hazard=_hazard_result(risk, hazard, folder),
         target_rate=risk.target,
     )

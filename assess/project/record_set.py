@@ -14,8 +14,8 @@ from assess.errors import ProjectError
 from assess.mechanisms.mechanism import Mechanism
 from assess.messages.message import Message, first_names, note, warning
 from assess.project import sections
+from assess.project.section import fill
 from assess.project.sections.ground_motion import Records
-from assess.project.site_and_structure import fill
 from assess.project.suite_lock import AGAIN, LockedArtificial, LockedChoice, LockedRecord, LockedSuite, read_lock
 from assess.results.provenance import file_sha256
 from assess.study.study import Fitting, GivenFactors, Study

@@ -13,7 +13,7 @@ from functools import cache, partial, reduce
 from inspect import get_annotations
 from operator import or_
 from types import NoneType, UnionType
-from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, Union, cast, get_args, get_origin
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, TypeVar, Union, cast, get_args, get_origin
 
 from pydantic import (
     BaseModel,
@@ -54,6 +54,7 @@ from assess.project.reading import READ_BY, checks_of, type_read_by
 from assess.project.values import WrittenQuantity
 from assess.results.run import Distribution
 
+D = TypeVar("D")
 JUDGED = "tables whose keys have been judged"
 """The key of a validation's context with the identities of tables whose unknown and missing keys are known."""
 
@@ -293,6 +294,12 @@ def plain_data(value: Any) -> Any:
     if isinstance(value, tuple):
         return tuple(map(plain_data, value))
     return {key: plain_data(each) for key, each in value.items()} if isinstance(value, dict) else value
+
+
+def fill(kind: type[D], section: ProjectSection, **given: Any) -> D:
+    """Return plain data of a kind with the values that a table has under the same names, and those given beside."""
+    own = {field.name for field in fields(kind)} - set(given)  # type: ignore[arg-type]
+    return kind(**{name: getattr(section, name) for name in own if hasattr(section, name)}, **given)
 
 
 @cache

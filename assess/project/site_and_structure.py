@@ -8,9 +8,9 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 from contextlib import nullcontext
-from dataclasses import fields, replace
+from dataclasses import replace
 from pathlib import Path
-from typing import Any, TypeVar, cast
+from typing import Any, cast
 
 from pydantic import ValidationError
 
@@ -27,7 +27,7 @@ from assess.project import sections
 from assess.project.keys import error_line
 from assess.project.project_file import bare_number_messages, load
 from assess.project.question import PROVISIONAL_CLASS, limit_state_of, use_class_of
-from assess.project.section import ProjectSection
+from assess.project.section import fill
 from assess.project.sections.bodies_and_loads import ProfileBody
 from assess.project.sections.ground_motion import SiteSection
 from assess.study.amplification import (
@@ -41,8 +41,6 @@ from assess.study.amplification import (
 from spectra.design_spectra import TableSpectrum
 from spectra.registry import horizontal_spectrum, vertical_spectrum
 from spectra.spectrum import Spectrum
-
-D = TypeVar("D")
 
 
 def definitions_of(content: sections.Content) -> dict[str, Definition]:
@@ -61,12 +59,6 @@ def _with_evidence(definition: Any, name: str, content: sections.Content) -> Any
         for place, load in enumerate(definition.loads)
     )
     return replace(definition, loads=tuple(lasting))
-
-
-def fill(kind: type[D], section: ProjectSection, **given: Any) -> D:
-    """Return plain data of a kind with the values that a table has under the same names, and those given beside."""
-    own = {field.name for field in fields(kind)} - set(given)  # type: ignore[arg-type]
-    return kind(**{name: getattr(section, name) for name in own if hasattr(section, name)}, **given)
 
 
 def models_of(

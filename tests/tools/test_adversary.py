@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from copy import deepcopy
 from dataclasses import replace
 from functools import cache
 
@@ -39,6 +40,19 @@ def test_every_project_fails_as_it_is() -> None:
 def test_no_value_buys_an_outcome_in_silence(kind: str) -> None:
     found = {str(trial): outcome_of(trial) for trial in _drawn()[kind]}
     assert [name for name, (word, _) in found.items() if word == SILENT] == []
+
+
+@pytest.mark.parametrize("name", PROJECTS)
+def test_a_condition_that_a_project_has_whatever_is_typed_tells_nothing(name: str) -> None:
+    """Under a hardly felt action it passes, or lacks what it lacks anyhow: what is then named would hide any trial."""
+    weak = deepcopy(PROJECTS[name])
+    spectrum = weak["site"]["spectrum"]
+    spectrum.update({key: 1e-3 if key == "z" else "0.001 g" for key in ("a_g", "s_ds", "z") if key in spectrum})
+    spectrum.update({"s_d1": "0.0005 g"} if "s_d1" in spectrum else {})
+    found = answer(weak)
+    assert found is not None
+    assert found.outcome != Decision.FAIL
+    assert not [each for each in found.named if each.startswith("condition ")]
 
 
 def test_pairs_are_at_two_keys_of_one_table() -> None:

@@ -29,8 +29,11 @@ from tools.adversary.projects import ADDED_BODIES, ADDED_BOX, ADDED_LOADS, DRAWN
 RANKS = (Decision.FAIL, Decision.INCOMPLETE, Decision.PASS)
 BETTER = 1.01
 """A margin that rises by no more than 1 % has not improved."""
-OF_EVERY_PASS = ("premise-", "not-scanned", "dbe-by-asce7")
-"""How the keys of conditions begin that every pass of a basis has, or of histories without a scan, typed or not."""
+OF_EVERY_PASS = ("premise-", "not-scanned", "dbe-by-asce7", "return-period-unstated", "top-held")
+"""How the keys of conditions begin that every pass of one of the projects has, whatever is typed: they tell nothing.
+
+By their action, by their kind, and of histories without a scan.
+"""
 DECADES = tuple(10.0**power for power in range(-4, 10))
 SHARES = (0.5, 0.8, 1.25, 2.0)
 STEPS = (-3.0, -0.3, 0.3, 3.0)

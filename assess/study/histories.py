@@ -316,7 +316,7 @@ def level_solver(case: RockingCase, motions: Sequence[ScaledRecord], *, site_pga
         level, record, variant = (each.ravel() for each in np.indices(shape))
         pga = np.asarray(levels)[level]
         jobs_run = jobs(pga, record, variant, TWIN_FACTORS[:1])
-        peaks = run(jobs_run)
+        peaks = run(jobs_run) if twins == "none" else solve(levels, "none").peaks
         job = np.repeat(np.arange(variant.size), 1 if twins == "none" else TWIN_FACTORS.size).reshape(variant.size, -1)
 
         def add(here: IntArray, runs: slice) -> None:

@@ -132,7 +132,7 @@ def run_histories(
     """
     solve = level_solver(case, motions, site_pga=site_pga, threads=threads)
     histories = _histories_at(solve, case, levels=levels, further=further, twins="all")
-    return replace(histories, scan=_scan(solve, case, motions, site_pga, (mostly_upright,)) if with_scan else ())
+    return replace(histories, scan=_whole_scan(solve, case, motions, site_pga) if with_scan else ())
 
 
 def run_to_decide(
@@ -162,12 +162,16 @@ def run_to_decide(
         Suites alone.
     """
     solve = level_solver(case, motions, site_pga=site_pga, threads=threads)
-    scan = _scan(solve, case, motions, site_pga, [rule.holds for rule in rules]) if with_scan else ()
-    every = (*levels, *further)
-    alone = suites_of(solve(every, "none"))
-    passing = [suite.pga for suite in alone if any(rule.passes(suite) for rule in rules)]
-    twins = {suite.pga: suite for suite in suites_of(solve(passing, "all"))} if passing else {}
-    suites = tuple(twins.get(suite.pga, suite) for suite in alone)
+
+    def suites_at(levels: Sequence[float], twins: Twins) -> tuple[SuiteResponse, ...]:
+        """Run suites, with twins where the records as they are pass a rule."""
+        alone = suites_of(solve(levels, "none"))
+        passing = [suite.pga for suite in alone if any(rule.passes(suite) for rule in rules)]
+        with_twins = {suite.pga: suite for suite in suites_of(solve(passing, twins))} if passing else {}
+        return tuple(with_twins.get(suite.pga, suite) for suite in alone)
+
+    scan = _scan(suites_at, case, motions, site_pga, [rule.holds for rule in rules]) if with_scan else ()
+    suites = suites_at((*levels, *further), "all")
     return RockingHistories((), suites[: len(levels)], suites[len(levels) :], scan)
 
 
@@ -438,16 +442,22 @@ def scan_levels(
         At rising PGA, the last one that which ends the scan.
     """
     solve = level_solver(case, motions, site_pga=site_pga, threads=threads)
-    return _scan(solve, case, motions, site_pga, (mostly_upright,))
+    return _whole_scan(solve, case, motions, site_pga)
 
 
-def mostly_upright(suite: SuiteResponse) -> bool:
-    """Return whether the draws in which no record overturns the mechanism are 16 % or more."""
-    return share_upright(suite) >= LOW_SHARE
+def _whole_scan(
+    solve: LevelSolver, case: RockingCase, motions: Sequence[ScaledRecord], site_pga: float
+) -> tuple[SuiteResponse, ...]:
+    """Run the scan of `scan_levels`."""
+
+    def mostly_upright(suite: SuiteResponse) -> bool:
+        return share_upright(suite) >= LOW_SHARE
+
+    return _scan(lambda levels, twins: suites_of(solve(levels, twins)), case, motions, site_pga, (mostly_upright,))
 
 
 def _scan(
-    solve: LevelSolver,
+    suites_at: Callable[[Sequence[float], Twins], tuple[SuiteResponse, ...]],
     case: RockingCase,
     motions: Sequence[ScaledRecord],
     site_pga: float,
@@ -460,9 +470,9 @@ def _scan(
     start = SCAN_START * uplift / max(1.0, strongest)
     step, most = (SCAN_STEP_ON_JOINTS, MOST_LEVELS_ON_JOINTS) if vibrates(case.oscillator) else (SCAN_STEP, MOST_LEVELS)
     below = round(log(1.0 / SCAN_START) / log(step))  # levels short of uplift, which do not overturn
-    suites = list(suites_of(solve([start * step**k for k in range(below)], "where they matter")))
+    suites = list(suites_at([start * step**k for k in range(below)], "where they matter"))
     for k in range(below, most):
-        suites += suites_of(solve([start * step**k], "where they matter"))
+        suites += suites_at([start * step**k], "where they matter")
         rules = [rule for rule in rules if rule(suites[-1])]
         if not rules:
             break

@@ -102,7 +102,7 @@ def facing_patches(block: Solid, body: Solid, *, tolerance: float = CONTACT_TOLE
     """
     asked = ("facing", tolerance)
     find = partial(_facing_parts, block, body, reach=tolerance, cosine=PARALLEL, bearing=False)
-    return remember((block, body), asked, find)
+    return remember((block, body), asked, find, most=NEIGHBOURS_KEPT)
 
 
 def join_contacts(contacts: Sequence[ContactArea]) -> ContactArea | None:
@@ -134,6 +134,7 @@ def _join_patches(faces: FacePatches, *, bearing: bool) -> ContactArea | None:
     return ContactArea(area, centroid, normal / (float(np.linalg.norm(normal)) or 1.0), bearing)
 
 
+NEIGHBOURS_KEPT = 64  # bodies beside a block whose faces are kept with it
 SPLINTER = JOINT**2  # m2: what meets in less does not touch
 DIGITS = 9  # of a gap in metres: beyond them it is rounding of coordinates
 

@@ -19,6 +19,7 @@ from assess.memory import remember
 from spectra.arrays import FloatArray, IntArray
 
 FLATTEST = 1e-6  # vertical part of a unit normal: below this a plane is upright and has no side above
+CUTS_KEPT = 16  # of a body
 ON_PLANE = 1e-9  # of the bodies' size: faces this near the plane lie in it
 DEGENERATE = 1e-15  # of the bodies' size squared: triangles smaller than this are lines
 _EMPTY: Surface = (np.empty((0, 3)), np.empty((0, 3), dtype=np.int64))
@@ -147,7 +148,7 @@ def divide(solids: Sequence[Solid], plane: Plane, *, where: str) -> Division:
         cannot be cut because its surface is not that of a solid
     """
     asked = ("divided", plane.point.tobytes(), plane.normal.tobytes())
-    return remember(solids, asked, partial(_divide, solids, plane, where=where))
+    return remember(solids, asked, partial(_divide, solids, plane, where=where), most=CUTS_KEPT)
 
 
 def _divide(solids: Sequence[Solid], plane: Plane, *, where: str) -> Division:

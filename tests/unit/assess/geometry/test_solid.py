@@ -227,3 +227,8 @@ def test_what_is_found_of_bodies_is_kept_for_those_bodies_alone() -> None:
     assert remember((wall,), ("gap", 0.1), object) is not first
     assert remember((wall, replace(floor)), ("gap", 0.1), object) is not first
     assert remember((replace(wall), floor), ("gap", 0.1), object) is not first
+    for gap in range(5):
+        remember((wall,), ("gap", gap), object, most=3)
+    kept = remember((wall,), ("gap", 4), object, most=3)
+    assert remember((wall,), ("gap", 4), object, most=3) is kept
+    assert remember((wall, floor), ("gap", 0.1), object) is not first

@@ -279,7 +279,8 @@ def hull_edge_normals(points: FloatArray) -> FloatArray:
     points lie on a line
     """
     plan = np.asarray(points)[:, :2]
-    hull = shapely.linestrings(np.concatenate([plan, plan[:1]])).convex_hull  # as many points take ten times as long
+    ring = shapely.linestrings(np.concatenate([plan, plan[:1]]))  # as many points take ten times as long
+    hull = shapely.convex_hull(ring)
     if not isinstance(hull, shapely.Polygon):
         return np.empty(0)
     corners = shapely.get_coordinates(shapely.orient_polygons(hull))

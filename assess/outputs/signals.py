@@ -14,14 +14,17 @@ AGAIN = 0.5  # s
 
 
 class Terminated(BaseException):
-    """A signal asked the program to end; `number`: of the signal.
+    """A signal asked the program to end.
 
     It is not a KeyboardInterrupt, on which typer ends with 130 without a word.
+
+    asked : the number of the signal, or a text that ends in its name: reportlab raises an error again with its place
     """
 
-    def __init__(self, number: int) -> None:
-        super().__init__(signal.Signals(number).name)
-        self.number = number
+    def __init__(self, asked: int | str) -> None:
+        found = signal.Signals(asked) if isinstance(asked, int) else signal.Signals[asked.split()[-1]]
+        super().__init__(found.name)
+        self.number = int(found)
 
 
 @contextmanager

@@ -8,6 +8,7 @@ import sys
 import time
 
 import pytest
+from reportlab.lib.utils import annotateException
 
 from assess.outputs.signals import Terminated, defer_signals, raise_on_signals
 
@@ -62,3 +63,13 @@ def test_a_signal_waits_for_what_must_be_whole() -> None:
     with pytest.raises(Terminated):
         write_whole(steps)
     assert steps == ["whole"]
+
+
+def test_a_signal_is_known_again_where_reportlab_raises_it_with_its_place():
+    """A run that was killed while a page was laid out ended with 70 and "is not a valid Signals"."""
+    try:
+        raise Terminated(signal.SIGTERM)
+    except Terminated:
+        with pytest.raises(Terminated) as ended:
+            annotateException("\nraised by class KeepTogether wrap\n")
+    assert ended.value.number == signal.SIGTERM

@@ -18,13 +18,14 @@ from math import inf
 from assess.amplification import ModalFilter
 from assess.codes.calculation_sheet import Given, step
 from assess.codes.check import ELASTIC, BuildingState, Check, Outcome
+from assess.codes.context import Context
 from assess.codes.procedures import PROCEDURES, uses_histories
 from assess.codes.question import methods_of
 from assess.mechanisms.mechanism import Mechanism
 from assess.messages.message import Quantity, note, whole_number
 from assess.results.mechanism import MechanismResult
 from assess.study.amplification import MechanismAmplification
-from assess.study.checks import checks_of, context_of
+from assess.study.checks import checks_of, context_of, with_histories
 from assess.study.histories import (
     RockingCase,
     RockingHistories,
@@ -40,7 +41,7 @@ from assess.study.study import Progress, ScaledRecord, Study
 from assess.workers import available_cores
 from spectra.spectrum import Spectrum
 
-RunHistories = Callable[[Study, RockingCase], RockingHistories]
+RunHistories = Callable[[Study, RockingCase, Context], RockingHistories]
 
 
 @dataclass(frozen=True)
@@ -87,7 +88,7 @@ def assess_mechanisms(
     threads = max(1, workers // max(1, len(study.mechanisms)))
 
     def assess(mechanism: Mechanism) -> MechanismResult:
-        def run(there: Study, case: RockingCase) -> RockingHistories:
+        def run(there: Study, case: RockingCase, context: Context) -> RockingHistories:
             return mechanism_histories(there, spectrum, motions, mechanism, case, threads=threads)
 
         found = check_mechanism(study, spectrum, mechanism, motions, run)
@@ -136,7 +137,7 @@ def checks_without_scan(
     """
     (mechanism,) = study.mechanisms
 
-    def run(there: Study, case: RockingCase) -> RockingHistories:
+    def run(there: Study, case: RockingCase, context: Context) -> RockingHistories:
         if not motions or not any(map(uses_histories, there.procedures)):
             return RockingHistories((), ())
         further = further_levels(there, spectrum, mechanism)
@@ -169,7 +170,7 @@ def check_mechanism(
     motions : tuple of ScaledRecord
         The suite of records.
     run : callable
-        Runs the histories of a case in a study.
+        Runs the histories of a case in a study, in the context of its procedures.
 
     Returns
     -------
@@ -258,9 +259,10 @@ def _in_state(
         asked = (each for each in study.procedures if uses_histories(each) and _asks_for(study, each, state))
         there = replace(there, procedures=tuple(asked))
     case = rocking_case(there, mechanism, motions)
-    histories = run(there, case)
-    context = context_of(there, spectrum, mechanism, histories, case.base, motions)
-    return MechanismCheck(checks_of(there, case.oscillator, context), case, histories, there.amplified[mechanism.name])
+    context = context_of(there, spectrum, mechanism, case.base, motions)
+    histories = run(there, case, context)
+    checks = checks_of(there, case.oscillator, with_histories(context, histories))
+    return MechanismCheck(checks, case, histories, there.amplified[mechanism.name])
 
 
 def _asks_for(study: Study, procedure: str, state: BuildingState) -> bool:

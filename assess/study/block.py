@@ -13,7 +13,7 @@ from typing import Any, Literal
 
 from assess.codes.asce43_05 import VERTICAL_RATIO
 from assess.codes.check import Check
-from assess.codes.context import Building
+from assess.codes.context import Building, Context
 from assess.codes.histories import SuiteResponse
 from assess.codes.italian_limit_states import FACTORS_BY_LEVEL
 from assess.codes.procedures import KNOWLEDGE_CODES, PROCEDURES, CodeOptions, uses_histories
@@ -535,7 +535,7 @@ def _checks_of_block(study: Study, mechanism: Mechanism, spectrum: Spectrum, *, 
     motions = motions_of(study, spectrum)
     study = replace(study, suite_faults=suite_faults(study, spectrum, motions))
 
-    def run(there: Study, case: RockingCase) -> RockingHistories:
+    def run(there: Study, case: RockingCase, context: Context) -> RockingHistories:
         return _histories_of_block(there, spectrum, mechanism, case, motions, threads=threads)
 
     return check_mechanism(study, spectrum, mechanism, motions, run).checks

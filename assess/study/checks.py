@@ -161,11 +161,10 @@ def context_of(
     study: Study,
     spectrum: Spectrum,
     mechanism: Mechanism,
-    histories: RockingHistories,
     base: tuple[BaseMotion, ...],
     motions: tuple[ScaledRecord, ...],
 ) -> Context:
-    """Return what the procedures may know of one mechanism.
+    """Return what the procedures may know of one mechanism but for its time histories.
 
     Parameters
     ----------
@@ -175,8 +174,6 @@ def context_of(
         The site's elastic spectrum.
     mechanism : Mechanism
         The mechanism to be assessed.
-    histories : RockingHistories
-        Its time histories; empty where no procedure needs them.
     base : tuple of BaseMotion
         Every motion as it acts at the base of the mechanism.
     motions : tuple of ScaledRecord
@@ -187,7 +184,7 @@ def context_of(
     Context
         With a floor spectrum where the mechanism is above the ground.
     """
-    context = _context_without_floor_spectrum(study, spectrum, mechanism, histories, base)
+    context = _context_without_floor_spectrum(study, spectrum, mechanism, base)
     if not context.above_ground:
         return context
     amplification = study.amplified[mechanism.name].amplification
@@ -201,6 +198,18 @@ def context_of(
         building=study.building,
     )
     return replace(context, floor_spectrum=floor)
+
+
+def with_histories(context: Context, histories: RockingHistories) -> Context:
+    """Return the context of a mechanism with what its time histories gave.
+
+    Parameters
+    ----------
+    context : without them
+    histories : empty where no procedure needs them
+    """
+    rising = sorted((*histories.scan, *histories.suites), key=lambda suite: suite.pga) if histories.scan else ()
+    return replace(context, suites=histories.suites, extra_suites=histories.further_suites, incremental=tuple(rising))
 
 
 SUPPORTS: Mapping[str, WallSupport] = {name: kind.support for name, kind in MECHANISM_KINDS.items()}
@@ -309,7 +318,7 @@ def broaden(period: FloatArray, acceleration: FloatArray) -> FloatArray:
 
 
 def _context_without_floor_spectrum(
-    study: Study, spectrum: Spectrum, mechanism: Mechanism, histories: RockingHistories, base: tuple[BaseMotion, ...]
+    study: Study, spectrum: Spectrum, mechanism: Mechanism, base: tuple[BaseMotion, ...]
 ) -> Context:
     height, rise, variants = study.heights[mechanism.name], height_of_support(mechanism), mechanism.variants
     amplified = study.amplified[mechanism.name]
@@ -325,7 +334,6 @@ def _context_without_floor_spectrum(
         elevation=height.base,
         rise=rise,
         building=study.building,
-        suites=histories.suites,
         histories_at="ground" if amplified.height is None else "mechanism base",
         transfer=_transfer_to_support(amplified, support=height.support),
         crushing=mechanism.crushing,
@@ -341,11 +349,7 @@ def _context_without_floor_spectrum(
         impossible_by_histories=_reasons_against_histories(mechanism),
         amplification=max((each.factor for each in base), default=1.0),
         linearised=study.equations[mechanism.name] == "linearised",
-        extra_suites=histories.further_suites,
         hinges=hinge_forces(mechanism),
-        incremental=tuple(sorted((*histories.scan, *histories.suites), key=lambda suite: suite.pga))
-        if histories.scan
-        else (),
         hazard=study.hazard,
         free_period=study.free_periods.get(mechanism.name),
     )

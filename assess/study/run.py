@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 
 from assess.amplification import pulse_factor
 from assess.codes.check import BuildingState, Check
+from assess.codes.context import Context
 from assess.codes.procedures import history_rules, pga_rules, uses_histories
 from assess.codes.question import Question, methods_of
 from assess.codes.verdict import Verdict
@@ -40,7 +41,7 @@ from assess.results.provenance import describe_program, stamp
 from assess.short_repr import ShortRepr
 from assess.study.amplification import MechanismAmplification
 from assess.study.assessment import assess_mechanisms, building_states, check_mechanism, on_building
-from assess.study.checks import context_of, decide, mark_result
+from assess.study.checks import decide, mark_result
 from assess.study.controls import control_warnings, equilibrium_controls, multiplier_control
 from assess.study.ground_motion import ground_motion, record_result, spectrum_result, with_primary_pulses
 from assess.study.histories import (
@@ -260,7 +261,7 @@ def find_verdict(study: Study, *, jobs: int = 1, run: DecidingHistories | None =
     methods = methods_of(study.question)
     study = replace(study, procedures=tuple(procedure for procedure in study.procedures if procedure in methods))
     motions: tuple[ScaledRecord, ...] = ()
-    if study.replaceables and needs_motions(study):
+    if any(not each.source for each in study.replaceables) and needs_motions(study):
         motions = motions_of(study, require_spectrum(study), jobs=jobs)
     overrides = find_overrides(study, motions, jobs=jobs, with_sources=False)
     replaced = _replaced(study, overrides)
@@ -489,6 +490,7 @@ class MechanismCase(ShortRepr):
     motions: tuple[ScaledRecord, ...]
     mechanism: Mechanism
     case: RockingCase
+    context: Context
     threads: int
 
     @property
@@ -511,10 +513,10 @@ def _check_what_decides(
 ) -> CheckedMechanism:
     """Return the checks of a mechanism, with time histories where one of them asks for these."""
 
-    def histories(there: Study, case: RockingCase) -> RockingHistories:
+    def histories(there: Study, case: RockingCase, context: Context) -> RockingHistories:
         if not any(map(uses_histories, there.procedures)):
             return NO_HISTORIES
-        return run(MechanismCase(there, spectrum, motions, mechanism, case, jobs))
+        return run(MechanismCase(there, spectrum, motions, mechanism, case, context, jobs))
 
     found = check_mechanism(study, spectrum, mechanism, motions, histories)
     return CheckedMechanism(mechanism.name, found.checks)
@@ -531,8 +533,9 @@ def _histories_of_verdict(of: MechanismCase) -> RockingHistories:
 def _histories_of_outcome(of: MechanismCase) -> RockingHistories:
     """Run the time histories that outcomes and PGA at capacity depend on."""
     study, case = of.study, of.case
-    context = context_of(study, of.spectrum, of.mechanism, NO_HISTORIES, case.base, of.motions)
-    rules = [rule for name in study.procedures for rule in history_rules(name, study.options, case.oscillator, context)]
+    rules = [
+        rule for name in study.procedures for rule in history_rules(name, study.options, case.oscillator, of.context)
+    ]
     at_rules_alone = of.asks_at_rules_alone and not study.scan
     return run_to_decide(
         case,

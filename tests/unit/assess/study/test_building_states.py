@@ -13,7 +13,7 @@ from scipy.signal import lsim
 
 from assess.amplification import FirstMode, ModalFilter, base_motion
 from assess.codes.check import ELASTIC, BuildingState, Check, Outcome
-from assess.codes.context import StatedFirstMode
+from assess.codes.context import Context, StatedFirstMode
 from assess.codes.procedures import PROCEDURES
 from assess.project.build import build_to_decide
 from assess.project.project_file import load_tree
@@ -39,7 +39,7 @@ def _upstairs() -> tuple[Study, tuple[ScaledRecord, ...]]:
 def _checked(study: Study) -> MechanismCheck:
     (mechanism,), spectrum, motions = study.mechanisms, require_spectrum(study), _upstairs()[1]
 
-    def run(there: Study, case: RockingCase) -> RockingHistories:
+    def run(there: Study, case: RockingCase, context: Context) -> RockingHistories:
         further = levels_of_rules(there, spectrum, mechanism)
         return run_levels(
             case, motions, levels=there.levels, further=further, site_pga=spectrum.pga, threads=1, with_twins=False

@@ -13,7 +13,6 @@ from assess.codes.procedures import PROCEDURES
 from assess.errors import AssessError
 from assess.study.assessment import checks_without_scan
 from assess.study.checks import context_of
-from assess.study.histories import RockingHistories
 from assess.study.mechanism_results import parameters
 from assess.study.run import run_envelopes, run_study
 from tests.support import projects
@@ -51,7 +50,7 @@ def test_a_tie_with_all_its_proofs_lasts_and_holds_the_wall_at_its_height(tmp_pa
     assert found.end_rad == pytest.approx(asin(0.2 * 8.0 / 4.5), rel=1e-12)  # by its fracture strain, beyond collapse
     assert "lasts to collapse" in duration_text(found)
     assert not any(notice.key == "not-lasting" for notice in study.messages)
-    context = context_of(study, study.spectrum, study.mechanisms[0], RockingHistories((), ()), (), ())
+    context = context_of(study, study.spectrum, study.mechanisms[0], (), ())
     assert context.rise == 4.5
     assert context.support_height == 2.25
     assert context.starting is context.breaking
@@ -79,7 +78,7 @@ def test_what_a_tie_lacks_is_told(tmp_path, more, top, missing):
     (told,) = [notice for notice in study.messages if notice.key == "not-lasting"]
     assert f"give {', '.join(missing)} (" in told.text
     assert all(key in duration_text(found) for key in missing)
-    context = context_of(study, study.spectrum, study.mechanisms[0], RockingHistories((), ()), (), ())
+    context = context_of(study, study.spectrum, study.mechanisms[0], (), ())
     assert context.rise == 0.0
 
 
@@ -97,7 +96,7 @@ def test_a_tie_with_an_end_gives_a_local_limit_where_its_point_has_moved_so_far(
     (found,), at = parameters(study)[0].loads, 2 * asin(0.15 / (2 * 4.5))
     assert (found.lasting, found.end_m) == ("to its end", pytest.approx(0.15, rel=1e-12))
     assert found.end_rad == pytest.approx(at, rel=1e-12)
-    context = context_of(study, study.spectrum, study.mechanisms[0], RockingHistories((), ()), (), ())
+    context = context_of(study, study.spectrum, study.mechanisms[0], (), ())
     (limit,) = context.limits
     assert (limit.kind, limit.what, limit.branch) == ("break", "tie 1", "positive")
     assert limit.rotation == pytest.approx(at, rel=1e-12)
@@ -110,7 +109,7 @@ def test_seats_are_local_limits_and_printed(tmp_path):
         '{ kind = "mass", mass = 9, at = [0, 3] }',
     )
     study = study_of(tmp_path, *masses)
-    context = context_of(study, study.spectrum, study.mechanisms[0], RockingHistories((), ()), (), ())
+    context = context_of(study, study.spectrum, study.mechanisms[0], (), ())
     first = context.limits[0]
     assert (first.kind, first.what, first.branch) == ("seat", "mass 1", "positive")
     assert first.rotation == pytest.approx(asin(0.12 / 4.0), rel=1e-12)

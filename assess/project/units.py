@@ -18,7 +18,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from contextlib import suppress
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import cache
+from functools import cache, lru_cache
 from typing import Any, Literal
 
 from assess.declaration import RANGES
@@ -323,6 +323,7 @@ def _finite(value: int | float | Fraction, kind: QuantityKind) -> float:
     return number
 
 
+@lru_cache(maxsize=4096)  # rows of a table have most of their texts alike
 def _from_text(text: str, kind: QuantityKind) -> Fraction:
     try:
         number, unit = number_and_unit(text)

@@ -45,6 +45,8 @@ GEOMETRY_TEXTS: Mapping[str, str] = {
     "the gap, or add the body that joins them to the block",
     "blocks-apart": "block {second} is in the air: its body nearest to block {first}, with which it has a hinge, is "
     '"{other}", {distance} from "{one}": close the gap, or check hinges and blocks',
+    "blocks-beside": "the upper block begins {depth} below the top of the lower one, beside it: two blocks of a wall "
+    "stand one on the other",
     "blocks-overlap": "blocks {first} and {second} overlap by {mass}, {share} of the lighter one, although they move "
     "apart: cut one back",
     # bases and cuts

@@ -27,6 +27,7 @@ from assess.messages.message import Message, Quantity, distinct, warning
 from assess.model.bodies import (
     Bodies,
     Material,
+    blocks_side_by_side,
     contradictions_in_blocks,
     contradictions_of_blocks,
     materials_of,
@@ -69,6 +70,8 @@ def on_rigid_hinges(name: str, definition: BlockMechanism, bodies: Bodies) -> Me
     warnings = mechanism.warnings if crack is None else (*crack.warnings, *mechanism.warnings)
     wrong = [*contradictions_in_blocks(definition, bodies)]
     wrong += contradictions_of_blocks(members) if len(definition.blocks) > 1 else ()
+    if isinstance(definition, TwoBlock) and len(definition.blocks) > 1:
+        wrong += blocks_side_by_side(*members, along=definition.along)
     return replace(mechanism, warnings=(*warnings, *load_set.warnings, *wrong)), members
 
 

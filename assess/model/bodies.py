@@ -54,6 +54,7 @@ from assess.geometry.solid import Solid
 from assess.geometry.surface import connected_groups, volume
 from assess.mechanisms.mechanism import BlockMechanism, CutAngle, CutPlane
 from assess.messages.message import Message, Quantity, Value, warning, whole_number
+from spectra.arrays import FloatArray
 
 DENSITY = Evidence(
     "defines",
@@ -394,6 +395,25 @@ def contradictions_of_blocks(pieces: Sequence[Piece]) -> Iterator[Message]:
     for number, (one, other) in enumerate(pairwise(pieces), start=1):
         for gap in gaps_at_hinge(one.solids, other.solids):
             yield warning("blocks-apart", first=whole_number(number), second=whole_number(number + 1), **gap)
+
+
+def blocks_side_by_side(lower: Piece, upper: Piece, *, along: FloatArray) -> Iterator[Message]:
+    """Warn of an upper block of a wall that begins beside the lower one and not on it.
+
+    A joint that rises by more than the thickness is steeper than any crack across a wall.
+
+    Parameters
+    ----------
+    lower, upper : the blocks
+    along : unit vector of the motion [3]
+    """
+    corners = [np.concatenate([solid.vertices for solid in each.solids]) for each in (lower, upper) if each.solids]
+    if len(corners) < 2:
+        return
+    below, above = corners
+    beside = float(below[:, 2].max() - above[:, 2].min())
+    if beside > float(np.ptp(below @ along)):
+        yield warning("blocks-beside", depth=Quantity(beside, "length", 3))
 
 
 def _masonry(density: float | Material, name: str) -> Material:

@@ -32,6 +32,7 @@ from spectra.errors import SpectrumError
 SAME_MULTIPLIER = 1.0 - 1.0 / 1.1  # of a direction or crack: no more than 10 % above that of the weakest
 NEAR_TOP = 0.98  # of the height of a wall: its crack where nothing presses on it
 StudyAt = Callable[[Setting], Callable[[str], Study]]
+RIGID = 33.0  # Hz: above it a structure moves as the ground (ASCE 4), and no more is tried
 ONE_MODE = 2.0 / 3.0  # of the height: the resultant of a linear mode of even mass (Circolare 7/2019, C7.2.10)
 
 
@@ -219,7 +220,9 @@ def _values_of_range(path: KeyPath, safe: Range, content: sections.Content, stud
         return
     find, unit, has_end = FAR_ENDS[safe.up_to]
     size, end = _size_of(given), find(path, content, study_at)
-    if size is not None and end is not None:
+    if unit == "Hz" and size is not None and end is not None:
+        size, end = min(size, RIGID), min(end, RIGID)
+    if size is not None and end is not None and size != end:
         spaced = np.geomspace if size > 0.0 and end > 0.0 else np.linspace
         for value in map(float, spaced(size, end, safe.between + 2)[1 : None if has_end else -1]):
             yield _Substitute({path: value}, f"{value:.4g} {unit}".strip())

@@ -94,6 +94,7 @@ CONTRADICTIONS: Mapping[str, str] = {
     "load-share-unsure": ".loads",
     "blocks-overlap": ".blocks",
     "blocks-apart": ".blocks",
+    "blocks-beside": ".blocks",
     "gap": ".blocks",
 }
 """Warnings that a drawing contradicts itself or can be read in two ways, each with the key that it concerns.
@@ -222,13 +223,18 @@ def wall_of(mechanism: Mechanism, *, on_masonry: bool = False) -> Wall | None:
     on_masonry : whether what is drawn below bears it from face to face
 
     The height is from the base hinge to the hinge at the top, or to the top of a free-standing wall. The thickness is
-    the distance along the direction between the hinges of both branches, at the base or the crack; of a wall that rocks
-    to one side only, the width of its outline just above.
+    the distance along the direction between the hinges of both branches, at the base, or the less of base and crack; of
+    a wall that rocks to one side only, the width of its outline just above.
     """
     hinges, support = mechanism.positive.hinges, SUPPORTS[mechanism.kind]
     if support == "spanning":
-        size = _wall_across(mechanism, height=hinges[-1][1] - hinges[0][1], at=1)
-        return None if size is None else replace(size, gravity=gravity_of(mechanism, on_masonry=on_masonry))
+        height = hinges[-1][1] - hinges[0][1]
+        sizes = [_wall_across(mechanism, height=height, at=at) for at in (0, 1)]
+        known = [size for size in sizes if size is not None]
+        if not known:
+            return None
+        size = min(known, key=lambda each: each.thickness)
+        return replace(size, gravity=gravity_of(mechanism, on_masonry=on_masonry))
     by_parameters = mechanism.kind == "equivalent-block"  # its outline only illustrates them
     if support != "free" or by_parameters or not mechanism.outlines[0]:
         return None

@@ -21,6 +21,15 @@ ONE_BLOCK = 'kind = "single-block"\nblocks = [["a", "b"]]'
 TWO_BLOCKS = 'kind = "two-block"\nblocks = ["a", "b"]'
 
 
+@pytest.mark.parametrize(("foot", "told"), [(4.0, False), (3.6, False), (3.4, True), (2.0, True)])
+def test_an_upper_block_beside_the_lower_one_leaves_the_verdict_incomplete(tmp_path, foot, told):
+    """Of a wall 0.5 m thick a crack may rise by as much; a block that begins farther below stands beside it."""
+    bodies = {"a": wall(0.5, 3, 4, material="m"), "b": wall(0.5, 3, 4, material="m", base=[0.5, 0, foot])}
+    text = project_toml(site=None, materials={"m": {"density": 2000}}, bodies=bodies, mechanisms={"m": TWO_BLOCKS})
+    keys = [notice.key for notice in study_of(tmp_path, text + "\ndirection = [1, 0, 0]").messages]
+    assert ("blocks-beside" in keys) is told
+
+
 def test_bodies_of_one_block_that_touch_nowhere_are_told(tmp_path):
     (text,) = gaps(tmp_path, [0, 3.5, 0], ONE_BLOCK)
     assert text == (

@@ -444,6 +444,9 @@ def test_of_a_mode_typed_in_a_mechanism_what_lies_between_it_and_that_of_the_bui
     found = [each.study_at("wall").amplified["wall"].amplification.mode.frequency for each in tried]  # type: ignore[attr-defined]
     end = 1 / (0.05 * 8.0**0.75)
     assert found == pytest.approx([end**share for share in (0.25, 0.5, 0.75, 1.0)], rel=1e-9)
+    tables["mechanisms"]["wall"]["amplification"]["natural_frequency"] = 1e4  # no stiffer than what moves as the ground
+    _, stiffest, *_ = substitutes(tables, "mechanisms.wall.amplification.natural_frequency")
+    assert stiffest.setting == {stiffest.place: pytest.approx(33.0 * (end / 33.0) ** 0.25, rel=1e-9)}
 
 
 def test_a_modulus_that_gives_the_first_mode_needs_its_source() -> None:

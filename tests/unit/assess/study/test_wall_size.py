@@ -126,3 +126,21 @@ def test_what_presses_on_a_wall(tmp_path: Path, load: str, carries: bool, ratio:
     found = wall_of(wall)
     assert found is not None
     assert found.gravity["positive"].overburden_ratio == pytest.approx(ratio, rel=1e-9)
+
+
+@pytest.mark.parametrize("thick", ["lower", "upper"])
+def test_a_wall_that_spans_is_as_thick_as_the_thinner_of_base_and_crack(tmp_path: Path, thick: str) -> None:
+    """Of two bodies one may be thicker: what it is slender by is the other."""
+    sizes = {"lower": 0.4, "upper": 0.4} | {thick: 1.0}
+    bodies = {name: wall(sizes[name], 2.0, 2.0, base=[0, 0, foot]) for name, foot in (("lower", 0), ("upper", 2))}
+    text = project_toml(
+        site={"spectrum": AMERICA},
+        building={"height": 8, "storeys": 2},
+        bodies=bodies,
+        mechanisms={"m": {"kind": "two-block", "blocks": ["lower", "upper"], "direction": [1, 0, 0]}},
+        records={"synthetic": {"count": 1, "duration": 8}},
+    )
+    (mechanism,) = study_of(tmp_path, text).mechanisms
+    size = wall_of(mechanism)
+    assert size is not None
+    assert (size.height, size.thickness) == pytest.approx((4.0, 0.4), rel=1e-9)

@@ -177,7 +177,7 @@ def few_walls(text: str) -> str:
     others = r"^\[mechanisms\.(?!(?:W0a|W0a-flexible|W1)\]).*?(?=^\[|\Z)"
     text, mechanisms = re.subn(others, "", text, flags=re.MULTILINE | re.DOTALL)
     assert mechanisms == 7
-    return re.sub(r'^"mechanisms\.W6-flexible.*\n', "", text, flags=re.MULTILINE)
+    return re.sub(r'^"mechanisms\.(?!(?:W0a|W0a-flexible|W1)\.).*\n', "", text, flags=re.MULTILINE)
 
 
 def at_one_level(text: str) -> str:

@@ -4,16 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from functools import partial
+from functools import lru_cache
 
 import numpy as np
 import shapely
 from numpy.typing import NDArray
 
 from assess.geometry.boolean import intersect
-from assess.geometry.solid import THINNEST, Solid
+from assess.geometry.solid import SMALL, THINNEST, Solid
 from assess.geometry.surface import area_vectors, areas_and_normals
-from assess.memory import remember
 from spectra.arrays import FloatArray, IntArray
 
 CONTACT_TOLERANCE = 0.01  # m: faces this near each other touch; joints are as thick, and drawings no better
@@ -100,9 +99,16 @@ def facing_patches(block: Solid, body: Solid, *, tolerance: float = CONTACT_TOLE
     body : whose faces they may face
     tolerance : on the distance of faces [m]
     """
-    asked = ("facing", tolerance)
-    find = partial(_facing_parts, block, body, reach=tolerance, cosine=PARALLEL, bearing=False)
-    return remember((block, body), asked, find, most=NEIGHBOURS_KEPT)
+    small = len(block.triangles) + len(body.triangles) <= SMALL
+    return (_facing_patches_kept if small else _facing_patches)(block, body, tolerance)
+
+
+def _facing_patches(block: Solid, body: Solid, tolerance: float) -> FacePatches:
+    return _facing_parts(block, body, reach=tolerance, cosine=PARALLEL, bearing=False)
+
+
+_facing_patches_kept = lru_cache(maxsize=256)(_facing_patches)
+"""Of small bodies they are found once: the states of a project ask for the same bodies."""
 
 
 def join_contacts(contacts: Sequence[ContactArea]) -> ContactArea | None:
@@ -134,7 +140,6 @@ def _join_patches(faces: FacePatches, *, bearing: bool) -> ContactArea | None:
     return ContactArea(area, centroid, normal / (float(np.linalg.norm(normal)) or 1.0), bearing)
 
 
-NEIGHBOURS_KEPT = 64  # bodies beside a block whose faces are kept with it
 SPLINTER = JOINT**2  # m2: what meets in less does not touch
 DIGITS = 9  # of a gap in metres: beyond them it is rounding of coordinates
 
@@ -154,7 +159,10 @@ def _facing_parts(block: Solid, body: Solid, *, reach: float, cosine: float, bea
     pairs = _pairs(one, n, other, m, margin=margin, cosine=cosine)
     found = [_clip_facing(one[i], n[i], other[j], reach=reach) for i, j in pairs]
     area, centroid, normal, distance = (np.concatenate(each) for each in zip(_EMPTY, *found, strict=True))
-    return FacePatches(area, centroid + origin, normal, distance)
+    centroid = centroid + origin
+    for shared in (area, centroid, normal, distance):
+        shared.flags.writeable = False
+    return FacePatches(area, centroid, normal, distance)
 
 
 _EMPTY = (np.empty(0), np.empty((0, 3)), np.empty((0, 3)), np.empty(0))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import partial
+from functools import lru_cache
 
 import numpy as np
 import shapely
@@ -13,13 +13,11 @@ from numpy.typing import ArrayLike
 from assess.errors import GeometryError
 from assess.geometry.boolean import split
 from assess.geometry.planar import BASE_TOLERANCE, PlanarBody
-from assess.geometry.solid import THINNEST, Solid, polyhedron
+from assess.geometry.solid import SMALL, THINNEST, Solid, polyhedron
 from assess.geometry.surface import Surface
-from assess.memory import remember
 from spectra.arrays import FloatArray, IntArray
 
 FLATTEST = 1e-6  # vertical part of a unit normal: below this a plane is upright and has no side above
-CUTS_KEPT = 16  # of a body
 ON_PLANE = 1e-9  # of the bodies' size: faces this near the plane lie in it
 DEGENERATE = 1e-15  # of the bodies' size squared: triangles smaller than this are lines
 _EMPTY: Surface = (np.empty((0, 3)), np.empty((0, 3), dtype=np.int64))
@@ -147,11 +145,21 @@ def divide(solids: Sequence[Solid], plane: Plane, *, where: str) -> Division:
     GeometryError : the plane misses the bodies, leaves nothing of them or passes through no masonry, or a body
         cannot be cut because its surface is not that of a solid
     """
-    asked = ("divided", plane.point.tobytes(), plane.normal.tobytes())
-    return remember(solids, asked, partial(_divide, solids, plane, where=where), most=CUTS_KEPT)
+    small = sum(len(solid.triangles) for solid in solids) <= SMALL
+    if small:
+        return _divide_small(tuple(solids), tuple(plane.point.tolist()), tuple(plane.normal.tolist()), where)
+    return _divide(solids, plane, where)
 
 
-def _divide(solids: Sequence[Solid], plane: Plane, *, where: str) -> Division:
+@lru_cache(maxsize=256)
+def _divide_small(
+    solids: tuple[Solid, ...], point: tuple[float, ...], normal: tuple[float, ...], where: str
+) -> Division:
+    """Divide small bodies, once: the states of a project cut the same bodies at the same planes."""
+    return _divide(solids, Plane(np.array(point), np.array(normal)), where)
+
+
+def _divide(solids: Sequence[Solid], plane: Plane, where: str) -> Division:
     corners = np.concatenate([solid.vertices for solid in solids])
     low, high = corners.min(axis=0), corners.max(axis=0)
     size = float((high - low).max())
@@ -181,6 +189,8 @@ def _divide(solids: Sequence[Solid], plane: Plane, *, where: str) -> Division:
     foot, *section = (np.column_stack([each, np.zeros(len(each))]) @ axes + origin for each in (corners, *rings))
     shift = (axes @ (origin - plane.point))[:2]
     region = shapely.transform(shapely.MultiPolygon(areas), lambda points: points + shift)
+    for shared in (foot, *section):
+        shared.flags.writeable = False
     return Division(tuple(over), tuple(under), foot, tuple(section), region)
 
 

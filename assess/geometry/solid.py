@@ -31,9 +31,13 @@ from spectra.arrays import FloatArray, IntArray, is_number
 THINNEST = 1e-12  # volume / (size of the body)^3, area / size^2: below this a body is rounding, not masonry
 
 
-@dataclass(frozen=True, repr=False)
+SMALL = 5_000
+"""Triangles of bodies up to which what is found of them is kept for whoever asks again."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
 class Solid(ShortRepr):
-    """A body with its mass properties and its surface.
+    """A body with its mass properties and its surface; it equals itself alone.
 
     Attributes
     ----------

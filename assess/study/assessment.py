@@ -29,6 +29,7 @@ from assess.study.checks import checks_of, context_of, with_histories
 from assess.study.histories import (
     RockingCase,
     RockingHistories,
+    Solved,
     further_levels,
     mechanism_histories,
     rocking_case,
@@ -58,7 +59,13 @@ class MechanismCheck:
 
 
 def assess_mechanisms(
-    study: Study, spectrum: Spectrum, motions: tuple[ScaledRecord, ...], *, jobs: int, progress: Progress
+    study: Study,
+    spectrum: Spectrum,
+    motions: tuple[ScaledRecord, ...],
+    *,
+    jobs: int,
+    progress: Progress,
+    solved: Solved | None = None,
 ) -> tuple[MechanismResult, ...]:
     """Assess every mechanism of a study.
 
@@ -78,6 +85,8 @@ def assess_mechanisms(
         Number of threads; 0 for all cores.
     progress : Progress
         Called as mechanisms are done.
+    solved : Solved, optional
+        Histories that another state of the study has found, and where those of this one are kept.
 
     Returns
     -------
@@ -89,7 +98,8 @@ def assess_mechanisms(
 
     def assess(mechanism: Mechanism) -> MechanismResult:
         def run(there: Study, case: RockingCase, context: Context) -> RockingHistories:
-            return mechanism_histories(there, spectrum, motions, mechanism, case, threads=threads)
+            shared = replace(case, solved=solved)
+            return mechanism_histories(there, spectrum, motions, mechanism, shared, threads=threads)
 
         found = check_mechanism(study, spectrum, mechanism, motions, run)
         histories = () if mechanism.variants.depends_on else found.histories.histories

@@ -19,9 +19,8 @@ comes. So no fraction of the limit says where twins can be left out.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Hashable, Sequence
 from dataclasses import dataclass, fields, replace
-from functools import cache, partial
 from hashlib import sha256
 from math import inf, isclose, isfinite, isinf, log
 from typing import Literal, TypeVar
@@ -36,7 +35,6 @@ from assess.dynamics.history import Jobs, Peaks, make_solver, peaks, trace
 from assess.dynamics.packing import Equation
 from assess.dynamics.pulses import Envelope
 from assess.mechanisms.mechanism import Mechanism
-from assess.memory import remember
 from assess.oscillator import Branch, BranchName, Oscillator, elastic_frequency, linear_multiplier
 from assess.results import (
     HistoryResult,
@@ -229,6 +227,7 @@ class RockingCase(ShortRepr):
     rebounds : factors on its restitution, its own value (1) first; the worst of them counts
     others : the oscillator with actions that are not shown to last; the worst counts, as a share of the rotation that
         overturns the first
+    solved : where its solver keeps what it finds, which cases of one run share
     """
 
     name: str
@@ -237,6 +236,7 @@ class RockingCase(ShortRepr):
     base: tuple[BaseMotion, ...]
     rebounds: tuple[float, ...] = (1.0,)
     others: tuple[Oscillator, ...] = ()
+    solved: Solved | None = None
 
 
 @dataclass(frozen=True, repr=False)
@@ -288,6 +288,8 @@ class LevelPeaks(ShortRepr):
 
 
 LevelSolver = Callable[[Sequence[float], Twins], LevelPeaks]
+Solved = dict[tuple[Hashable, ...], tuple[tuple[Oscillator, ...], LevelPeaks]]
+"""What solvers of one run have found, by all that it follows from; with its oscillators, known by identity."""
 
 
 def level_solver(case: RockingCase, motions: Sequence[ScaledRecord], *, site_pga: float, threads: int) -> LevelSolver:
@@ -299,11 +301,12 @@ def level_solver(case: RockingCase, motions: Sequence[ScaledRecord], *, site_pga
     factors = np.array([motion.scaling.factor for motion in motions])
     records = [at_base.record for at_base in case.base]
     polarity, oscillator_number = run_variants(case)
-    solver = cache(partial(variant_solver, case, records, threads=threads))
+    run = variant_solver(case, records, threads=threads)
+    oscillators, solved = (case.oscillator, *case.others), {} if case.solved is None else case.solved
     digest = sha256(factors.tobytes() + TWIN_FACTORS.tobytes())
     for record in records:
         digest.update(np.float64(record.dt).tobytes() + record.acceleration.tobytes())
-    same = (case.equation, case.rebounds, site_pga, digest.digest())
+    same = (*map(id, oscillators), case.equation, case.rebounds, site_pga, digest.digest())
 
     def jobs(levels: FloatArray, records: IntArray, variant: IntArray, runs: FloatArray) -> Jobs:
         """Return the jobs of records at levels in one variant each [n], in every run [n, runs]."""
@@ -312,16 +315,19 @@ def level_solver(case: RockingCase, motions: Sequence[ScaledRecord], *, site_pga
         return Jobs(oscillator, motion, scale.ravel())
 
     def solve(levels: Sequence[float], twins: Twins) -> LevelPeaks:
-        asked = (*same, tuple(levels), twins)
-        return remember((case.oscillator, *case.others), asked, lambda: solve_anew(levels, twins))
+        for each in dict.fromkeys(("none", twins)):  # twins are run beside the records as they are
+            asked = (*same, tuple(levels), each)
+            if asked not in solved:
+                alone = None if each == "none" else solved[*same, tuple(levels), "none"][1].peaks
+                solved[asked] = oscillators, find(levels, twins=each, alone=alone)
+        return solved[asked][1]
 
-    def solve_anew(levels: Sequence[float], twins: Twins) -> LevelPeaks:
-        run = solver()
+    def find(levels: Sequence[float], *, twins: str, alone: Peaks | None) -> LevelPeaks:
         shape = (len(levels), len(motions), polarity.size)
         level, record, variant = (each.ravel() for each in np.indices(shape))
         pga = np.asarray(levels)[level]
         jobs_run = jobs(pga, record, variant, TWIN_FACTORS[:1])
-        peaks = run(jobs_run) if twins == "none" else solve(levels, "none").peaks
+        peaks = run(jobs_run) if alone is None else alone
         job = np.repeat(np.arange(variant.size), 1 if twins == "none" else TWIN_FACTORS.size).reshape(variant.size, -1)
 
         def add(here: IntArray, runs: slice) -> None:

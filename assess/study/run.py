@@ -47,6 +47,7 @@ from assess.study.ground_motion import ground_motion, record_result, spectrum_re
 from assess.study.histories import (
     RockingCase,
     RockingHistories,
+    Solved,
     fastest_vibration,
     further_levels,
     mechanism_histories,
@@ -120,12 +121,13 @@ def run_study(study: Study, *, jobs: int = 0, progress: Progress = no_progress) 
     progress("ground motions", 0, 1)
     motions = motions_of(study, spectrum, jobs=jobs)
     study = replace(study, suite_faults=suite_faults(study, spectrum, motions))
-    typed = _run_state(study, spectrum, motions, jobs=jobs, progress=progress)
+    solved: Solved = {}  # the two states share most of their histories
+    typed = _run_state(study, spectrum, motions, jobs=jobs, progress=progress, solved=solved)
     assert typed.verdict is not None
     progress("values without a source", 0, 1)
     overrides = find_overrides(study, motions, jobs=jobs)
     replaced = _replaced(study, overrides)
-    if replaced is None or not decides(other := find_state_verdict(replaced, jobs=jobs), typed.verdict):
+    if replaced is None or not decides(other := find_state_verdict(replaced, jobs=jobs, solved=solved), typed.verdict):
         return replace(typed, verdict=merge_states(typed.verdict, None if replaced is None else other, overrides.lines))
     if (
         replaced.falling != study.falling
@@ -133,7 +135,7 @@ def run_study(study: Study, *, jobs: int = 0, progress: Progress = no_progress) 
         return replace(typed, verdict=merge_states(typed.verdict, other, overrides.lines))
     other_motions = motions_of(replaced, require_spectrum(replaced), jobs=jobs)
     replaced = replace(replaced, suite_faults=suite_faults(replaced, require_spectrum(replaced), other_motions))
-    found = _run_state(replaced, require_spectrum(replaced), other_motions, jobs=jobs, progress=progress)
+    found = _run_state(replaced, require_spectrum(replaced), other_motions, jobs=jobs, progress=progress, solved=solved)
     assert found.verdict is not None
     verdict = merge_states(typed.verdict, found.verdict, overrides.lines)
     return replace(found, project=typed.project, inputs=typed.inputs, stamp=typed.stamp, verdict=verdict)
@@ -153,14 +155,20 @@ def _replaced(study: Study, overrides: Overrides) -> Study | None:
 
 
 def _run_state(
-    study: Study, spectrum: Spectrum, motions: tuple[ScaledRecord, ...], *, jobs: int, progress: Progress
+    study: Study,
+    spectrum: Spectrum,
+    motions: tuple[ScaledRecord, ...],
+    *,
+    jobs: int,
+    progress: Progress,
+    solved: Solved | None = None,
 ) -> Results:
-    """Assess one state of a study under its motions."""
+    """Assess one state of a study under its motions. solved: histories that the other state has found."""
     sweeps = run_sweeps(study, motions, jobs=jobs, progress=progress)
     swept, without_typed = {each.mechanism for each in sweeps}, mechanisms_beside_cases(study.sweeps)
     as_typed = [each for each in study.mechanisms if each.name not in swept or each.name in without_typed]
     unswept = replace(study, mechanisms=tuple(as_typed))
-    as_file_has_it = assess_mechanisms(unswept, spectrum, motions, jobs=jobs, progress=progress)
+    as_file_has_it = assess_mechanisms(unswept, spectrum, motions, jobs=jobs, progress=progress, solved=solved)
     besides = tuple(each for each in as_file_has_it if each.name in without_typed)
     controlling = controlling_cases(sweeps, {each.result.name: each for each in in_case(study, besides)})
     unswept_results = {each.name: each for each in as_file_has_it}
@@ -256,8 +264,8 @@ def find_verdict(study: Study, *, jobs: int = 1, run: DecidingHistories | None =
     AssessError
         If a record, mechanism or procedure cannot be evaluated.
     """
-    run = run or _histories_of_verdict
-    typed = find_state_verdict(study, jobs=jobs, run=run)
+    solved: Solved = {}
+    typed = find_state_verdict(study, jobs=jobs, run=run, solved=solved)
     methods = methods_of(study.question)
     study = replace(study, procedures=tuple(procedure for procedure in study.procedures if procedure in methods))
     motions: tuple[ScaledRecord, ...] = ()
@@ -265,11 +273,13 @@ def find_verdict(study: Study, *, jobs: int = 1, run: DecidingHistories | None =
         motions = motions_of(study, require_spectrum(study), jobs=jobs)
     overrides = find_overrides(study, motions, jobs=jobs, with_sources=False)
     replaced = _replaced(study, overrides)
-    other = None if replaced is None else find_state_verdict(replaced, jobs=jobs, run=run)
+    other = None if replaced is None else find_state_verdict(replaced, jobs=jobs, run=run, solved=solved)
     return merge_states(typed, other, overrides.lines)
 
 
-def find_state_verdict(study: Study, *, jobs: int = 1, run: DecidingHistories | None = None) -> Verdict:
+def find_state_verdict(
+    study: Study, *, jobs: int = 1, run: DecidingHistories | None = None, solved: Solved | None = None
+) -> Verdict:
     """Return the verdict of one state of a study.
 
     What is at the limit is found by the usual 5 % alone: the tolerance of the survey, which changes no outcome, is not
@@ -291,7 +301,8 @@ def find_state_verdict(study: Study, *, jobs: int = 1, run: DecidingHistories | 
         study = replace(study, suite_faults=suite_faults(study, spectrum, motions))
     run = run or _histories_of_verdict
     checked = [
-        _check_what_decides(study, spectrum, motions, mechanism, run, jobs=jobs) for mechanism in study.mechanisms
+        _check_what_decides(study, spectrum, motions, mechanism, run, jobs=jobs, solved=solved)
+        for mechanism in study.mechanisms
     ]
     return decide(study, checked)
 
@@ -510,13 +521,14 @@ def _check_what_decides(
     run: DecidingHistories,
     *,
     jobs: int,
+    solved: Solved | None,
 ) -> CheckedMechanism:
     """Return the checks of a mechanism, with time histories where one of them asks for these."""
 
     def histories(there: Study, case: RockingCase, context: Context) -> RockingHistories:
         if not any(map(uses_histories, there.procedures)):
             return NO_HISTORIES
-        return run(MechanismCase(there, spectrum, motions, mechanism, case, context, jobs))
+        return run(MechanismCase(there, spectrum, motions, mechanism, replace(case, solved=solved), context, jobs))
 
     found = check_mechanism(study, spectrum, mechanism, motions, histories)
     return CheckedMechanism(mechanism.name, found.checks)

@@ -1,5 +1,6 @@
 """Cuts: what lies above against closed forms and other ways to the same part, and the section it stands on."""
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -315,3 +316,15 @@ def test_halves_of_a_body_about_an_upright_plane():
     reach = float(body.centroid @ normal)
     assert (behind.vertices @ normal).max() == pytest.approx(reach, abs=1e-9)
     assert (before.vertices @ normal).min() == pytest.approx(reach, abs=1e-9)
+
+
+def test_a_cut_is_found_once_for_a_body_and_a_plane() -> None:
+    """The body itself, and not one like it, at the same plane: of a body of twice the density the mass is twice."""
+    wall = box(thickness=0.5, length=2.0, height=4.0, base=(0.0, 0.0, 0.0), density=1800.0, name="wall")
+    heavy = replace(wall, mass=2.0 * wall.mass, inertia=2.0 * wall.inertia)
+    found = divide([wall], level_plane(1.0), where="wall")
+    assert divide([wall], level_plane(1.0), where="wall") is found
+    assert divide([wall], level_plane(1.5), where="wall").above[0].mass == pytest.approx(wall.mass * 2.5 / 4.0)
+    assert divide([heavy], level_plane(1.0), where="wall").above[0].mass == pytest.approx(2.0 * found.above[0].mass)
+    with pytest.raises(ValueError, match="read-only"):
+        found.foot[0] = 0.0

@@ -1,7 +1,5 @@
 """Mass properties of solids against closed forms, other ways to the same body, and chance."""
 
-from dataclasses import replace
-
 import numpy as np
 import pytest
 from scipy.spatial import ConvexHull
@@ -9,7 +7,6 @@ from scipy.spatial.transform import Rotation
 
 from assess.errors import GeometryError
 from assess.geometry.solid import box, join, polyhedron, profile
-from assess.memory import remember
 from tests.support.solids import assert_same_mass, irregular_tower
 
 DENSITY = 2240.0
@@ -217,18 +214,3 @@ def test_polyhedron_refuses_no_volume_and_inside_out() -> None:
     sheet = (points * [1.0, 1.0, 0.0]) @ Rotation.from_rotvec([0.3, 0.2, 0.9]).as_matrix().T + [5e5, 4e6, 100.0]
     with pytest.raises(GeometryError, match="no volume"):
         polyhedron(sheet, triangles, density=DENSITY, name="sheet")
-
-
-def test_what_is_found_of_bodies_is_kept_for_those_bodies_alone() -> None:
-    wall, floor = (profile([[0, 0], [1, 0], [1, 1]], length=1.0, density=DENSITY, name=name) for name in ("w", "f"))
-    first = remember((wall, floor), ("gap", 0.1), object)
-    assert remember((wall, floor), ("gap", 0.1), object) is first
-    assert remember((wall, floor), ("gap", 0.2), object) is not first
-    assert remember((wall,), ("gap", 0.1), object) is not first
-    assert remember((wall, replace(floor)), ("gap", 0.1), object) is not first
-    assert remember((replace(wall), floor), ("gap", 0.1), object) is not first
-    for gap in range(5):
-        remember((wall,), ("gap", gap), object, most=3)
-    kept = remember((wall,), ("gap", 4), object, most=3)
-    assert remember((wall,), ("gap", 4), object, most=3) is kept
-    assert remember((wall, floor), ("gap", 0.1), object) is not first

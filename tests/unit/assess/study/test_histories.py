@@ -211,6 +211,39 @@ def last_before(scan, share: float) -> float:
     return scan[next(n for n, p in enumerate(holds) if p < share) - 1].pga
 
 
+@pytest.mark.parametrize(
+    "change", ["nothing", "oscillator", "equation", "rebounds", "record", "step", "factor", "target"]
+)
+def test_cases_that_share_what_is_solved_have_each_its_own_histories(change):
+    """Of two cases that differ in one thing the second has what it has by itself, and of two alike the same objects."""
+    case, motions, site_pga, solved = rocking_case(UNLIKE), list(MOTIONS), PGA, {}
+    shared = level_solver(replace(case, solved=solved), motions, site_pga=PGA, threads=1)((3.0, 3.5), "all")
+    first = case.base[0]
+    record = first.record
+    match change:
+        case "oscillator":
+            case = replace(case, oscillator=Oscillator(OTHER, ONE, 1.0))
+        case "equation":
+            case = replace(case, equation="linearised")
+        case "rebounds":
+            case = replace(case, rebounds=(1.0, 0.5))
+        case "record":
+            turned = replace(first, record=make_record(record.id, record.acceleration[::-1], record.dt))
+            case = replace(case, base=(turned, *case.base[1:]))
+        case "step":
+            slower = replace(first, record=make_record(record.id, record.acceleration, 1.1 * record.dt))
+            case = replace(case, base=(slower, *case.base[1:]))
+        case "factor":
+            motions[0] = replace(motions[0], scaling=Scaling(1.3, 0.0))
+        case "target":
+            site_pga = 1.1 * PGA
+    found = level_solver(replace(case, solved=solved), motions, site_pga=site_pga, threads=1)((3.0, 3.5), "all")
+    alone = level_solver(case, motions, site_pga=site_pga, threads=1)((3.0, 3.5), "all")
+    assert (found is shared) == (change == "nothing")
+    assert (change == "nothing") == np.array_equal(found.peaks.max_ratio, shared.peaks.max_ratio)
+    np.testing.assert_array_equal(found.peaks.max_ratio, alone.peaks.max_ratio)
+
+
 @pytest.mark.parametrize("body", [SYMMETRIC, UNLIKE], ids=["symmetric", "unlike"])
 def test_any_number_of_threads_gives_the_same_digits(body):
     runs = [

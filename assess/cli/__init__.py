@@ -58,7 +58,7 @@ def main(arguments: list[str] | None = None) -> NoReturn:
 def _refuse_other_digits(arguments: Sequence[str]) -> None:
     """Raise AssessError for a number in other digits than 0 to 9, which would be read without a word."""
     for each in arguments:
-        joined = each.removeprefix("-").lstrip(ascii_letters)  # -j2, a short option with its value
+        joined = each[1:].lstrip(ascii_letters) if each.startswith("-") else ""  # -j2, a short option with its value
         other = any(c.isdecimal() and not c.isascii() for c in each)
         if other and any(map(_is_number, (each.rpartition("=")[2], joined))):
             raise AssessError(f'"{each:.40}": a number is written with the digits 0 to 9')

@@ -285,6 +285,8 @@ TEXTS: Mapping[str, str] = {
     "or a floor, roof or tie among its loads",
     "not-drawn": "a pass is valid only if these are as stated, as no body is drawn that shows them and no source "
     "vouches for them: {keys}",
+    "not-sought": "a pass is valid only for the mechanism as stated, as no weaker one is sought and no source vouches "
+    "for it; name one in [report.sources]: {keys}",
     "thrust-is-tied": "a pass is valid only if ties or tie-beams carry the thrust of {what} up to collapse",
     "falls-at-rest": "it falls under its own loads, uplift multiplier {multiplier}: {reason}",
     "falls-at-rest-unknown": "it falls under its own loads: {reason}",

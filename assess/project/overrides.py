@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cache, partial
+from itertools import islice
 
 import numpy as np
 
@@ -53,13 +54,15 @@ def replaceables_of(project: Project, solids: Solids, study: Study, *, study_at:
     for path, evidence in _keys_as_written(project):
         if not _bears_on(path, methods, content, study):
             continue
-        for each in _substitutes(path, evidence, content, solids, study, study_at):
+        source = content.report.source_of(".".join(map(str, path)))
+        first = 1 if source else None  # of a range that is all that is tried beside a value with a source
+        for each in islice(_substitutes(path, evidence, content, solids, study, study_at), first):
             found.append(
                 Replaceable(
                     key=key_text(path),
                     value=value_text(look_up(project.raw, path)[1]),
                     instead=each.words,
-                    source=content.report.source_of(".".join(map(str, path))),
+                    source=source,
                     either_way=evidence.helps == "either",
                     of_range=isinstance(evidence.safe, Range),
                     same=SAME_MULTIPLIER if evidence.safe is Safe.WEAKEST else SAME_MARGIN,
@@ -168,15 +171,13 @@ class _Substitute:
 
 def _substitutes(
     path: KeyPath, evidence: Evidence, content: sections.Content, solids: Solids, study: Study, study_at: StudyAt
-) -> tuple[_Substitute, ...]:
-    """Return what stands in place of a value: several of a range; none where the value does not help."""
+) -> Iterator[_Substitute]:
+    """Yield what stands in place of a value: several of a range; none where the value does not help."""
     if isinstance(evidence.safe, Range):
-        return tuple(_values_of_range(path, evidence.safe, content, study_at))
-    setting = _setting(path, evidence, content, solids, study)
-    if setting is None:
-        return ()
-    value = next(iter(setting.values()))
-    return (_Substitute(setting, evidence.instead if isinstance(value, Safe) else _value_text(value)),)
+        yield from _values_of_range(path, evidence.safe, content, study_at)
+    elif setting := _setting(path, evidence, content, solids, study):
+        value = next(iter(setting.values()))
+        yield _Substitute(setting, evidence.instead if isinstance(value, Safe) else _value_text(value))
 
 
 def _setting(
@@ -309,7 +310,7 @@ def _own_frequency(path: KeyPath, content: sections.Content, study_at: StudyAt) 
 def _restitution_by_formula(path: KeyPath, content: sections.Content, study_at: StudyAt) -> float | None:
     """Return the restitution of the formula [-], of the positive direction where one number stands for both."""
     study = _built_without(path, study_at)
-    return None if study is None else study.mechanisms[0].restitution["negative" in path]
+    return None if study is None else study.mechanisms[0].restitution[path[-1] == "negative"]
 
 
 def _built_without(path: KeyPath, study_at: StudyAt) -> Study | None:

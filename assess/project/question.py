@@ -386,6 +386,7 @@ def _conditions(content: sections.Content, name: str) -> tuple[Message, ...]:
     return (
         *_unexamined_below_cut(content, name),
         *_not_drawn(content, name),
+        *_not_sought(content, name),
         *(message("thrust-is-tied", {"what": body}, severity=Severity.WARNING) for body in tied),
     )
 
@@ -416,6 +417,16 @@ def _not_drawn(content: sections.Content, name: str) -> Iterator[Message]:
         stated = [f"mechanisms.{name}.{key}" for key in ("p", "uplift", "radius", "elevation")]
     if keys := [key for key in stated if not content.report.source_of(key)]:
         yield message("not-drawn", {"keys": ", ".join(keys)}, severity=Severity.WARNING)
+
+
+def _not_sought(content: sections.Content, name: str) -> Iterator[Message]:
+    """Yield the condition that four hinges form where they are stated: weaker ones are not sought, nor a direction."""
+    section = content.mechanisms[name]
+    if section.kind == "four-hinge":
+        given = [key for key in ("hinges", "hinges_negative", "direction") if key in section.model_fields_set]
+        stated = [f"mechanisms.{name}.{key}" for key in given if getattr(section, key) != "minimum"]
+        if keys := [key for key in stated if not content.report.source_of(key)]:
+            yield message("not-sought", {"keys": ", ".join(keys)}, severity=Severity.WARNING)
 
 
 def procedures_of(content: sections.Content) -> tuple[str, ...]:

@@ -86,7 +86,17 @@ PROJECTS: dict[str, Tables] = {
         {"wall": _block(sides="one", interface={"model": "flexible", "course_thickness": "0.2 m"})},
         materials={"stone": {"density": 1900, "young_modulus": "1.2 GPa", "disintegration": "excluded"}},
     ),
-    "ntc-portal": _project("ntc2018", ITALY, {"wall": {**PORTAL}}, bodies=FRAME),
+    "ntc-portal": _project(
+        "ntc2018",
+        ITALY,
+        {"wall": {**PORTAL}},
+        bodies=FRAME,
+        report={
+            "sources": dict.fromkeys(
+                ("materials.stone.disintegration", "mechanisms.wall.hinges", "mechanisms.wall.direction"), SURVEY
+            )
+        },
+    ),
     "ntc-two-block": _project(
         "ntc2018",
         ITALY,

@@ -41,6 +41,11 @@ def test_a_number_in_other_digits_is_refused(typed: str, capsys: pytest.CaptureF
         assert f'"{joined}": a number is written with the digits 0 to 9' in capsys.readouterr().err
 
 
+def test_a_name_may_end_in_any_digits(capsys: pytest.CaptureFixture[str]) -> None:
+    assert ended("run", "villa٢") == 2
+    assert "digits 0 to 9" not in capsys.readouterr().err
+
+
 def _commands(group, names=()):
     """Every command that can be typed, with its names."""
     for name, command in getattr(group, "commands", {}).items():

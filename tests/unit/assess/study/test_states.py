@@ -506,3 +506,19 @@ def test_a_mechanism_by_values_alone_passes_on_the_condition_that_they_are_so(
     assert found.outcome == Decision.PASS
     told = [each.text.partition(": ")[2] for each in found.conditions if each.key == "not-drawn"]
     assert told == ([", ".join(left)] if left else [])
+
+
+@pytest.mark.parametrize("vouched", [(), ("hinges",), ("hinges", "direction")])
+def test_four_hinges_where_they_are_stated_pass_on_the_condition_that_no_others_form(vouched: tuple[str, ...]) -> None:
+    """Halfway up the pier the last hinge makes of a frame that fails one that holds; nothing looks for a weaker one."""
+    tables = copy.deepcopy(PROJECTS["ntc-portal"])
+    assert verdict_on(tables).outcome == Decision.FAIL
+    tables["mechanisms"]["wall"]["hinges"]["D"] = [3.2, 3.0]
+    tables["report"]["sources"] = {
+        key: source for key, source in tables["report"]["sources"].items() if not key.startswith("mechanisms.")
+    } | {f"mechanisms.wall.{key}": TESTED for key in vouched}
+    found = verdict_on(tables)
+    assert found.outcome == Decision.PASS
+    left = [f"mechanisms.wall.{key}" for key in ("hinges", "direction") if key not in vouched]
+    told = [each.text.rpartition(": ")[2] for each in found.conditions if each.key == "not-sought"]
+    assert told == ([", ".join(left)] if left else [])

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 from assess.errors import GeometryError
-from assess.geometry.solid import THINNEST, Solid, polyhedron
+from assess.geometry.solid import THINNEST, Solid, keep_of_bodies, polyhedron
 from assess.geometry.surface import Surface, merge_vertices, volume
 from assess.messages.message import Message, Quantity, warning
 from spectra.arrays import BoolArray, FloatArray
@@ -85,8 +85,12 @@ def intersect(first: Solid, second: Solid) -> Intersection | None:
     ------
     GeometryError : a surface is not that of a solid
     """
-    if _bounds_gap(first, second) > 0.0:
-        return None
+    return None if _bounds_gap(first, second) > 0.0 else _intersect((first, second))
+
+
+@keep_of_bodies
+def _intersect(solids: tuple[Solid, ...]) -> Intersection | None:
+    first, second = solids
     origin = (first.vertices.min(axis=0) + first.vertices.max(axis=0)) / 2.0
     one, two = (_manifold_of_solid(solid, origin).as_original() for solid in (first, second))
     shared = one ^ two
@@ -97,7 +101,10 @@ def intersect(first: Solid, second: Solid) -> Intersection | None:
     corners = np.array(mesh.vert_properties, dtype=np.float64)[:, :3][np.array(mesh.tri_verts, dtype=np.int64)]
     ends = np.array(mesh.run_index, dtype=np.int64) // 3
     of_second = np.repeat(np.array(mesh.run_original_id, dtype=np.int64) == two.original_id(), ends[1:] - ends[:-1])
-    return Intersection(corners + origin, of_second, volume, volume / smaller)
+    corners += origin
+    for shared_array in (corners, of_second):
+        shared_array.flags.writeable = False
+    return Intersection(corners, of_second, volume, volume / smaller)
 
 
 def shortest_distance(first: Solid, second: Solid, *, limit: float = inf) -> float:

@@ -4,14 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from functools import lru_cache
 
 import numpy as np
 import shapely
 from numpy.typing import NDArray
 
 from assess.geometry.boolean import intersect
-from assess.geometry.solid import SMALL, THINNEST, Solid
+from assess.geometry.solid import THINNEST, Solid, keep_of_bodies
 from assess.geometry.surface import area_vectors, areas_and_normals
 from spectra.arrays import FloatArray, IntArray
 
@@ -99,16 +98,12 @@ def facing_patches(block: Solid, body: Solid, *, tolerance: float = CONTACT_TOLE
     body : whose faces they may face
     tolerance : on the distance of faces [m]
     """
-    small = len(block.triangles) + len(body.triangles) <= SMALL
-    return (_facing_patches_kept if small else _facing_patches)(block, body, tolerance)
+    return _upright_patches((block, body), tolerance)
 
 
-def _facing_patches(block: Solid, body: Solid, tolerance: float) -> FacePatches:
-    return _facing_parts(block, body, reach=tolerance, cosine=PARALLEL, bearing=False)
-
-
-_facing_patches_kept = lru_cache(maxsize=256)(_facing_patches)
-"""Of small bodies they are found once: the states of a project ask for the same bodies."""
+@keep_of_bodies
+def _upright_patches(solids: tuple[Solid, ...], tolerance: float) -> FacePatches:
+    return _facing_parts(*solids, reach=tolerance, cosine=PARALLEL, bearing=False)
 
 
 def join_contacts(contacts: Sequence[ContactArea]) -> ContactArea | None:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import lru_cache
 
 import numpy as np
 import shapely
@@ -13,7 +12,7 @@ from numpy.typing import ArrayLike
 from assess.errors import GeometryError
 from assess.geometry.boolean import split
 from assess.geometry.planar import BASE_TOLERANCE, PlanarBody
-from assess.geometry.solid import SMALL, THINNEST, Solid, polyhedron
+from assess.geometry.solid import THINNEST, Solid, keep_of_bodies, polyhedron
 from assess.geometry.surface import Surface
 from spectra.arrays import FloatArray, IntArray
 
@@ -145,21 +144,12 @@ def divide(solids: Sequence[Solid], plane: Plane, *, where: str) -> Division:
     GeometryError : the plane misses the bodies, leaves nothing of them or passes through no masonry, or a body
         cannot be cut because its surface is not that of a solid
     """
-    small = sum(len(solid.triangles) for solid in solids) <= SMALL
-    if small:
-        return _divide_small(tuple(solids), tuple(plane.point.tolist()), tuple(plane.normal.tolist()), where)
-    return _divide(solids, plane, where)
+    return _divide(tuple(solids), tuple(plane.point.tolist()), tuple(plane.normal.tolist()), where)
 
 
-@lru_cache(maxsize=256)
-def _divide_small(
-    solids: tuple[Solid, ...], point: tuple[float, ...], normal: tuple[float, ...], where: str
-) -> Division:
-    """Divide small bodies, once: the states of a project cut the same bodies at the same planes."""
-    return _divide(solids, Plane(np.array(point), np.array(normal)), where)
-
-
-def _divide(solids: Sequence[Solid], plane: Plane, where: str) -> Division:
+@keep_of_bodies
+def _divide(solids: tuple[Solid, ...], point: tuple[float, ...], normal: tuple[float, ...], where: str) -> Division:
+    plane = Plane(np.array(point), np.array(normal))
     corners = np.concatenate([solid.vertices for solid in solids])
     low, high = corners.min(axis=0), corners.max(axis=0)
     size = float((high - low).max())

@@ -12,10 +12,11 @@ products are the positive integrals).
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import lru_cache
 from itertools import combinations_with_replacement
-from typing import Annotated, Any
+from typing import Annotated, Any, Concatenate, ParamSpec, TypeVar
 
 import numpy as np
 import shapely
@@ -31,8 +32,9 @@ from spectra.arrays import FloatArray, IntArray, is_number
 THINNEST = 1e-12  # volume / (size of the body)^3, area / size^2: below this a body is rounding, not masonry
 
 
-SMALL = 5_000
-"""Triangles of bodies up to which what is found of them is kept for whoever asks again."""
+SMALL = 5_000  # triangles
+T = TypeVar("T")
+P = ParamSpec("P")
 
 
 @dataclass(frozen=True, repr=False, eq=False)
@@ -57,6 +59,24 @@ class Solid(ShortRepr):
     vertices: FloatArray
     triangles: IntArray
     history: tuple[Message, ...] = ()
+
+
+def keep_of_bodies(
+    find: Callable[Concatenate[tuple[Solid, ...], P], T],
+) -> Callable[Concatenate[tuple[Solid, ...], P], T]:
+    """Return a function of bodies, known by identity, that keeps its last answers: 256 of small ones, 4 of others.
+
+    A project asks the same of the same bodies for each of its states, directions and variations. What else it is
+    called with must be hashable; answers are shared, so their arrays must not be written to.
+    """
+    of_small, of_large = lru_cache(maxsize=256)(find), lru_cache(maxsize=4)(find)
+
+    def answer(solids: tuple[Solid, ...], /, *args: P.args, **kwargs: P.kwargs) -> T:
+        small = sum(len(solid.triangles) for solid in solids) <= SMALL
+        found: T = (of_small if small else of_large)(solids, *args, **kwargs)  # type: ignore[arg-type]
+        return found
+
+    return answer
 
 
 Solids = Mapping[str, Solid | None]

@@ -279,7 +279,7 @@ def hull_edge_normals(points: FloatArray) -> FloatArray:
     points lie on a line
     """
     plan = np.asarray(points)[:, :2]
-    ring = shapely.linestrings(np.concatenate([plan, plan[:1]]))  # as many points take ten times as long
+    ring = shapely.linestrings(np.concatenate([plan, plan[:1]]))  # a tenth of the time that its points take
     hull = shapely.convex_hull(ring)
     if not isinstance(hull, shapely.Polygon):
         return np.empty(0)

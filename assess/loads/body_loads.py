@@ -105,6 +105,7 @@ def body_loads(
     placed = BodyOnBlock(load, body, found, arch, side, meeting.others, where=f'{around.where}: load "{load.body}"')
     whole, of = body_mass(load, body, mass=mass)
     bearing, how = _bears_on_block(placed)
+    within = within if bearing else 0.0  # what only pushes keeps its inertia whole
     part = _carried_share(placed, bearing=bearing)
     source, pushed = [of, part.source, how, *_place_source(load, found, along=around.along)], list[Force]()
     if once < 1.0:
@@ -118,9 +119,14 @@ def body_loads(
         source += [] if thrust.size else thrust.source
     if load.seat is not None and not bearing:
         raise GeometryError(f"{placed.where}: it only pushes, so it has no seat; remove seat, or write bearing = true")
-    rest = max(part.share * whole * once - within, 0.0)
+    own = part.share * whole * once
+    rest = max(own - within, 0.0)
+    warnings = [*meeting.warnings, *part.warnings]
+    if own > 0.0 and not rest:
+        masses = {"mass": Quantity(own, "mass", 3), "within": Quantity(within, "mass", 3)}
+        warnings.append(warning("load-lies-within", placed.where, **masses))
     carried = PointMass(load.body, rest, at, bearing, block, tuple(source), load.seat)
-    return LoadSet((carried, *pushed) if rest else tuple(pushed), (*meeting.warnings, *part.warnings))
+    return LoadSet((carried, *pushed) if rest else tuple(pushed), tuple(warnings))
 
 
 def loaded_blocks(

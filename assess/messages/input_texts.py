@@ -168,6 +168,8 @@ GEOMETRY_TEXTS: Mapping[str, str] = {
     "load-mass-direct": "{mass} (direct values)",
     "load-mass": "{mass} ({own})",
     "load-counted-once": "{share} of it, as loads before it count what they share with it",
+    "load-lies-within": "of its {mass} that load the block {within} are drawn within it, where they count as masonry: "
+    "nothing of its weight is left on it; move the drawing, or give its share",
     "load-within-block": "less {mass} of it that lies in the block, which counts it",
     "load-ungewitter": "Ungewitter's case {case}, {name}: {thickness} x {density} (assumed) x intrados {area}",
     "load-with-fill": "{own}, and fill {fill} x plan {plan}",

@@ -284,7 +284,7 @@ TEXTS: Mapping[str, str] = {
     "top-unheld": "what holds the top of {mechanism}, {height} above the ground: a floor of the building (its height), "
     "or a floor, roof or tie among its loads",
     "not-drawn": "a pass is valid only if these are as stated, as no body is drawn that shows them and no source "
-    "vouches for them: {keys}",
+    "vouches for them; name one in [report.sources]: {keys}",
     "not-sought": "a pass is valid only for the mechanism as stated, as no weaker one is sought and no source vouches "
     "for it; name one in [report.sources]: {keys}",
     "thrust-is-tied": "a pass is valid only if ties or tie-beams carry the thrust of {what} up to collapse",

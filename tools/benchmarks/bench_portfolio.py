@@ -23,7 +23,7 @@ from assess.examples import copy_example
 from assess.portfolio.projects import Task, find_tasks, project_tree
 from assess.project.build import build, build_to_decide
 from assess.project.project_file import load, load_tree
-from assess.study.run import find_verdict
+from assess.study.run import find_outcome
 from assess.study.study import require_spectrum
 from assess.study.suites import motions_of
 
@@ -65,7 +65,7 @@ def with_histories(template: Path) -> None:
 def wall_of(task: Task) -> tuple[str, float]:
     """Return the outcome of a wall, and the time of the processor that it took [s]."""
     start = process_time()
-    found = find_verdict(build_to_decide(load_tree(project_tree(task), task.path, sha256=task.sha256)))
+    found = find_outcome(build_to_decide(load_tree(project_tree(task), task.path, sha256=task.sha256)))
     return found.outcome.value, process_time() - start
 
 

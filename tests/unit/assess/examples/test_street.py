@@ -12,7 +12,7 @@ from assess.examples import copy_example
 from assess.portfolio.projects import find_tasks, project_tree
 from assess.project.build import build
 from assess.project.project_file import load_tree
-from assess.study.run import find_verdict
+from assess.study.run import find_outcome
 
 
 def test_every_facade_of_the_street_has_a_verdict(tmp_path: Path) -> None:
@@ -21,7 +21,7 @@ def test_every_facade_of_the_street_has_a_verdict(tmp_path: Path) -> None:
     assert found == {"README.md", "project.schema.json", "street.csv", "template.toml"}
     tasks = find_tasks(template.parent / "street.csv", template)
     studies = [build(load_tree(project_tree(task), task.path, sha256=task.sha256)) for task in tasks]
-    found = [find_verdict(study) for study in studies]
+    found = [find_outcome(study) for study in studies]
     assert [task.key for task in tasks] == [f"V{number:02}" for number in range(1, 41)]
     assert len({task.sha256 for task in tasks}) == len({each.mechanisms[0].margin for each in found}) == 40
     assert set(Counter(each.outcome.value for each in found)) == {"pass", "fail"}

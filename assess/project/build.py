@@ -17,7 +17,7 @@ from assess.codes.asce43_05 import VERTICAL_RATIO
 from assess.codes.context import Building
 from assess.codes.verdict import falling_message
 from assess.dynamics.packing import Equation
-from assess.errors import AssessError, FallingError, Faults, ProjectError, locate_errors
+from assess.errors import AssessError, FallingError, Faults, ProjectError, locate_errors, other_faults
 from assess.geometry.mesh import MeshesBySelection
 from assess.geometry.solid import Solid, scale_density
 from assess.loads.load import bodies_of as loading_bodies
@@ -302,12 +302,21 @@ def _errors_at(name: str, definition: Definition) -> Iterator[None]:
     except FallingError:
         raise
     except AssessError as error:
-        key, text = key_text(("mechanisms", name)), str(error).removeprefix(f'mechanism "{name}": ')
-        if not text.startswith(key):
-            below = re.match(r"(\w+)[^ ]*( =|:) ", text)
-            of_its_own = below is not None and below[1] in {each.name for each in fields(definition)}
-            text = f"{key}{'.' if of_its_own else ': '}{text}"
-        raise type(error)(text) from None
+        first, *others = (_at_key(name, definition, text) for text in (str(error), *other_faults(error)))
+        located = type(error)(first)
+        for other in others:
+            located.add_note(other)
+        raise located from None
+
+
+def _at_key(name: str, definition: Definition, text: str) -> str:
+    """Return what the model says of a mechanism, which it names, with the key of the file instead."""
+    key, text = key_text(("mechanisms", name)), text.removeprefix(f'mechanism "{name}": ')
+    if text.startswith(key):
+        return text
+    below = re.match(r"(\w+)[^ ]*( =|:) ", text)
+    of_its_own = below is not None and below[1] in {each.name for each in fields(definition)}
+    return f"{key}{'.' if of_its_own else ': '}{text}"
 
 
 def _deciding_study(

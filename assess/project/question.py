@@ -414,8 +414,7 @@ def _not_drawn(content: sections.Content, name: str) -> Iterator[Message]:
         stated = [f"bodies.{body}.{key}" for body in by_values for key in ("mass", "centroid", "inertia")]
         stated += [f"mechanisms.{name}.hinges"] if by_values else []
     else:
-        given = section.model_fields_set
-        stated = [f"mechanisms.{name}.{key}" for key in ("p", "uplift", "radius", "elevation") if key in given]
+        stated = [f"mechanisms.{name}.{key}" for key in ("p", "uplift", "radius", "elevation")]
     if keys := [key for key in stated if not content.report.source_of(key)]:
         yield message("not-drawn", {"keys": ", ".join(keys)}, severity=Severity.WARNING)
 

@@ -193,8 +193,10 @@ def answer(tables: Tables) -> Answer | None:
 
 
 def with_trial(tables: Tables, trial: Trial) -> Tables:
-    """Return a project with what a trial types."""
+    """Return a project with what a trial types, and without a source for that."""
     changed = copy.deepcopy(tables) if trial.other is None else with_trial(tables, trial.other)
+    sources, typed = changed["report"]["sources"], key_text(trial.path)
+    changed["report"]["sources"] = {key: text for key, text in sources.items() if not f"{typed}.".startswith(f"{key}.")}
     node: Any = changed
     for step in trial.path[:-1]:
         node = node.setdefault(step, {}) if isinstance(node, dict) else node[step]

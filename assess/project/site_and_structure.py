@@ -9,6 +9,7 @@ import re
 from collections.abc import Mapping
 from contextlib import nullcontext
 from dataclasses import replace
+from math import inf
 from pathlib import Path
 from typing import Any, cast
 
@@ -111,10 +112,16 @@ def _body(name: str, body: sections.BodySection, content: sections.Content, soli
 def ground_of(
     building: sections.BuildingSection | None, definitions: Mapping[str, Definition], solids: Solids
 ) -> GroundLevel:
-    """Return what the project says of the ground."""
+    """Return what the project says of the ground; raise ProjectError for one above all that is drawn."""
     lowest = lowest_body_elevation(definitions, solids)
     if building is None:
         return GroundLevel(lowest=lowest)
+    highest = max((float(solid.vertices[:, 2].max()) for solid in solids.values() if solid is not None), default=inf)
+    if building.ground_elevation is not None and building.ground_elevation > highest:
+        raise ProjectError(
+            f"building.ground_elevation = {building.ground_elevation:g} m: all bodies end below it, the highest at "
+            f"{highest:g} m; give the elevation of the ground in the coordinates of the bodies"
+        )
     return GroundLevel(building.ground_elevation, lowest, building.height or 0.0)
 
 

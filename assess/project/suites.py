@@ -127,8 +127,11 @@ def lock_project(
 
 def _found_suite(project: Project, place: Path, *, executor: Executor | None) -> tuple[ScaledSuite, LockedSuite]:
     """Return the suite that [records] of a project describes, and how its lock has it; place : folder of the lock."""
-    section = project.content.records.model_copy(update={"lock": None})
-    study = build(replace(project, content=project.content.model_copy(update={"records": section})), executor=executor)
+    section = project.content.records
+    if section.lock is not None:
+        section = section.model_copy(update={"lock": None})
+        project = replace(project, content=project.content.model_copy(update={"records": section}))
+    study = build(project, executor=executor)
     spectrum, made = require_spectrum(study), study.artificial
     motions = motions_of(study, spectrum)
     if not motions:

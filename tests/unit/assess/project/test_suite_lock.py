@@ -113,6 +113,16 @@ def test_a_lock_of_a_table_names_each_site_that_has_no_suite_in_it(
     assert [line.partition("t.csv: ")[2].partition(": column")[0] for line in told] == ['line 4 ("c")', 'line 5 ("d")']
 
 
+def test_a_project_without_a_table_of_records_locks_the_artificial_ones(tmp_path: Path) -> None:
+    """The seven of the default, which the lock is then named for."""
+    tables = {"site": {"spectrum": ASCE7}, "mechanisms": {"slow": SLOW}, "verdict": {"basis": "asce43-05"}}
+    write_project(tmp_path, tables_toml(**tables, analysis={"procedures": ["asce43-05-history"]}))
+    found, file, left_out = suites.lock_project(tmp_path)
+    assert len(found.records) == 7
+    assert is_sealed(file.read_text())
+    assert left_out == ()
+
+
 def test_a_table_goes_with_a_lock_of_its_template(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     path = write_project(folder, project(SELECT))
     for more in (("--table", "t.csv"), ("--table", "t.csv", "--lock", "--target", folder)):

@@ -87,6 +87,7 @@ def stages(folder: Path) -> dict[str, tuple[Work, Work]]:
     project = copy_example("casa_grande_flexible", folder / "project")
     study = build(load(project))
     results = run_study(study, jobs=1)
+    (folder / "out").mkdir()
     return {
         "a history, linearised": (partial(histories, block(), record, "linearised", 2000), numba_loop),
         "a history, rigid table": (partial(histories, frame(), weaker, "exact", 800), numba_loop),

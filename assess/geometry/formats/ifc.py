@@ -1,6 +1,7 @@
-"""IFC files (ISO 16739), meshed by ifcopenshell; the only door to it.
+"""IFC files (ISO 16739), read and meshed by ifcopenshell in processes of its own; the only door to it.
 
-Numbers that are none, or lost their decimal point, are refused here: ifcopenshell reads them without a warning.
+Numbers that are none, or lost their decimal point, are refused here: ifcopenshell reads them without a warning. What
+crashes it is a message, and where that is one element, the others are meshed.
 """
 
 from __future__ import annotations
@@ -15,6 +16,7 @@ from typing import Any
 
 import numpy as np
 
+from assess.geometry.formats.isolation import ReaderCrashError, call_in_subprocess
 from assess.geometry.formats.mesh_file import Element, ElementMesh, MeshFile, element_without_mesh, make_element_mesh
 from assess.geometry.formats.step import ANGULAR_DEFLECTION, refuse_damaged
 from assess.messages.message import note
@@ -31,6 +33,9 @@ MISSING = re.compile(r"^\[error\].*Instance reference #\d+ used by instance #(\d
 SCHEMA, LONGEST_SCHEMA = re.compile(rb"FILE_SCHEMA\s*\(\s*\(\s*'([^']*)'"), 64
 NOT_MEASURED = ("Axis", "FootPrint", "Box", "Annotation", "Profile", "Reference", "Clearance", "CoG", "Lighting")
 UNMESHED = "its body could not be built from what the file says of it; repair or export this element again"
+CRASHED = "IfcOpenShell crashed on it; draw this element again, or export it alone in another format"
+KERNEL = "opencascade"  # others lose geometry without a message (IfcOpenShell 8052)
+READER = "IfcOpenShell"
 
 
 def read_ifc(file: Path) -> MeshFile:
@@ -38,19 +43,48 @@ def read_ifc(file: Path) -> MeshFile:
 
     Only the elements selected are meshed, which takes nearly all of the time.
     """
-    import ifcopenshell
+    import ifcopenshell  # noqa: F401  # the caller reports its absence; it runs in a process of its own
 
     refuse_damaged(file)
     _refuse_schema(file)
-    ifcopenshell.get_log()  # empties it
-    model = ifcopenshell.open(str(file))
-    missing = frozenset(map(int, MISSING.findall(ifcopenshell.get_log())))
+    elements = call_in_subprocess(_read_elements, file, name=READER)
+    return MeshFile(elements, partial(_mesh_selected, file, elements), unit=1.0, up="z")
+
+
+def _mesh_selected(file: Path, elements: Sequence[Element], places: Sequence[int]) -> tuple[ElementMesh, ...]:
+    """Mesh the selected elements; after a crash by halves, so that only the element that causes it has no mesh."""
+    if not places:
+        return ()
+    try:
+        meshes = call_in_subprocess(partial(_mesh_products, places=tuple(places)), file, name=READER)
+    except ReaderCrashError:
+        if len(places) == 1:
+            return (element_without_mesh(elements[places[0]], CRASHED),)
+        half = len(places) // 2
+        return tuple(mesh for part in (places[:half], places[half:]) for mesh in _mesh_selected(file, elements, part))
+    return tuple(replace(mesh, element=elements[place]) for mesh, place in zip(meshes, places, strict=True))
+
+
+def _read_elements(file: Path) -> tuple[Element, ...]:
+    """Return the elements that have a body; raise where numbers or references of the file are damaged."""
+    model, missing = _open(file)
     _refuse_lost(model, missing)
     refuse_commas(file, cache(partial(_attributes, model.schema_identifier)))
-    products = [each for each in model.by_type("IfcProduct") if _has_body(each)]
     above = cache(partial(_classes, model.schema_identifier))
-    elements = tuple(_element(each, above) for each in products)
-    return MeshFile(elements, partial(_mesh_products, model, products, elements, missing), unit=1.0, up="z")
+    return tuple(_element(each, above) for each in _products(model))
+
+
+def _open(file: Path) -> tuple[Any, frozenset[int]]:
+    """Open a model; with it, the numbers of the entities that refer to others absent from the file."""
+    import ifcopenshell
+
+    model = ifcopenshell.open(str(file))
+    return model, frozenset(map(int, MISSING.findall(ifcopenshell.get_log())))
+
+
+def _products(model: Any) -> list[Any]:
+    """Return the products that have a body, in the order in which a file's elements are numbered."""
+    return [each for each in model.by_type("IfcProduct") if _has_body(each)]
 
 
 def _refuse_schema(file: Path) -> None:
@@ -137,23 +171,19 @@ def _attributes(schema: str, name: str) -> int | None:
         return None
 
 
-def _mesh_products(
-    model: Any, products: Sequence[Any], elements: Sequence[Element], missing: Set[int], places: Sequence[int]
-) -> tuple[ElementMesh, ...]:
-    """Mesh the selected elements; one without a mesh says why.
-
-    missing : numbers of the entities that refer to others absent from the file
-    """
+def _mesh_products(file: Path, places: Sequence[int]) -> tuple[ElementMesh, ...]:
+    """Mesh the elements at these indices; one without a mesh says why."""
     import ifcopenshell
 
+    model, missing = _open(file)
+    products = _products(model)
     selected = [products[i] for i in places]
-    ifcopenshell.get_log()  # empties it
-    shapes = _shapes(model, selected) if selected else {}
+    shapes = _shapes(model, selected)
     failed = {int(number) for number in FAILED.findall(ifcopenshell.get_log())}
     nothing = element_without_mesh(Element(), UNMESHED)
     found = []
-    for place, product in zip(places, selected, strict=True):
-        shape = replace(shapes.get(product.id(), nothing), element=elements[place])
+    for product in selected:
+        shape = shapes.get(product.id(), nothing)
         lost = [] if shape.fault or not failed | missing else _missing_items(model, product, failed, missing)
         found.append(replace(shape, warning=note("not-all-built", lost=", ".join(lost)) if lost else None))
     return tuple(found)
@@ -178,7 +208,7 @@ def _shapes(model: Any, products: Sequence[Any]) -> Mapping[int, ElementMesh]:
     settings = ifcopenshell.geom.settings()
     settings.set("use-world-coords", True)
     settings.set("mesher-angular-deflection", ANGULAR_DEFLECTION)
-    iterator = ifcopenshell.geom.iterator(settings, model, include=list(products))
+    iterator = ifcopenshell.geom.iterator(settings, model, include=list(products), geometry_library=KERNEL)
     found = {}
     more = iterator.initialize()
     while more:

@@ -1,6 +1,8 @@
 """IFC files made with ifcopenshell."""
 
+import os
 import re
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -8,8 +10,10 @@ import numpy as np
 import pytest
 
 from assess.errors import GeometryError
+from assess.geometry.formats import ifc
 from assess.geometry.formats.ifc import refuse_commas
-from assess.geometry.mesh import load_solid
+from assess.geometry.formats.isolation import call_in_subprocess
+from assess.geometry.mesh import inventory, load_solid, read_selected_meshes
 
 ifcopenshell: Any = pytest.importorskip("ifcopenshell", reason="the extra 'ifc' is not installed")
 
@@ -183,20 +187,43 @@ def test_text_that_only_ends_like_one_is_refused(tmp_path: Path) -> None:
 
 
 def test_only_the_elements_asked_for_are_meshed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    from assess.geometry.mesh import read_selected_meshes
-
     file = tmp_path / "house.ifc"
     building(file, prefix=None)
-    opened, made = [], []
-    really_open, really = ifcopenshell.open, ifcopenshell.geom.iterator
-    monkeypatch.setattr(ifcopenshell, "open", lambda path: opened.append(path) or really_open(path))
+    calls = []
     monkeypatch.setattr(
-        ifcopenshell.geom, "iterator", lambda *given, include: made.append(include) or really(*given, include=include)
+        ifc, "call_in_subprocess", lambda call, *a, **k: calls.append(call) or call_in_subprocess(call, *a, **k)
     )
     found = read_selected_meshes({"one": (file, "south"), "two": (file, "s*th"), "three": (file, "south")})
     assert [each.meshes[0].element.names for each in found.values()] == [("south",), ("south",)]
-    assert opened == [str(file)]
-    assert [[each.Name for each in asked] for asked in made] == [["south"]]
+    elements, mesh = calls
+    assert elements is ifc._read_elements
+    assert mesh.keywords == {"places": (1,)}
+
+
+def crash_on(call: Any, place: int | None, file: Path) -> Any:
+    """Answer as a reader that ends its process when it reads the file, or meshes the element at this place."""
+    if place in getattr(call, "keywords", {"places": (None,)})["places"]:
+        os.abort()
+    return call(file)
+
+
+@pytest.mark.parametrize("place", [None, 0, 1])
+def test_a_crash_is_a_message_and_costs_one_element_its_mesh(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, place: int | None
+) -> None:
+    file = tmp_path / "house.ifc"
+    building(file, prefix=None)
+    monkeypatch.setattr(
+        ifc, "call_in_subprocess", lambda call, *a, **k: call_in_subprocess(partial(crash_on, call, place), *a, **k)
+    )
+    if place is None:
+        with pytest.raises(GeometryError, match=r"house.ifc: it cannot be read as IFC \(IfcOpenShell crashed on it"):
+            inventory(file)
+        return
+    parts = inventory(file)
+    assert [each.closed for each in parts] == [place != 0, place != 1]
+    assert parts[place].why_not == ifc.CRASHED
+    assert [each.element.names for each in parts] == [("north",), ("south",)]
 
 
 def test_classes_and_patterns_join_and_say_so(tmp_path: Path) -> None:

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import os
+import sys
 from pathlib import Path
 
 import pytest
 
 from assess.geometry.formats import isolation
-from assess.geometry.formats.isolation import run_in_subprocess
+from assess.geometry.formats.isolation import ReaderCrashError, call_in_subprocess, run_in_subprocess
 
 
 @pytest.fixture
@@ -39,3 +41,25 @@ def test_a_reader_that_waits_for_ever_is_stopped_by_the_clock(file: Path, monkey
 def test_a_crash_is_told(file: Path) -> None:
     with pytest.raises(ValueError, match="the reader crashed on it"):
         run_in_subprocess("import os; os.abort()", file, name="the reader")
+
+
+def exit_at_once(_: Path) -> None:
+    sys.exit(3)
+
+
+def raise_own_error(_: Path) -> None:
+    raise OwnError("no such thing")
+
+
+class OwnError(RuntimeError):
+    """An error of a package."""
+
+
+def test_a_call_returns_its_answer_or_raises_its_error(file: Path) -> None:
+    assert call_in_subprocess(Path.stat, file, name="the reader").st_size == 100
+    with pytest.raises(NotADirectoryError):
+        call_in_subprocess(os.listdir, file, name="the reader")
+    with pytest.raises(ValueError, match="no such thing"):
+        call_in_subprocess(raise_own_error, file, name="the reader")
+    with pytest.raises(ReaderCrashError, match="the reader crashed on it"):
+        call_in_subprocess(exit_at_once, file, name="the reader")

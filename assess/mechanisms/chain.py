@@ -417,6 +417,12 @@ def virtual_work(chain: Chain, rotation: FloatArray) -> Work:
     return Work(inertia, g * lift, moment, excitation, participation, lift)
 
 
+def uplift_multiplier(chain: Chain) -> float:
+    """Return the uplift multiplier of a chain on rigid hinges [-]."""
+    work = virtual_work(chain, np.zeros(1))
+    return float(work.restoring[0] / (g * work.excitation[0]))
+
+
 def generalised_moment(load: Force | Tie, moved: PointPath) -> FloatArray:
     """Return the generalised moment F.r' of a force or tie [n] [N m]; positive overturns."""
     if isinstance(load, Force):

@@ -31,7 +31,7 @@ from assess.loads.body_loads import BlockContact, Surroundings, find_block_conta
 from assess.loads.load import BodyLoad, bodies_of, point_in_plane
 from assess.mechanisms.assembly import ASKEW, LEVEL_RISE, hinge_beside
 from assess.mechanisms.branch_table import rigid_branch
-from assess.mechanisms.chain import Chain, virtual_work
+from assess.mechanisms.chain import Chain, uplift_multiplier
 from assess.mechanisms.directions import DirectionCandidate, DirectionSweep, direction_angle, direction_at
 from assess.mechanisms.kinds import MECHANISM_KINDS, Definition
 from assess.mechanisms.mechanism import (
@@ -48,7 +48,6 @@ from assess.model.bodies import Bodies, cut_of, solids_of_block
 from assess.model.loading import loads_of
 from assess.oscillator import displacement, multiplier
 from spectra.arrays import FloatArray
-from spectra.gravity import g
 
 
 def mechanism_in_direction(name: str, definition: Definition, bodies: Bodies) -> Built:
@@ -163,12 +162,6 @@ class DirectionSearch:
     def where(self) -> str:
         """The table, as messages name it."""
         return f"mechanisms.{self.name}"
-
-
-def uplift_multiplier(chain: Chain) -> float:
-    """Return the uplift multiplier of a chain on rigid hinges [-]."""
-    work = virtual_work(chain, np.zeros(1))
-    return float(work.restoring[0] / (g * work.excitation[0]))
 
 
 @dataclass(frozen=True)

@@ -19,7 +19,8 @@ from assess.amplification import ModalFilter
 from assess.codes.calculation_sheet import Given, step
 from assess.codes.check import ELASTIC, BuildingState, Check, Outcome
 from assess.codes.context import Context
-from assess.codes.procedures import PROCEDURES, uses_histories
+from assess.codes.histories import SuiteRule
+from assess.codes.procedures import PROCEDURES, history_rules, uses_histories
 from assess.codes.question import methods_of
 from assess.mechanisms.mechanism import Mechanism
 from assess.messages.message import Quantity, note, whole_number
@@ -34,6 +35,7 @@ from assess.study.histories import (
     mechanism_histories,
     rocking_case,
     run_levels,
+    run_to_decide,
     vibrates,
     with_governing_trace,
 )
@@ -124,10 +126,10 @@ def assess_mechanisms(
     return tuple(done[mechanism.name] for mechanism in study.mechanisms)
 
 
-def checks_without_scan(
-    study: Study, spectrum: Spectrum, motions: tuple[ScaledRecord, ...], *, jobs: int
+def checks_without_twins(
+    study: Study, spectrum: Spectrum, motions: tuple[ScaledRecord, ...], *, jobs: int, with_scan: bool = False
 ) -> tuple[Check, ...]:
-    """Return the checks of a study of one mechanism, without the scan over rising PGA.
+    """Return the checks of a study of one mechanism by its records as they are.
 
     Parameters
     ----------
@@ -139,6 +141,8 @@ def checks_without_scan(
         The suite of records; run only where a procedure by histories is among those of the study.
     jobs : int
         Number of threads; 0 for all cores.
+    with_scan : bool
+        Whether PGA rises until each rule of the procedures has failed; without it a PGA at capacity is not known.
 
     Returns
     -------
@@ -151,17 +155,36 @@ def checks_without_scan(
         if not motions or not any(map(uses_histories, there.procedures)):
             return RockingHistories((), ())
         further = further_levels(there, spectrum, mechanism)
-        return run_levels(
+        if not with_scan:
+            return run_levels(
+                case,
+                motions,
+                levels=there.levels,
+                further=further,
+                site_pga=spectrum.pga,
+                threads=jobs,
+                with_twins=False,
+            )
+        return run_to_decide(
             case,
             motions,
+            rules_of_histories(there, case, context),
             levels=there.levels,
             further=further,
             site_pga=spectrum.pga,
+            with_scan=True,
             threads=jobs,
             with_twins=False,
         )
 
     return check_mechanism(study, spectrum, mechanism, motions, run).checks
+
+
+def rules_of_histories(study: Study, case: RockingCase, context: Context) -> tuple[SuiteRule, ...]:
+    """Return the rules on suites of the procedures of a study."""
+    return tuple(
+        rule for name in study.procedures for rule in history_rules(name, study.options, case.oscillator, context)
+    )
 
 
 def check_mechanism(

@@ -144,6 +144,7 @@ def run_to_decide(
     site_pga: float,
     with_scan: bool,
     threads: int,
+    with_twins: bool = True,
 ) -> RockingHistories:
     """Run what outcomes and PGA at capacity depend on: the suites of `run_histories`, as far as they do.
 
@@ -153,6 +154,7 @@ def run_to_decide(
     Parameters
     ----------
     rules : of the procedures that decide
+    with_twins : whether those of the records are run at all
     case, motions, levels, further, site_pga, with_scan, threads : as for `run_histories`
 
     Returns
@@ -165,9 +167,9 @@ def run_to_decide(
     def suites_at(levels: Sequence[float], twins: Twins) -> tuple[SuiteResponse, ...]:
         """Run suites, with twins where the records as they are pass a rule."""
         alone = suites_of(solve(levels, "none"))
-        passing = [suite.pga for suite in alone if any(rule.passes(suite) for rule in rules)]
-        with_twins = {suite.pga: suite for suite in suites_of(solve(passing, twins))} if passing else {}
-        return tuple(with_twins.get(suite.pga, suite) for suite in alone)
+        passing = [suite.pga for suite in alone if with_twins and any(rule.passes(suite) for rule in rules)]
+        twinned = {suite.pga: suite for suite in suites_of(solve(passing, twins))} if passing else {}
+        return tuple(twinned.get(suite.pga, suite) for suite in alone)
 
     scan = _scan(suites_at, case, motions, site_pga, [rule.holds for rule in rules]) if with_scan else ()
     suites = suites_at((*levels, *further), "all")

@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 from assess.amplification import pulse_factor
 from assess.codes.check import BuildingState, Check
 from assess.codes.context import Context
-from assess.codes.procedures import history_rules, pga_rules, uses_histories
+from assess.codes.procedures import pga_rules, uses_histories
 from assess.codes.question import Question, methods_of
 from assess.codes.verdict import Verdict
 from assess.dynamics.packing import Equation
@@ -40,7 +40,13 @@ from assess.results import (
 from assess.results.provenance import describe_program, stamp
 from assess.short_repr import ShortRepr
 from assess.study.amplification import MechanismAmplification
-from assess.study.assessment import assess_mechanisms, building_states, check_mechanism, on_building
+from assess.study.assessment import (
+    assess_mechanisms,
+    building_states,
+    check_mechanism,
+    on_building,
+    rules_of_histories,
+)
 from assess.study.checks import decide, mark_result
 from assess.study.controls import control_warnings, equilibrium_controls, multiplier_control
 from assess.study.ground_motion import ground_motion, record_result, spectrum_result, with_primary_pulses
@@ -545,14 +551,11 @@ def _histories_of_verdict(of: MechanismCase) -> RockingHistories:
 def _histories_of_outcome(of: MechanismCase) -> RockingHistories:
     """Run the time histories that outcomes and PGA at capacity depend on."""
     study, case = of.study, of.case
-    rules = [
-        rule for name in study.procedures for rule in history_rules(name, study.options, case.oscillator, of.context)
-    ]
     at_rules_alone = of.asks_at_rules_alone and not study.scan
     return run_to_decide(
         case,
         of.motions,
-        rules,
+        rules_of_histories(study, case, of.context),
         levels=() if at_rules_alone else study.levels,
         further=(rule_levels if at_rules_alone else further_levels)(study, of.spectrum, of.mechanism),
         site_pga=of.spectrum.pga,

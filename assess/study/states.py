@@ -1,18 +1,20 @@
 """The two states of a project: as typed, and with every value replaced that helps and that no source vouches for.
 
 What a value is worth is found with it alone replaced, by the methods that decide without histories; where histories
-alone decide, by one suite at the site's action, without the scan. Of a value that may help or not, the worst over its
-plausible range counts, by all methods that decide where no source vouches for it. The state in which all are replaced
-at once is assessed as the project itself is, and the worse of the two decides.
+alone decide, by one suite at the site's action. Of a value that may help or not, the worst over its plausible range
+counts, by all methods that decide where no source vouches for it, and once more beside what else is replaced: the
+stated value may be the worst there. Where a mechanism passes as typed and no source vouches for the value, histories
+rise in PGA until they fail, without twins. The state in which all are replaced at once is assessed as the project
+itself is, and the worse of the two decides.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
-from functools import cache, partial, reduce
+from functools import cache, cached_property, partial, reduce
 from itertools import groupby
-from typing import Protocol
+from typing import NamedTuple
 
 from assess.codes.check import Check
 from assess.codes.procedures import uses_histories
@@ -30,7 +32,7 @@ from assess.codes.verdict import (
     worst_outcome,
 )
 from assess.errors import AssessError, FallingError
-from assess.study.assessment import checks_without_scan
+from assess.study.assessment import checks_without_twins
 from assess.study.checks import decide
 from assess.study.study import Replaceable, ScaledRecord, Study, needs_motions, require_spectrum
 from assess.study.suites import suite_faults
@@ -82,82 +84,45 @@ def find_overrides(
     ]
     if not tried or study.question.basis is None:
         return Overrides()
-    outcome = partial(_outcome, whole=study, motions=motions, jobs=jobs)
-    as_typed = cache(partial(_outcomes_as_typed, study, motions, jobs))
+    trials = _Trials(study, motions, jobs)
     overrides: list[Override] = []
     replaced: list[Replaceable] = []
     least: tuple[Replaceable, MechanismOutcome] | None = None
     for _, of_one_key in groupby(tried, key=lambda value: value.key):
-        each_way = [(value, _outcomes(value, outcome)) for value in _values_to_try(tuple(of_one_key))]
-        typed = as_typed(_by_all_methods(each_way[0][0]))
+        each_way = [(value, trials.without(value)) for value in _values_to_try(tuple(of_one_key))]
+        typed = trials.as_typed(_depth_of(each_way[0][0]))
         known = [(value, without) for value, without in each_way if without]
         if not known:
             continue  # the project cannot be read without it: it says what the case is
         value, without = reduce(_worse_way, known)
-        helps = any(
-            is_worse(found, than=typed[name], same=value.same) for name, found in without.items() if name in typed
-        )
+        helps = _any_worse(without, than=typed, same=value.same)
         if not value.source and (helps or not value.either_way):
             replaced.append(value)
             for found in without.values():
                 least = (value, found) if least is None or is_worse(found, than=least[1]) else least
         if helps:
             overrides.append(_override(value, without))
-    for value, without in _hidden(study, tried, replaced, outcome):
-        replaced.append(value)
-        overrides.append(_override(value, without))
+    either_way = [value for value in tried if value.either_way and not value.source]
+    for key, of_one_key in groupby(either_way, key=lambda value: value.key):
+        standing = next((value for value in replaced if value.key == key), None)
+        others = [value for value in replaced if value.key != key]
+        worst, found_there = trials.worst_beside(others, standing, tuple(of_one_key))
+        replaced = replaced if worst is standing else [*others, *([] if worst is None else [worst])]
+        if worst is not None and standing is None:
+            overrides.append(_override(worst, found_there))
     return Overrides(tuple(overrides), tuple(replaced), () if least is None else (least[0],))
 
 
-def _hidden(
-    study: Study,
-    tried: Sequence[Replaceable],
-    replaced: Sequence[Replaceable],
-    outcome: OutcomeOf,
-) -> Iterator[_Way]:
-    """Yield the values that help either way, only where what is replaced does not stand: each hides the other.
+class _Depth(NamedTuple):
+    """How a mechanism is tried: by all methods that decide or the least work; its histories at rising PGA or once."""
 
-    A row of a table that helps makes no difference beside an ordinate that helps as much, and the reverse.
-    """
-    places = {value.key for value in replaced}
-    left = [value for value in tried if value.either_way and not value.source and value.key not in places]
-    if not replaced or not left or study.replaced is None:
-        return
-    replace_all, everything = study.replaced, tuple(each.name for each in study.mechanisms)
-
-    def outcomes(values: Sequence[Replaceable], *, mechanisms: Sequence[str], by_all: bool) -> Outcomes:
-        try:
-            there = replace_all(values)
-        except (AssessError, RecordError, SpectrumError):
-            return {}
-        standing = {each.name for each in there.mechanisms}
-        every = {
-            name: outcome(name, partial(_alone, there), by_all=by_all) if name in standing else _falling(name)
-            for name in mechanisms
-        }
-        return {name: found for name, found in every.items() if found is not None}
-
-    def outcomes_of_others(by_all: bool) -> Outcomes:
-        return outcomes(replaced, mechanisms=everything, by_all=by_all)
-
-    without_others = cache(outcomes_of_others)
-    for key, of_one_key in groupby(left, key=lambda value: value.key):
-        for value in of_one_key:
-            by_all = _by_all_methods(value)
-            without = outcomes((*replaced, value), mechanisms=value.mechanisms, by_all=by_all)
-            worse = any(
-                is_worse(found, than=without_others(by_all)[name], same=value.same)
-                for name, found in without.items()
-                if name in without_others(by_all)
-            )
-            if worse and key not in places:
-                places.add(key)
-                yield value, without
+    by_all: bool
+    rising: bool
 
 
-def _by_all_methods(value: Replaceable) -> bool:
-    """Return whether a value is tried by all methods that decide, as the worst of its range is not known beforehand."""
-    return value.of_range and not value.source
+def _depth_of(value: Replaceable) -> _Depth:
+    """Return how a value is tried: by all methods where the worst of its range is not known beforehand."""
+    return _Depth(value.of_range and not value.source, not value.source)
 
 
 def _values_to_try(of_one_key: tuple[Replaceable, ...]) -> tuple[Replaceable, ...]:
@@ -165,32 +130,117 @@ def _values_to_try(of_one_key: tuple[Replaceable, ...]) -> tuple[Replaceable, ..
     return of_one_key[:1] if of_one_key[0].source else of_one_key
 
 
-def _outcomes_as_typed(study: Study, motions: tuple[ScaledRecord, ...], jobs: int, by_all: bool) -> Outcomes:
-    """Return the outcome of each mechanism as typed, those that are not built left out."""
-    every = {
-        each.name: _outcome(each.name, partial(_alone, study), whole=study, motions=motions, jobs=jobs, by_all=by_all)
-        for each in study.mechanisms
-    }
-    return {name: found for name, found in every.items() if found is not None}
-
-
-def _outcomes(value: Replaceable, outcome: OutcomeOf) -> Outcomes:
-    """Return the outcome without a value of each mechanism that it bears on; empty where one cannot be built so."""
-    by_all = _by_all_methods(value)
-    every = {name: outcome(name, value.study_at, by_all=by_all) for name in value.mechanisms}
-    without = {name: found for name, found in every.items() if found is not None}
-    return without if len(without) == len(every) else {}
-
-
 Outcomes = dict[str, MechanismOutcome]
 """The outcome of each mechanism by its name."""
 _Way = tuple[Replaceable, Outcomes]
 
 
+@dataclass(frozen=True)
+class _Trials:
+    """Outcomes of a study's mechanisms with other values, each tried as deeply as what it is compared with."""
+
+    study: Study
+    motions: tuple[ScaledRecord, ...]
+    jobs: int
+
+    @cached_property
+    def as_typed(self) -> Callable[[_Depth], Outcomes]:
+        """Return the outcome of each mechanism as typed, by the depth; those that are not built are left out."""
+        return cache(lambda depth: self._all(self._names, partial(_alone, self.study), depth))
+
+    def without(self, value: Replaceable) -> Outcomes:
+        """Return the outcome without a value of each mechanism that it bears on; empty if one cannot be built so."""
+        found = self._all(value.mechanisms, value.study_at, _depth_of(value))
+        return found if len(found) == len(value.mechanisms) else {}
+
+    def worst_beside(
+        self, others: Sequence[Replaceable], standing: Replaceable | None, each_way: tuple[Replaceable, ...]
+    ) -> tuple[Replaceable | None, Outcomes]:
+        """Return which value of a key is the worst where other keys are replaced, None for the one typed.
+
+        A row of a table that helps makes no difference beside an ordinate that helps as much, and the reverse; and the
+        worst stiffness of a strong joint is not that of a weak one.
+
+        Parameters
+        ----------
+        others : what is replaced at other keys
+        standing : what stands for this key there, None where it is as typed
+        each_way : the values of the key that can
+
+        Returns
+        -------
+        That value and the outcomes with it; `standing` where none is worse
+        """
+        depth, names = _depth_of(each_way[0]), each_way[0].mechanisms
+        now = self._replaced(others, standing, names, depth) if others else {}
+        if not now:
+            return standing, {}
+        worst, found = standing, now
+        for value in (None, *each_way):
+            if value is standing:
+                continue
+            there = self._replaced(others, value, names, depth)
+            same = each_way[0].same
+            if there and (
+                _any_worse(there, than=found, same=same)
+                if worst is None
+                else is_worse(_least(there), than=_least(found), same=same)
+            ):
+                worst, found = value, there
+        return worst, found
+
+    @property
+    def _names(self) -> tuple[str, ...]:
+        return tuple(each.name for each in self.study.mechanisms)
+
+    def _replaced(
+        self, others: Sequence[Replaceable], value: Replaceable | None, names: Sequence[str], depth: _Depth
+    ) -> Outcomes:
+        """Return the outcomes of some mechanisms with several values replaced; none where that cannot be read."""
+        if self.study.replaced is None:
+            return {}
+        try:
+            there = self.study.replaced((*others, *([] if value is None else [value])))
+        except (AssessError, RecordError, SpectrumError):
+            return {}
+        standing = {each.name for each in there.mechanisms}
+        found = self._all([name for name in names if name in standing], partial(_alone, there), depth)
+        return found | {name: _falling(name) for name in names if name not in standing}
+
+    def _all(self, names: Sequence[str], build: Callable[[str], Study], depth: _Depth) -> Outcomes:
+        every = {name: self._one(name, build, depth) for name in names}
+        return {name: found for name, found in every.items() if found is not None}
+
+    def _one(self, name: str, build: Callable[[str], Study], depth: _Depth) -> MechanismOutcome | None:
+        """Return the outcome of a mechanism; at rising PGA only where it passes as typed at the site's."""
+        rising = depth.rising and self.study.scan
+        if rising:
+            typed = self.as_typed(_Depth(depth.by_all, rising=False)).get(name)
+            rising = typed is not None and typed.outcome == Decision.PASS
+        return _outcome(
+            name,
+            build,
+            whole=self.study,
+            motions=self.motions,
+            jobs=self.jobs,
+            by_all=depth.by_all,
+            rising=rising,
+        )
+
+
+def _any_worse(outcomes: Outcomes, *, than: Outcomes, same: float) -> bool:
+    """Return whether some mechanism comes off worse."""
+    return any(is_worse(found, than=than[name], same=same) for name, found in outcomes.items() if name in than)
+
+
 def _worse_way(one: _Way, other: _Way) -> _Way:
     """Return that of two values in place of one of which some mechanism comes off worst."""
-    least, least_other = (reduce(_worse_outcome, way[1].values()) for way in (one, other))
-    return other if is_worse(least_other, than=least, same=0.0) else one
+    return other if is_worse(_least(other[1]), than=_least(one[1]), same=0.0) else one
+
+
+def _least(outcomes: Outcomes) -> MechanismOutcome:
+    """Return the worst of some outcomes."""
+    return reduce(_worse_outcome, outcomes.values())
 
 
 def _worse_outcome(one: MechanismOutcome, other: MechanismOutcome) -> MechanismOutcome:
@@ -221,13 +271,6 @@ def decides(replaced: Verdict, typed: Verdict) -> bool:
     return any(is_worse(outcome_of(one), than=before[one.mechanism]) for one in replaced.mechanisms)
 
 
-class OutcomeOf(Protocol):
-    """Finds the outcome of a mechanism in a study of it alone, which is built by its name; None if it cannot be."""
-
-    def __call__(self, name: str, build: Callable[[str], Study], *, by_all: bool) -> MechanismOutcome | None:
-        """Find it, by all methods that decide or by the least work."""
-
-
 @dataclass(frozen=True)
 class _CheckedMechanism:
     name: str
@@ -250,6 +293,7 @@ def _outcome(
     motions: tuple[ScaledRecord, ...],
     jobs: int,
     by_all: bool,
+    rising: bool,
 ) -> MechanismOutcome | None:
     """Return the outcome of a mechanism in a study of it alone; one that falls fails. None if not built.
 
@@ -259,6 +303,7 @@ def _outcome(
     whole, motions : the study that it varies, and the motions of that
     jobs : number of threads
     by_all : whether by all methods that decide; else by those without histories, where there are any
+    rising : whether histories rise in PGA until they fail; else they are run at the site's action alone
     """
     try:
         study = build(name)
@@ -277,7 +322,7 @@ def _outcome(
             there = motions_of_case(study, whole, motions, jobs=jobs)
             if there is not motions:
                 asked = replace(asked, suite_faults=suite_faults(study, require_spectrum(study), there))
-        checks = checks_without_scan(asked, require_spectrum(study), there, jobs=jobs)
+        checks = checks_without_twins(asked, require_spectrum(study), there, jobs=jobs, with_scan=rising)
     except FallingError:
         return _falling(name)
     except (AssessError, RecordError, SpectrumError):

@@ -32,7 +32,7 @@ from assess.codes.verdict import RANKS, Answer, Decision, MechanismVerdict, Verd
 from assess.errors import AssessError, locate_errors
 from assess.messages.message import Message, Term, locate, message, note, whole_number
 from assess.results import MechanismResult, OscillatorResult, SensitivityResult, SweepResult
-from assess.study.assessment import assess_mechanisms, checks_without_scan
+from assess.study.assessment import assess_mechanisms, checks_without_twins
 from assess.study.checks import decide, mark_result
 from assess.study.study import (
     Progress,
@@ -281,7 +281,7 @@ def check_case(
     """
     try:
         study = replace(build(), procedures=tuple(dict.fromkeys(procedures)), suite_faults=suite_faults)
-        return CaseChecks(checks_without_scan(study, spectrum, motions, jobs=jobs), study)
+        return CaseChecks(checks_without_twins(study, spectrum, motions, jobs=jobs), study)
     except (AssessError, SpectrumError) as error:
         return CaseChecks(error=str(error))
 

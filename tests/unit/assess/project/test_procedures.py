@@ -10,7 +10,7 @@ from scipy.constants import g
 from assess.errors import ProjectError
 from assess.project.build import build
 from assess.project.project_file import load
-from assess.study.assessment import checks_without_scan
+from assess.study.assessment import checks_without_twins
 from assess.study.run import run_study
 from assess.study.suites import motions_of
 from tests.support import projects
@@ -162,6 +162,6 @@ def test_cases_of_the_sensitivity_run_the_same_suites(tmp_path):
     tail = '[analysis]\nprocedures = ["ntc2018-history"]\n[procedures.ntc2018]\nlimit_states = ["SLV", "SLC"]'
     study = study_of(tmp_path, spectrum=f'soil = "A"\n{ROWS}', tail=tail, count=3)
     whole = {check.limit_state: check.ratio for check in run_study(study).mechanisms[0].checks}
-    case = checks_without_scan(study, study.spectrum, motions_of(study, study.spectrum), jobs=1)
+    case = checks_without_twins(study, study.spectrum, motions_of(study, study.spectrum), jobs=1)
     assert {check.limit_state: check.ratio for check in case} == whole
     assert set(whole) == {"SLV", "SLC"}

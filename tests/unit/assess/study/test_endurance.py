@@ -11,7 +11,7 @@ from assess.cli.tables.project import duration_text
 from assess.codes.check import Family, Outcome
 from assess.codes.procedures import PROCEDURES
 from assess.errors import AssessError
-from assess.study.assessment import checks_without_scan
+from assess.study.assessment import checks_without_twins
 from assess.study.checks import context_of
 from assess.study.mechanism_results import parameters
 from assess.study.run import run_envelopes, run_study
@@ -154,7 +154,7 @@ def test_a_tie_that_nobody_vouches_for_does_not_keep_a_wall_from_rocking_at_slv(
 
     def index(*loads):
         study = replace(study_of(tmp_path, *loads, sides="one"), procedures=(method,))
-        check = checks_without_scan(study, study.spectrum, (), jobs=1)[0]
+        check = checks_without_twins(study, study.spectrum, (), jobs=1)[0]
         return check.safety_index, [each.key for each in check.conditions]
 
     bare = index()

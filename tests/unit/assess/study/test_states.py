@@ -393,6 +393,48 @@ def test_a_strength_of_the_masonry_without_a_source_is_the_least_of_the_table_wh
     )
 
 
+def scanned_wall(thickness: str, height: str, a_g: str) -> dict[str, Any]:
+    """Return a wall on which histories at rising PGA decide."""
+    tables = copy.deepcopy(HISTORIES["own-histories"])
+    tables["bodies"]["wall"]["box"] |= {"thickness": thickness, "height": height}
+    tables["site"]["spectrum"]["a_g"] = a_g
+    tables["procedures"] = {"ntc2018": {"knowledge_level": "LC1"}}
+    tables["analysis"]["scan"] = True
+    return tables
+
+
+def test_beside_a_weak_masonry_the_stiffness_that_is_worst_there_decides_also_as_histories_rise() -> None:
+    """Alone, 4 GPa/m overturns first; beside 1 MPa, 0.15 GPa/m does, and the suite at the site's PGA shows neither."""
+
+    def margin_of(stiffness: str, strength: str, *keys: str) -> float | None:
+        tables = scanned_wall("0.3 m", "2.2 m", "0.06 g")
+        tables["mechanisms"]["wall"]["interface"] = {"model": "flexible", "stiffness": stiffness}
+        tables["materials"]["stone"]["compressive_strength"] = strength
+        tables["report"]["sources"] |= dict.fromkeys(keys, TESTED)
+        return verdict_on(tables).mechanisms[0].margin
+
+    keys = (f"{JOINT}.stiffness", "materials.stone.compressive_strength")
+    tested = [margin_of(stiffness, "1 MPa", *keys) or 0.0 for stiffness in (*RANGE, "10 GPa/m")]
+    assert margin_of("10 GPa/m", "20 MPa", *keys) > 1.1  # type: ignore[operator]
+    assert margin_of("10 GPa/m", "20 MPa") == pytest.approx(min(tested), rel=1e-9)
+    assert min(tested) < 0.95
+
+
+@pytest.mark.parametrize("sides", ["two", "one"])
+def test_a_restitution_without_a_source_raises_no_pga_at_capacity(sides: str) -> None:
+    """At the site's PGA the wall does not lift off, so that nothing tells the two apart there."""
+    tables = scanned_wall("0.6 m", "3 m", "0.1 g")
+    tables["mechanisms"]["wall"] |= {"sides": sides, "restitution": 0.1}
+    found = verdict_on(tables)
+    tables["report"]["sources"]["mechanisms.wall.restitution"] = TESTED
+    tested = verdict_on(tables)
+    del tables["mechanisms"]["wall"]["restitution"]
+    by_formula = verdict_on(tables)
+    assert [each.key for each in found.overrides] == ["mechanisms.wall.restitution"]
+    assert found.mechanisms[0].margin == by_formula.mechanisms[0].margin
+    assert tested.mechanisms[0].margin > 1.1 * by_formula.mechanisms[0].margin  # type: ignore[operator]
+
+
 @pytest.mark.parametrize(
     "typed",
     ["0.4 s", {"length": "2 m", "thickness": "0.3 m", "young_modulus": "0.075 GPa", "density": "1900 kg/m^3"}],

@@ -26,6 +26,7 @@ class Missing(ShortRepr):
 
     text : why, the English of `why`
     reasons : those whose texts are part of why
+    enlarges : whether the demand may be larger with it than the numbers without it have
     """
 
     key: str
@@ -33,6 +34,7 @@ class Missing(ShortRepr):
     toml: str = ""
     reasons: tuple[Message, ...] = ()
     why: tuple[Message, ...] = ()
+    enlarges: bool = False
 
 
 @dataclass(frozen=True, repr=False)
@@ -97,7 +99,9 @@ VerdictFacts = tuple[tuple[Missing, ...], tuple[Message, ...]]
 """What the pass of a mechanism needs and is not given, and what it depends on."""
 
 
-def missing_input(key: str, why: Message, toml: str = "", *, reasons: tuple[Message, ...] = ()) -> Missing:
+def missing_input(
+    key: str, why: Message, toml: str = "", *, reasons: tuple[Message, ...] = (), enlarges: bool = False
+) -> Missing:
     """Return an input that is missing.
 
     Parameters
@@ -106,8 +110,9 @@ def missing_input(key: str, why: Message, toml: str = "", *, reasons: tuple[Mess
     why : it is needed
     toml : a line to begin with
     reasons : of the checks that need it
+    enlarges : whether the demand may be larger with it than the numbers without it have
     """
-    return Missing(key, why.text, toml, reasons, (why,))
+    return Missing(key, why.text, toml, reasons, (why,), enlarges)
 
 
 def merge_missing(missing: Sequence[Missing]) -> tuple[Missing, ...]:
@@ -122,6 +127,7 @@ def merge_missing(missing: Sequence[Missing]) -> tuple[Missing, ...]:
             toml=_line_of(group),
             reasons=distinct(reason for each in group for reason in each.reasons),
             why=distinct(why for each in group for why in each.why),
+            enlarges=any(each.enlarges for each in group),
         )
         for group in groups.values()
     )

@@ -101,7 +101,7 @@ class Override(ShortRepr):
     """A value that helps, with the outcome of the building where something else stands in its place.
 
     key, value : as the project file has them; instead : what code or drawing give
-    of_range : whether that is the worst over the plausible range of the value
+    is_value : whether that is a value, and not in words; of_range : whether it is the worst over the plausible range
     source : who vouches for it; empty where nobody does
     margin_instead : PGA at capacity over the action's; 0 for what falls at rest, None where it is not known
     index_instead : the measure of the worst mechanism; None for what falls at rest, and where it is not known
@@ -115,6 +115,7 @@ class Override(ShortRepr):
     margin_instead: float | None = None
     of_range: bool = False
     index_instead: Index | None = None
+    is_value: bool = False
 
     @property
     def message(self) -> Message:
@@ -125,14 +126,20 @@ class Override(ShortRepr):
         values: dict[str, Quantity | Term | Message | str] = {
             "key": self.key,
             "value": self.value,
-            "instead": Term(self.instead) if self.of_range else self.instead,  # only that of a range is shown
+            "without": self._without,
             "source": self.source,
             "outcome": outcome if self.index_instead is None or not end else _with_index(outcome, self.index_instead),
             "margin": Quantity(self.margin_instead or 0.0, "ratio", 3),
         }
-        kind = "range-" if self.of_range else ""
-        key = f"override-{kind}{'sourced' if self.source else 'unsourced'}{end}"
+        key = f"override-{'sourced' if self.source else 'unsourced'}{end}"
         return message(key, values, severity=Severity.WARNING, where=self.key)
+
+    @property
+    def _without(self) -> Message:
+        if not self.of_range:
+            return message("without-value", {"instead": self.instead}) if self.is_value else message("without", {})
+        key = "without-value" if self.source else "worst-of-range"  # beside a value with a source one alone is tried
+        return message(key, {"instead": Term(self.instead)})
 
 
 def _with_index(outcome: Term, index: Index) -> Message:
@@ -575,7 +582,7 @@ def _decide_mechanism(mechanism: MechanismChecks, criteria: _Criteria) -> Mechan
         if outcome == Decision.FAIL
         else _unique((*_conditions(mechanism, found), *_of_class(answers, criteria))),
         missing=missing if incomplete else (),
-        provisional=_provisional_of_mechanism(found, criteria) if incomplete else None,
+        provisional=_provisional_of_mechanism(found, missing, criteria) if incomplete else None,
     )
 
 
@@ -592,13 +599,14 @@ def _near_limit(outcome: Decision, those: Sequence[bool]) -> bool:
     return all(those) if outcome == Decision.FAIL else any(those)
 
 
-def _provisional_of_mechanism(found: Sequence[AnswerAndChecks], criteria: _Criteria) -> Decision | None:
-    """Return the provisional outcome; None where the project lacks an input without a safe value."""
-    return (
-        None
-        if criteria.question.missing
-        else worst_outcome(each.answer.provisional or each.answer.outcome for each in found)
-    )
+def _provisional_of_mechanism(
+    found: Sequence[AnswerAndChecks], missing: Sequence[Missing], criteria: _Criteria
+) -> Decision | None:
+    """Return the provisional outcome; None where an input is lacking without which a pass may be too good."""
+    if criteria.question.missing:
+        return None
+    would_be = worst_outcome(each.answer.provisional or each.answer.outcome for each in found)
+    return None if would_be == Decision.PASS and any(each.enlarges for each in missing) else would_be
 
 
 def _by_class(found: Sequence[AnswerAndChecks], criteria: _Criteria) -> tuple[AnswerAndChecks, ...]:

@@ -197,24 +197,16 @@ TEXTS: Mapping[str, str] = {
     "no-vertical-on-floor": "a pass is valid without vertical motion: histories have none, and {key} does not give "
     "that of the floor",
     # values that help
-    "override-unsourced": "{key} = {value} has no source; without it: {outcome}, up to {margin} times the action",
-    "override-unsourced-falls": "{key} = {value} has no source; without it what it holds falls under its own loads",
-    "override-unsourced-unknown": "{key} = {value} has no source; without it: {outcome}",
-    "override-range-unsourced": "{key} = {value} has no source; with the worst of its range, {instead}: {outcome}, up "
-    "to {margin} times the action",
-    "override-range-unsourced-falls": "{key} = {value} has no source; with the worst of its range, {instead}, what it "
-    "bears on falls under its own loads",
-    "override-range-unsourced-unknown": "{key} = {value} has no source; with the worst of its range, {instead}: "
-    "{outcome}",
-    "override-range-sourced": "{key} = {value} ({source}); without it, with {instead}: "
-    "{outcome}, up to {margin} times the action",
-    "override-range-sourced-falls": "{key} = {value} ({source}); without it, with {instead}, "
-    "what it bears on falls under its own loads",
-    "override-range-sourced-unknown": "{key} = {value} ({source}); without it, with {instead}: {outcome}",
+    "override-unsourced": "{key} = {value} has no source; {without}: {outcome}, up to {margin} times the action",
+    "override-unsourced-falls": "{key} = {value} has no source; {without}, what it bears on falls under its own loads",
+    "override-unsourced-unknown": "{key} = {value} has no source; {without}: {outcome}",
+    "override-sourced": "{key} = {value} ({source}); {without}: {outcome}, up to {margin} times the action",
+    "override-sourced-falls": "{key} = {value} ({source}); {without}, what it bears on falls under its own loads",
+    "override-sourced-unknown": "{key} = {value} ({source}); {without}: {outcome}",
+    "without": "without it",
+    "without-value": "with {instead}",
+    "worst-of-range": "with the worst of its range, {instead}",
     "outcome-with-index": "{outcome}, {name} {index}",
-    "override-sourced": "{key} = {value} ({source}); without it: {outcome}, up to {margin} times the action",
-    "override-sourced-falls": "{key} = {value} ({source}); without it what it holds falls under its own loads",
-    "override-sourced-unknown": "{key} = {value} ({source}); without it: {outcome}",
     # conditions and gaps of the verdict
     "no-deciding-method": "no method that may decide {state} was requested or applies: {methods}",
     "missing-key": "{key}: {text}",

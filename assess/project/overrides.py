@@ -26,7 +26,8 @@ from assess.project.key_errors import KeyPath, key_text, look_up, value_text
 from assess.project.keys import Setting, dependents, value_at, with_values
 from assess.project.project_file import Project, load_tree
 from assess.project.question import basis_of
-from assess.project.section import ProjectSection, plain_data
+from assess.project.section import ProjectSection, field_marks, plain_data
+from assess.project.units import QuantityKind
 from assess.study.study import Replaceable, Study, follows_motion
 from spectra.errors import SpectrumError
 
@@ -51,18 +52,19 @@ def replaceables_of(project: Project, solids: Solids, study: Study, *, study_at:
     touching = {each.name: each.adjacent_bodies for each in study.mechanisms}
     methods = methods_of(study.question)
     found = []
-    for path, evidence in _keys_as_written(project):
+    for path, (evidence, symbol) in _keys_as_written(project).items():
         if not _bears_on(path, methods, content, study):
             continue
         source = content.report.source_of(".".join(map(str, path)))
         first = 1 if source else None  # of a range that is all that is tried beside a value with a source
-        for each in islice(_substitutes(path, evidence, content, solids, study, study_at), first):
+        for each in islice(_substitutes(path, evidence, symbol, content, solids, study, study_at), first):
             found.append(
                 Replaceable(
                     key=key_text(path),
                     value=value_text(look_up(project.raw, path)[1]),
                     instead=each.words,
                     source=source,
+                    is_value=each.is_value,
                     either_way=evidence.helps == "either",
                     of_range=isinstance(evidence.safe, Range),
                     same=SAME_MULTIPLIER if evidence.safe is Safe.WEAKEST else SAME_MARGIN,
@@ -75,15 +77,18 @@ def replaceables_of(project: Project, solids: Solids, study: Study, *, study_at:
     return tuple(found)
 
 
-def _keys_as_written(project: Project) -> Iterator[tuple[KeyPath, Evidence]]:
-    """Yield each key that the file gives, where it stands in the file: one number may stand for both directions."""
-    found: dict[KeyPath, Evidence] = {}
-    for path, evidence in given_keys(project.content, ()):
+def _keys_as_written(project: Project) -> Mapping[KeyPath, tuple[Evidence, str]]:
+    """Return each key that the file gives, as it stands there, with the symbol of its unit in SI, which may be empty.
+
+    One number may stand for both directions.
+    """
+    found: dict[KeyPath, tuple[Evidence, str]] = {}
+    for path, evidence, symbol in given_keys(project.content, ()):
         written = path
         while not look_up(project.raw, written)[0]:
             written = written[:-1]
-        found.setdefault(written, evidence)
-    yield from found.items()
+        found.setdefault(written, (evidence, symbol))
+    return found
 
 
 def replace_values(project: Project, values: Sequence[Replaceable]) -> Project:
@@ -103,24 +108,28 @@ def replace_values(project: Project, values: Sequence[Replaceable]) -> Project:
     return replace(found, uncertain=uncertain, messages=project.messages)
 
 
-def given_keys(table: ProjectSection, path: KeyPath) -> Iterator[tuple[KeyPath, Evidence]]:
-    """Yield each key that the file gives in a table or below it, with who vouches for its value."""
-    for name, field, evidence in _declared_keys(type(table)):
+def given_keys(table: ProjectSection, path: KeyPath) -> Iterator[tuple[KeyPath, Evidence, str]]:
+    """Yield each key that the file gives in a table or below it: who vouches for its value, its unit's SI symbol."""
+    for name, field, evidence, symbol in _declared_keys(type(table)):
         if field not in table.model_fields_set:
             continue
         value = getattr(table, field)
         if evidence is not None:
             entries = tuple((entry,) for entry in value) if isinstance(value, Mapping) else ((),)
-            yield from (((*path, name, *entry), evidence) for entry in entries)
+            yield from (((*path, name, *entry), evidence, symbol) for entry in entries)
         yield from _below((*path, name), value)
 
 
 @cache
-def _declared_keys(kind: type[ProjectSection]) -> tuple[tuple[str, str, Evidence | None], ...]:
-    """Return each key of a kind of table, with the name of its field and who vouches for it."""
+def _declared_keys(kind: type[ProjectSection]) -> tuple[tuple[str, str, Evidence | None, str], ...]:
+    """Return each key of a kind of table: the name of its field, who vouches for its value, its unit's SI symbol."""
     evidence = kind.evidence_of_keys()
-    names = ((field.alias or name, name) for name, field in kind.model_fields.items())
-    return tuple((key, name, evidence.get(key)) for key, name in names)
+    found = []
+    for name, field in kind.model_fields.items():
+        symbols = {mark.symbol for mark in field_marks(field) if isinstance(mark, QuantityKind)}
+        key = field.alias or name
+        found.append((key, name, evidence.get(key), symbols.pop() if len(symbols) == 1 else ""))
+    return tuple(found)
 
 
 def _built_once(build: Callable[[], Callable[[str], Study]]) -> Callable[[str], Study]:
@@ -150,7 +159,7 @@ def _bears_on(path: KeyPath, methods: Sequence[str], content: sections.Content, 
     return path[1] in options
 
 
-def _below(path: KeyPath, value: object) -> Iterator[tuple[KeyPath, Evidence]]:
+def _below(path: KeyPath, value: object) -> Iterator[tuple[KeyPath, Evidence, str]]:
     if isinstance(value, ProjectSection):
         yield from given_keys(value, path)
     elif isinstance(value, Mapping):
@@ -168,16 +177,27 @@ class _Substitute:
     setting: Setting
     words: str
 
+    @property
+    def is_value(self) -> bool:
+        """Whether the words are a value."""
+        return not isinstance(next(iter(self.setting.values())), Safe)
+
 
 def _substitutes(
-    path: KeyPath, evidence: Evidence, content: sections.Content, solids: Solids, study: Study, study_at: StudyAt
+    path: KeyPath,
+    evidence: Evidence,
+    symbol: str,
+    content: sections.Content,
+    solids: Solids,
+    study: Study,
+    study_at: StudyAt,
 ) -> Iterator[_Substitute]:
     """Yield what stands in place of a value: several of a range; none where the value does not help."""
     if isinstance(evidence.safe, Range):
         yield from _values_of_range(path, evidence.safe, content, study_at)
     elif setting := _setting(path, evidence, content, solids, study):
         value = next(iter(setting.values()))
-        yield _Substitute(setting, evidence.instead if isinstance(value, Safe) else _value_text(value))
+        yield _Substitute(setting, evidence.instead if isinstance(value, Safe) else _value_text(value, symbol))
 
 
 def _setting(
@@ -263,8 +283,16 @@ def _weakest(path: KeyPath, content: sections.Content, study: Study) -> list[flo
     return "minimum" if isinstance(value_at(content, path), float) else None
 
 
-def _value_text(value: object) -> str:
-    return f"{value:.4g}" if isinstance(value, float) else str(value)
+PREFIXES = (("G", 1e9), ("M", 1e6), ("k", 1e3), ("", 0.0))
+
+
+def _value_text(value: object, symbol: str = "") -> str:
+    """Write a value in place of another as the file would, such as "1 MPa"; symbol: of its unit in SI."""
+    if not isinstance(value, float):
+        return str(value)
+    prefix, size = next(each for each in PREFIXES if abs(value) >= each[1] or not each[1])
+    scaled = symbol.startswith(("Pa", "N")) and size > 0.0
+    return f"{value / size if scaled else value:.4g} {prefix if scaled else ''}{symbol}".strip()
 
 
 def _drawn_height(content: sections.Content, solids: Solids) -> float | None:

@@ -166,7 +166,9 @@ def _missing_importance(content: sections.Content) -> Iterator[Missing]:
     """Yield the importance level of the building, or the return period that its ULS asks for, where it is longer."""
     level = None if content.building is None else content.building.importance_level
     if level is None:
-        yield missing_input("building.importance_level", message("missing-importance-level"), "importance_level = 2")
+        yield missing_input(
+            "building.importance_level", message("missing-importance-level"), "importance_level = 2", enlarges=True
+        )
         return
     needed, years = required_return_factor(level), ULS_YEARS[level]
     way = None if content.site is None else content.site.spectrum.plain
@@ -177,7 +179,7 @@ def _missing_importance(content: sections.Content) -> Iterator[Missing]:
         given, least = Quantity(way.return_factor, "ratio", 3), Quantity(needed, "ratio", 3)
         key, line = ("return_period", f"{years:.0f}") if way.r is None else ("r", f"{needed:.4g}")
         why = message("missing-return-period-of-level", {**asked, "given": given, "needed": least})
-        yield missing_input(f"site.spectrum.{key}", why, f"{key} = {line}")
+        yield missing_input(f"site.spectrum.{key}", why, f"{key} = {line}", enlarges=True)
 
 
 def _provided_importance(content: sections.Content, question: Question) -> float | None:
@@ -193,9 +195,15 @@ def _provided_importance(content: sections.Content, question: Question) -> float
     return max(by_years, way.importance_factor) if isinstance(way, Ec8Spectrum) else by_years
 
 
+def _importance_class(content: sections.Content) -> str | None:
+    """Return the importance class under EN 1998-1, the class of use or the level of the same rank; None if neither."""
+    level = None if content.building is None else content.building.importance_level
+    return use_class_of(content) or (None if level is None else tuple(IMPORTANCE_FACTORS)[level - 1])
+
+
 def _missing_importance_factor(content: sections.Content, question: Question) -> Iterator[Missing]:
     """Yield gamma_I where it is less than that of the building's class: the spectrum is that of a lower one."""
-    given, use_class = _provided_importance(content, question), use_class_of(content)
+    given, use_class = _provided_importance(content, question), _importance_class(content)
     if given is None or use_class is None or given >= IMPORTANCE_FACTORS[use_class] * (1.0 - LIKE):
         return
     needed = IMPORTANCE_FACTORS[use_class]
@@ -209,13 +217,13 @@ def _missing_importance_factor(content: sections.Content, question: Question) ->
         key, line = "site.spectrum.importance_factor", f"importance_factor = {needed}"
     else:
         key, line = "site.return_period", f"return_period = {REFERENCE_YEARS * needed**3:.0f}"
-    yield missing_input(key, message("missing-importance-factor", values), line)
+    yield missing_input(key, message("missing-importance-factor", values), line, enlarges=True)
 
 
 def _unstated_importance_class(content: sections.Content, question: Question) -> Iterator[Message]:
     """Yield the condition that the building is of no higher class than the spectrum's gamma_I is for."""
     given = _provided_importance(content, question)
-    if given is None or use_class_of(content) is not None:
+    if given is None or _importance_class(content) is not None:
         return
     classes = [each for each, needed in IMPORTANCE_FACTORS.items() if needed * (1.0 - LIKE) <= given]
     values: dict[str, Value] = {"class": classes[-1] if classes else "I", "given": Quantity(given, "ratio", 3)}
@@ -280,13 +288,14 @@ def _too_short_return_period(content: sections.Content, question: Question, year
     }
     if question.basis.index != IndexKind.ZETA_E:
         why = message("missing-return-period-of-state", values)
-        yield missing_input("site.return_period", why, f"return_period = {years:.0f}")
+        yield missing_input("site.return_period", why, f"return_period = {years:.0f}", enlarges=True)
     elif (use_class := use_class_of(content)) is None:
         values["taken"] = PROVISIONAL_CLASS
-        yield missing_input("building.use_class", message("missing-class-of-return-period", values), 'use_class = "II"')
+        why = message("missing-class-of-return-period", values)
+        yield missing_input("building.use_class", why, 'use_class = "II"', enlarges=True)
     else:
         why = message("missing-return-period-of-class", {**values, "class": use_class})
-        yield missing_input("site.return_period", why, f"return_period = {years:.0f}")
+        yield missing_input("site.return_period", why, f"return_period = {years:.0f}", enlarges=True)
 
 
 def _unstated_return_period(content: sections.Content, question: Question, years: float | None) -> Iterator[Message]:

@@ -110,7 +110,7 @@ def _facts_of(study: Study, name: str) -> VerdictFacts:
     if mechanism is None:
         return missing, conditions
     wrong = (
-        missing_input(f"mechanisms.{name}{CONTRADICTIONS[each.key]}", each)
+        missing_input(f"mechanisms.{name}{CONTRADICTIONS[each.key]}", each, enlarges=True)
         for each in mechanism.warnings
         if each.key in CONTRADICTIONS
     )

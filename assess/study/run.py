@@ -663,7 +663,7 @@ def _study_messages(study: Study, controlling: Mapping[str, MechanismSweep]) -> 
 def _as_typed_messages(names: Iterable[str]) -> Iterator[Message]:
     """Yield that a swept mechanism is represented as the file itself has it."""
     for name in sorted(names):
-        yield note("sweep-as-typed", f"mechanisms.{name}")
+        yield warning("sweep-as-typed", f"mechanisms.{name}")
 
 
 def _suite_messages(study: Study, motions: tuple[ScaledRecord, ...]) -> tuple[Message, ...]:

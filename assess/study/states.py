@@ -348,6 +348,7 @@ def _override(value: Replaceable, outcomes: Outcomes) -> Override:
         key=value.key,
         value=value.value,
         instead=value.instead,
+        is_value=value.is_value,
         of_range=value.of_range,
         outcome_instead=worst_outcome(each.outcome for each in outcomes.values()),
         source=value.source,

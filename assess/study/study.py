@@ -284,6 +284,7 @@ class Replaceable:
 
     key, value : as the file has them; instead : what stands in its place; source : who vouches for it, may be empty
     mechanisms : those that it can change, by name
+    is_value : whether `instead` is a value, and not in words
     either_way : whether more of it may help or not; of_range : whether it is one of several that are plausible
     same : share by which a margin may fall without it
     place : what is changed; setting : what the file says at this and other keys without it
@@ -294,6 +295,7 @@ class Replaceable:
     value: str
     instead: str
     source: str
+    is_value: bool
     either_way: bool
     of_range: bool
     same: float

@@ -179,7 +179,8 @@ class BuildingSection(ProjectSection):
     """class of use "I" to "IV", of the Italian codes, and importance class of EN 1998-1; if absent a hazard over return
     periods is read as for IV, with which the verdict is provisional"""
     importance_level: Annotated[int | None, Number(least=1, most=4), IMPORTANCE_LEVEL] = None
-    """importance level 1 to 4 of NZS 1170.0, for nzsee2017: ULS at 100, 500, 1000 or 2500 years"""
+    """importance level 1 to 4 of NZS 1170.0, for nzsee2017: ULS at 100, 500, 1000 or 2500 years; by EN 1998-1 the
+    importance class of that rank where no use_class is given"""
     school: Annotated[StrictBool | None, SCHOOL] = None
     """whether the building is a school, for the targets of NTC 8.4.2"""
     period: Annotated[PositiveTime, UNCERTAIN, FIRST_PERIOD] | None = Field(

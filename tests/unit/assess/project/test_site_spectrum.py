@@ -369,7 +369,9 @@ def pass_needs(tmp_path, basis, site, building):
     text = project_toml(site=site, building={"height": 9.0, **building}, verdict={"basis": basis})
     of = load_project(tmp_path, text).content
     missing, conditions = facts_of(of, question_of(of, site_pga=1.0), ("wall",))["wall"]
-    keys = [each.key for each in missing if each.key.startswith(("site.", "building."))]
+    of_site = [each for each in missing if each.key.startswith(("site.", "building."))]
+    keys = [each.key for each in of_site]
+    assert all(each.enlarges for each in of_site) or site["spectrum"]["code"] == "table", keys  # of which all is known
     return keys, [each.key for each in conditions]
 
 
@@ -473,6 +475,17 @@ def test_the_importance_class_of_en1998_is_held_against_the_spectrum(tmp_path, u
     site = {"limit_state": "ULS", "spectrum": EC8 | factor, **years}
     building = {} if use_class is None else {"use_class": use_class}
     assert pass_needs(tmp_path, "ec8", site, building) == (missing, conditions)
+
+
+def test_an_importance_level_is_the_importance_class_of_that_rank_where_no_class_of_use_is_given(tmp_path):
+    """Of the two the class of use counts, as it is what EN 1998-1 is asked by."""
+    site = {"limit_state": "ULS", "spectrum": EC8 | {"importance_factor": 1.2}}
+    for building, missing in (
+        ({"importance_level": 4}, [FACTOR_KEY]),
+        ({"importance_level": 3}, []),
+        ({"importance_level": 4, "use_class": "III"}, []),
+    ):
+        assert pass_needs(tmp_path, "ec8", site, building) == (missing, [])
 
 
 @pytest.mark.parametrize("hazard", ["design", "mce"])

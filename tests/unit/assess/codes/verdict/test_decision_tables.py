@@ -318,6 +318,18 @@ def test_a_premise_that_is_missing_makes_a_pass_incomplete_and_leaves_a_fail():
     assert decide(asked, [check(NONLINEAR, FAIL)], missing=premise).outcome == NO
 
 
+def test_of_what_may_enlarge_the_demand_nothing_says_that_it_would_pass_with_it():
+    """gamma_I of 1.4 in place of 1.0 may turn the pass into a fail; the numbers without it show which way."""
+    asked = question("ec8", state="ULS")
+    larger = [Missing("site.spectrum.importance_factor", "class IV", "importance_factor = 1.4", enlarges=True)]
+    as_is = [Missing("materials.m.disintegration", "unknown", 'disintegration = "excluded"')]
+    for missing, would_be in ((as_is, YES), (larger, OPEN), ([*as_is, *larger], OPEN)):
+        found = decide(asked, [check("ec8-element", PASS, state="element")], missing=missing)
+        assert (found.outcome, found.provisional) == (OPEN, would_be)
+    failing = decide(asked, [check("ec8-element", FAIL, state="element")], missing=larger)
+    assert failing.outcome == NO
+
+
 @pytest.mark.parametrize(("said", "would_be"), [(PASS, YES), (FAIL, NO), (SILENT, OPEN)])
 def test_what_rests_on_a_provisional_value_is_neither_a_pass_nor_a_failure(said, would_be):
     stands_for = (Missing("building.use_class", "which class", 'use_class = "II"'),)

@@ -289,7 +289,7 @@ PREFIXES = (("G", 1e9), ("M", 1e6), ("k", 1e3), ("", 0.0))
 def _value_text(value: object, symbol: str = "") -> str:
     """Write a value in place of another as the file would, such as "1 MPa"; symbol: of its unit in SI."""
     if not isinstance(value, float):
-        return str(value)
+        return str(value).lower() if isinstance(value, bool) else str(value)
     prefix, size = next(each for each in PREFIXES if abs(value) >= each[1] or not each[1])
     scaled = symbol.startswith(("Pa", "N")) and size > 0.0
     return f"{value / size if scaled else value:.4g} {prefix if scaled else ''}{symbol}".strip()

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from assess.mechanisms.mechanism import CutAngle, CutPlane
     from assess.model.bodies import Body, Material, box, mesh, profile
     from assess.study.block import Block, equivalent_block, four_hinge, single_block, two_block
-    from assess.verbs import Run, answers, envelope, fragility, load, respond, run, write_report
+    from assess.verbs import Run, answers, envelope, fragility, load, read_building, respond, run, write_report
     from records.reading import read_record
     from records.record import Record
     from spectra.gravity import g
@@ -52,6 +52,7 @@ __all__ = [
     "load",
     "mesh",
     "profile",
+    "read_building",
     "read_record",
     "respond",
     "run",
@@ -70,7 +71,17 @@ _HOMES = {
     "assess.mechanisms.mechanism": ("CutAngle", "CutPlane"),
     "assess.model.bodies": ("Body", "Material", "box", "mesh", "profile"),
     "assess.study.block": ("Block", "equivalent_block", "four_hinge", "single_block", "two_block"),
-    "assess.verbs": ("Run", "answers", "envelope", "fragility", "load", "respond", "run", "write_report"),
+    "assess.verbs": (
+        "Run",
+        "answers",
+        "envelope",
+        "fragility",
+        "load",
+        "read_building",
+        "respond",
+        "run",
+        "write_report",
+    ),
     "records.reading": ("read_record",),
     "records.record": ("Record",),
     "spectra.gravity": ("g",),

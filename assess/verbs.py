@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal
 
 from assess.errors import AssessError, OutputError, ProjectError
 from assess.portfolio.tasks import Job, ProjectRow
@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     from assess.codes.verdict import Verdict
     from assess.dynamics.packing import Equation
     from assess.dynamics.pulses import Envelope
+    from assess.model.structure import Structure
     from assess.portfolio.batch import Portfolio
     from assess.portfolio.projects import KeyColumn, Task
     from assess.portfolio.tasks import Keep
@@ -175,6 +176,43 @@ def answers(
         building=building,
         threads=jobs,
     )
+
+
+def read_building(
+    *files: str | Path,
+    unit: float | None = None,
+    up: Literal["y", "z"] | None = None,
+    density: float | Mapping[str, float] | None = None,
+) -> Structure:
+    """Read a building from an IFC model or meshes: its walls, floors and other parts, and how they touch.
+
+    Parameters
+    ----------
+    files : of one building: IFC, STL, OBJ, PLY, OFF, GLB, glTF, 3MF, STEP or Rhino .3dm
+    unit : of the files' coordinates [m]; their own where None, metres where they state none
+    up : axis of the files that points up, "y" or "z"; "y" for glTF and "z" for all others where None
+    density : of the masonry [kg/m3], or of each material by its name; what the model states where None, or else
+        1800 kg/m3 for masonry and 1000 kg/m3 for floors, roofs and vaults, with a warning
+
+    Returns
+    -------
+    `parts`, `contacts`, `storeys`, `left_out`; `table()` lists the parts
+
+    Raises
+    ------
+    GeometryError : a file cannot be read, or nothing in it is masonry
+    """
+    from assess.errors import GeometryError
+    from assess.model.structure_reading import read_structure
+
+    if not files or not all(isinstance(file, str | Path) for file in files):
+        raise GeometryError(f"files = {files!r:.60}: give the paths of one or more model files")
+    if up not in ("y", "z", None):
+        raise GeometryError(f'up = {up!r:.60}: write "y" or "z"')
+    given = list(density.values()) if isinstance(density, Mapping) else [] if density is None else [density]
+    if wrong := [each for each in given if not (isinstance(each, int | float) and 0.0 < each < float("inf"))]:
+        raise GeometryError(f"density = {wrong[0]!r:.60}: give a positive number [kg/m3]")
+    return read_structure([Path(file) for file in files], unit=unit, up=up, density=density)
 
 
 def load(path: str | Path) -> Project:

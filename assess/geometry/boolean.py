@@ -150,9 +150,43 @@ def count_once(solids: Sequence[Solid]) -> tuple[Solid, ...]:
     kept: list[Solid] = []
     for solid in solids:
         met = [other for other in kept if _share_space(other, solid)]
-        remainder = _without(solid, met) if met else solid
+        remainder = subtract(solid, met) if met else solid
         kept += [] if remainder is None else [remainder]
     return tuple(kept)
+
+
+def subtract(solid: Solid, others: Sequence[Solid]) -> Solid | None:
+    """Return a body less others, with its density; None where nothing is left.
+
+    Parameters
+    ----------
+    solid : the body
+    others : bodies that take from it
+    """
+    from manifold3d import Manifold, OpType
+
+    origin = (solid.vertices.min(axis=0) + solid.vertices.max(axis=0)) / 2.0
+    whole, *taken = (_manifold_of_solid(each, origin) for each in (solid, *others))
+    rest = Manifold.batch_boolean([whole, *taken], OpType.Subtract)
+    if float(rest.volume()) <= NEGLIGIBLE_OVERLAP * float(whole.volume()):
+        return None
+    return _piece_of(solid, rest, origin, density=solid.mass / float(whole.volume()))
+
+
+def common_part(solid: Solid, other: Solid) -> Solid | None:
+    """Return the part of a body that lies in another, with its density; None where they share nothing.
+
+    Parameters
+    ----------
+    solid : the body
+    other : which bounds it
+    """
+    origin = (solid.vertices.min(axis=0) + solid.vertices.max(axis=0)) / 2.0
+    whole, within = (_manifold_of_solid(each, origin) for each in (solid, other))
+    shared = whole ^ within
+    if float(shared.volume()) <= NEGLIGIBLE_OVERLAP * float(whole.volume()):
+        return None
+    return _piece_of(solid, shared, origin, density=solid.mass / float(whole.volume()))
 
 
 OVERLAP_WARNED = 5e-3  # of the smaller body's volume: bodies that share less are taken to touch
@@ -224,17 +258,9 @@ def _boxes_overlap(one: Solid, other: Solid) -> bool:
     return _bounds_gap(one, other) < -NEGLIGIBLE_OVERLAP * size
 
 
-def _without(solid: Solid, others: Sequence[Solid]) -> Solid | None:
-    """Return a body less others, with its density; None where nothing is left."""
-    from manifold3d import Manifold, OpType
-
-    origin = (solid.vertices.min(axis=0) + solid.vertices.max(axis=0)) / 2.0
-    whole, *taken = (_manifold_of_solid(each, origin) for each in (solid, *others))
-    rest = Manifold.batch_boolean([whole, *taken], OpType.Subtract)
-    if float(rest.volume()) <= NEGLIGIBLE_OVERLAP * float(whole.volume()):
-        return None
-    vertices, triangles = _surface(rest)
-    density = solid.mass / float(whole.volume())
+def _piece_of(solid: Solid, piece: Any, origin: FloatArray, *, density: float) -> Solid:
+    """Return a piece of a body, a manifold3d object with coordinates from an origin [3], as a body of its name."""
+    vertices, triangles = _surface(piece)
     return replace(polyhedron(vertices + origin, triangles, density=density, name=solid.name), history=solid.history)
 
 

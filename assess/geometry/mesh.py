@@ -220,6 +220,11 @@ def thin_direction(vertices: FloatArray, triangles: IntArray) -> FloatArray | No
     The principal axis of the sum of a a^T / |a| over the horizontal parts a of the triangles' area vectors: of a box
     its shorter side in plan, whatever projects from its faces at right angles. None where no direction is preferred,
     as in a square or round tower. Its first component that is not zero is positive.
+
+    Parameters
+    ----------
+    vertices : [n, 3] [m]
+    triangles : indices into vertices [m, 3]
     """
     return _thin_direction_of(area_vectors(vertices[triangles]))
 
@@ -236,7 +241,13 @@ def _thin_direction_of(vectors: FloatArray) -> FloatArray | None:
 
 
 def extents(vertices: FloatArray, thin: FloatArray | None) -> tuple[float, float, float]:
-    """Return the extents [m] along `thin` [2], across it and upright; without it by the smallest rectangle in plan."""
+    """Return the extents along the thin direction, across it and upright [m].
+
+    Parameters
+    ----------
+    vertices : [n, 3] [m]
+    thin : horizontal unit vector [2]; the shorter side of the smallest rectangle in plan where None
+    """
     along = _shorter_side(vertices) if thin is None else thin
     across = np.array([-along[1], along[0]])
     sides = [float(np.ptp(vertices[:, :2] @ axis)) for axis in (along, across)]
@@ -288,7 +299,7 @@ def _solid(
 ) -> Solid:
     """Return the solid inside some of a model's meshes."""
     _, about_unit = _resolve_unit(selected, scale, where=where)
-    surface = merge_vertices(*_assemble_mesh(selected, meshes, scale=scale, up=up, where=where))
+    surface = merge_vertices(*assemble_mesh(selected, meshes, scale=scale, up=up, where=where))
     if not len(surface[1]):
         raise GeometryError(f"{where}: all its triangles have shrunk to lines or points; export it with more digits")
     surface, repairs = repair(surface, where=where)
@@ -307,10 +318,17 @@ def _solid(
     return replace(solid, history=history)
 
 
-def _assemble_mesh(
+def assemble_mesh(
     selected: SelectedMeshes, meshes: Sequence[ElementMesh], *, scale: float | None, up: Up | None, where: str
 ) -> Surface:
     """Assemble some of a model's meshes into one, oriented with z up and in metres.
+
+    Parameters
+    ----------
+    selected : what is taken of a file
+    meshes : those of it to assemble
+    scale, up : as in `load_solid`
+    where : named in errors
 
     Returns
     -------
@@ -478,9 +496,9 @@ def _inventory_entry(
     if mesh.fault:
         return InventoryEntry(name, element, why_not=mesh.fault)
     try:
-        vertices, triangles = _assemble_mesh(selected, selected.meshes, scale=scale, up=up, where="")
+        vertices, triangles = assemble_mesh(selected, selected.meshes, scale=scale, up=up, where="")
     except GeometryError as problem:
-        return InventoryEntry(name, element, len(mesh.triangles), why_not=_reason(problem, name))
+        return InventoryEntry(name, element, len(mesh.triangles), why_not=fault_of(problem, name))
     thin, used = thin_direction(vertices, triangles), vertices[np.unique(triangles)]
     low, high = used.min(axis=0), used.max(axis=0)
     middle = (low + high) / 2.0
@@ -490,7 +508,7 @@ def _inventory_entry(
         about_size = [] if found is None else [found]
         warnings, why, volume = (*solid.history, *about_size), "", solid.mass
     except GeometryError as problem:
-        warnings, why, volume = (), _reason(problem, name), None
+        warnings, why, volume = (), fault_of(problem, name), None
     return InventoryEntry(
         name,
         element,
@@ -505,8 +523,14 @@ def _inventory_entry(
     )
 
 
-def _reason(problem: GeometryError, file: str) -> str:
-    """Return an error about an unnamed body, without the subject of its sentence."""
+def fault_of(problem: GeometryError, file: str) -> str:
+    """Return an error about an unnamed body, without the subject of its sentence.
+
+    Parameters
+    ----------
+    problem : the error
+    file : name of the file that the body was read from
+    """
     sentence = str(problem)
     for start in ('body ""', f": mesh {file}", ": "):
         sentence = sentence.removeprefix(start)

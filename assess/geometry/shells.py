@@ -74,10 +74,15 @@ def unify_shells(
 
 
 def separate_shells(surface: Surface, across: NDArray[np.int32] | None = None) -> list[Surface]:
-    """Separate the closed shells of a closed surface; across : its `adjacent_triangles`, where they are known.
+    """Separate the closed shells of a closed surface.
 
     Triangles that alone share an edge share a shell. At an edge of more triangles those shells stay together that are
     not closed there by themselves: boxes that touch along an edge are two.
+
+    Parameters
+    ----------
+    surface : closed
+    across : its `adjacent_triangles`, where they are known
     """
     vertices, triangles = surface
     group = connected_groups_across(across) if across is not None else _group_by_edges(triangles)

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from assess.messages.building_texts import BUILDING_TEXTS
 from assess.messages.input_texts import GEOMETRY_TEXTS, RECORD_TEXTS
 
 UNCERTAINTY_TEXTS: Mapping[str, str] = {
@@ -91,6 +92,7 @@ UNCERTAINTY_TEXTS: Mapping[str, str] = {
 
 TEXTS: Mapping[str, str] = {
     **GEOMETRY_TEXTS,
+    **BUILDING_TEXTS,
     **RECORD_TEXTS,
     **UNCERTAINTY_TEXTS,
     "listed": "{first}; {others}",
@@ -197,8 +199,6 @@ TEXTS: Mapping[str, str] = {
     "no-vertical-on-floor": "a pass is valid without vertical motion: histories have none, and {key} does not give "
     "that of the floor",
     # values that help
-    "source-of-too-much": "the source of {key} vouches for no value in it: name a key, or the innermost table that "
-    "holds it",
     "override-unsourced": "{key} = {value} has no source; {without}: {outcome}, up to {margin} times the action",
     "override-unsourced-falls": "{key} = {value} has no source; {without}, what it bears on falls under its own loads",
     "override-unsourced-unknown": "{key} = {value} has no source; {without}: {outcome}",

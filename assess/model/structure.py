@@ -74,7 +74,11 @@ class Part(ShortRepr):
     density_stated : whether the model or the caller states the density; else it is assumed
     material : its name in the model; empty where there is none
     source : what it was read from: class and GlobalId, or the file and the shell
+    file, element : what selects it in the model: the file's name, and a GlobalId or a name; empty for the whole file
+    whole : whether the element holds this part alone; else it is one shell of several, or a piece of one
     openings : holes through it
+    eaves : elevation at which its pitched top begins; None where the top is level [m]
+    shared : volume that another part counts already, as at a corner where two walls are drawn over each other [m3]
     """
 
     name: str
@@ -93,11 +97,16 @@ class Part(ShortRepr):
     density_stated: bool = False
     material: str = ""
     source: str = ""
+    file: str = ""
+    element: str = ""
+    whole: bool = True
     openings: tuple[Opening, ...] = ()
+    eaves: float | None = None
+    shared: float = 0.0
 
     @property
     def mass(self) -> float:
-        """Its mass [kg]."""
+        """Its mass as it is drawn, corners that it shares with other parts included [kg]."""
         return self.solid.mass
 
     @property
@@ -259,6 +268,11 @@ class Structure(ShortRepr):
         return self.of_kind(*PLATES)
 
     @property
+    def mass(self) -> float:
+        """The mass of all parts, what two of them share counted once [kg]."""
+        return sum(part.mass - part.shared * part.density for part in self.parts)
+
+    @property
     def lowest(self) -> float:
         """The lowest elevation of all parts [m]."""
         return min(part.base for part in self.parts)
@@ -364,6 +378,7 @@ TABLES: Mapping[str, Mapping[str, Column]] = {
         "outward": lambda part: part.outward,
         "openings": lambda part: len(part.openings),
         "volume_m3": lambda part: part.volume,
+        "shared_m3": lambda part: part.shared,
         "density_kg_per_m3": lambda part: part.density,
         "mass_kg": lambda part: part.mass,
         "material": lambda part: part.material,

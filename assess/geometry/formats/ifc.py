@@ -36,6 +36,8 @@ UNMESHED = "its body could not be built from what the file says of it; repair or
 CRASHED = "IfcOpenShell crashed on it; draw this element again, or export it alone in another format"
 KERNEL = "opencascade"  # others lose geometry without a message (IfcOpenShell 8052)
 READER = "IfcOpenShell"
+Storeys = tuple[tuple[str, float], ...]
+"""The name and the elevation [m] of each storey, from the lowest up."""
 
 
 def read_ifc(file: Path) -> MeshFile:
@@ -47,8 +49,8 @@ def read_ifc(file: Path) -> MeshFile:
 
     refuse_damaged(file)
     _refuse_schema(file)
-    elements = call_in_subprocess(_read_elements, file, name=READER)
-    return MeshFile(elements, partial(_mesh_selected, file, elements), unit=1.0, up="z")
+    elements, storeys = call_in_subprocess(_read_elements, file, name=READER)
+    return MeshFile(elements, partial(_mesh_selected, file, elements), unit=1.0, up="z", storeys=storeys)
 
 
 def _mesh_selected(file: Path, elements: Sequence[Element], places: Sequence[int]) -> tuple[ElementMesh, ...]:
@@ -65,13 +67,15 @@ def _mesh_selected(file: Path, elements: Sequence[Element], places: Sequence[int
     return tuple(replace(mesh, element=elements[place]) for mesh, place in zip(meshes, places, strict=True))
 
 
-def _read_elements(file: Path) -> tuple[Element, ...]:
-    """Return the elements that have a body; raise where numbers or references of the file are damaged."""
+def _read_elements(file: Path) -> tuple[tuple[Element, ...], Storeys]:
+    """Return the elements that have a body, and the storeys; raise where numbers or references are damaged."""
     model, missing = _open(file)
     _refuse_lost(model, missing)
     refuse_commas(file, cache(partial(_attributes, model.schema_identifier)))
     above = cache(partial(_classes, model.schema_identifier))
-    return tuple(_element(each, above) for each in _products(model))
+    scale = _unit_of(model)
+    elements = tuple(_element(each, above, scale=scale) for each in _products(model))
+    return elements, _storeys(model, scale=scale)
 
 
 def _open(file: Path) -> tuple[Any, frozenset[int]]:
@@ -119,8 +123,8 @@ def _has_body(product: Any) -> bool:
     )
 
 
-def _element(product: Any, above: Any) -> Element:
-    """Return an element's names and classes, and what it belongs to."""
+def _element(product: Any, above: Any, *, scale: float) -> Element:
+    """Return an element's names and classes, what it belongs to and what it is made of; scale: of the unit [m]."""
     owners = tuple(_owners(product))
     holders = [link.RelatingStructure for each in (product, *owners) for link in _links(each, "ContainedInStructure")]
     within = [word for each in owners for word in (each.Name, each.GlobalId, *above(each.is_a())) if word]
@@ -130,6 +134,8 @@ def _element(product: Any, above: Any) -> Element:
         kinds=above(product.is_a()),
         storey=next((each.Name or each.is_a() for each in holders), ""),
         within=tuple(dict.fromkeys(within)),
+        predefined=str(getattr(product, "PredefinedType", None) or ""),
+        **_made_of(product, scale=scale),
     )
 
 
@@ -218,6 +224,53 @@ def _shapes(model: Any, products: Sequence[Any]) -> Mapping[int, ElementMesh]:
             found[shape.id] = make_element_mesh(Element(), np.array(shape.geometry.verts, dtype=np.float64), faces)
         more = iterator.next()
     return found
+
+
+def _unit_of(model: Any) -> float:
+    """Return the length of the unit of a model [m]."""
+    from ifcopenshell.util.unit import calculate_unit_scale
+
+    return float(calculate_unit_scale(model))
+
+
+def _storeys(model: Any, *, scale: float) -> Storeys:
+    """Return the name and the elevation [m] of each storey of a model, from the lowest up; scale: of the unit [m]."""
+    from ifcopenshell.util.placement import get_local_placement
+
+    found = []
+    for storey in model.by_type("IfcBuildingStorey"):
+        place = storey.ObjectPlacement
+        level = storey.Elevation or 0.0 if place is None else get_local_placement(place)[2, 3]
+        found.append((storey.Name or storey.is_a(), float(level) * scale))
+    return tuple(sorted(found, key=lambda each: each[1]))
+
+
+def _made_of(product: Any, *, scale: float) -> dict[str, Any]:
+    """Return the layers of an element, and the density of the thickest where it is stated [kg/m3]."""
+    from ifcopenshell.util.element import get_material
+
+    whole = get_material(product, should_skip_usage=True)
+    if whole is None:
+        return {}
+    parts: Sequence[Any] = next((found for name in MADE_OF if (found := getattr(whole, name, None))), (whole,))
+    materials = [(getattr(each, "Material", None) or each, getattr(each, "LayerThickness", None)) for each in parts]
+    named = [(m, None if size is None else float(size) * scale) for m, size in materials if hasattr(m, "Name")]
+    thickest = max(named, key=lambda each: each[1] or 0.0, default=None)
+    layers = tuple((material.Name or "", size) for material, size in named)
+    return {"layers": layers, "density": None if thickest is None else _density_of(thickest[0])}
+
+
+MADE_OF = ("MaterialLayers", "MaterialConstituents", "MaterialProfiles", "Materials")
+
+
+def _density_of(material: Any) -> float | None:
+    """Return the density that a material states [kg/m3]; None where it states none."""
+    for group in _links(material, "HasProperties"):
+        for each in getattr(group, "Properties", None) or getattr(group, "ExtendedProperties", None) or ():
+            value = getattr(each, "NominalValue", None)
+            if each.Name == "MassDensity" and value is not None and value.wrappedValue > 0.0:
+                return float(value.wrappedValue)
+    return None
 
 
 COMMAS = "{what} has {found} values where it has {expected}; decimals take a point, not a comma"

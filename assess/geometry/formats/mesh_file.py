@@ -35,6 +35,10 @@ class Element:
     kinds : its class and the superclasses, as IfcWallStandardCase, IfcWall, ...
     storey : in which it is
     within : names, identifiers and classes of what it is part of, as an assembly or a block instance
+    predefined : further type that the class has, as ROOF of an IfcSlab
+    layers : what it is made of, from one face to the other: the name of each material and its thickness [m], which is
+        None where it is not known
+    density : of its thickest layer, where the file states it [kg/m3]
     """
 
     names: tuple[str, ...] = ()
@@ -42,6 +46,9 @@ class Element:
     kinds: tuple[str, ...] = ()
     storey: str = ""
     within: tuple[str, ...] = ()
+    predefined: str = ""
+    layers: tuple[tuple[str, float | None], ...] = ()
+    density: float | None = None
 
     @property
     def shown(self) -> str:
@@ -79,12 +86,14 @@ class MeshFile:
     mesh : returns the meshes of the elements at given indices; an element that turns out to have no body is left out
     unit : length of the file's unit [m]; None where the format does not say
     up : which axis points up; None where the format does not say
+    storeys : name and elevation [m] of each storey of the building, from the lowest up
     """
 
     elements: tuple[Element, ...]
     mesh: Callable[[Sequence[int]], tuple[ElementMesh, ...]]
     unit: float | None = None
     up: Up | None = None
+    storeys: tuple[tuple[str, float], ...] = ()
 
     @property
     def meshes(self) -> tuple[ElementMesh, ...]:

@@ -39,6 +39,11 @@ WITHOUT_UNIT = (".stl", ".obj", ".ply", ".off")  # formats that do not say their
 def read_mesh_file(file: Path, *, where: str) -> MeshFile:
     """Read the elements of a geometry file, in its own unit and axes.
 
+    Parameters
+    ----------
+    file : its extension gives the format
+    where : named in errors
+
     Raises
     ------
     GeometryError : the file is missing, of another kind or unreadable, or its reader's package is not installed
@@ -59,7 +64,14 @@ def read_mesh_file(file: Path, *, where: str) -> MeshFile:
 
 
 def mesh_elements(content: MeshFile, places: Sequence[int], *, file: Path, where: str) -> tuple[ElementMesh, ...]:
-    """Mesh the elements of a file at these indices.
+    """Mesh the elements of a file.
+
+    Parameters
+    ----------
+    content : of the file
+    places : indices of the elements
+    file : which was read
+    where : named in errors
 
     Raises
     ------

@@ -1,0 +1,30 @@
+"""The English text of messages on the parts of a building read from a model, by key."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+BUILDING_TEXTS: Mapping[str, str] = {
+    "density-assumed": "the model states no density for {number} of its parts: {masonry} are assumed for masonry and "
+    "{covering} for floors, roofs and vaults",
+    # what is not read as masonry
+    "left-out-without-body": "it has no body: {why}",
+    "left-out-not-closed": "its surface is no closed body: {why}",
+    "left-out-splinters": "closed shells too small for masonry: {number}, {volume} in all",
+    "left-out-furniture": "furniture",
+    "left-out-joinery": "a window, a door or glazing",
+    "left-out-railing": "a railing",
+    "left-out-finish": "a finish: plaster, insulation or cladding",
+    "left-out-stairs": "stairs or a ramp, which no part is for",
+    "left-out-terrain": "terrain",
+    "left-out-foundation": "a foundation",
+    "left-out-services": "services",
+    "left-out-fastener": "a fastener or reinforcement",
+    "left-out-opening": "an opening or another feature of an element",
+    "left-out-room": "a room",
+    "left-out-material": "its material is no masonry: {material}",
+    "left-out-thin": "too thin for masonry: {thickness}",
+    "left-out-frame": "a beam, a lintel or a member of a frame",
+    "left-out-twice": "most of it lies in other parts: it is drawn twice",
+    "left-out-unknown": "its shape is none of a wall, a floor, a roof, a vault, an arch, a pier or a tower",
+}

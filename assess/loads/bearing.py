@@ -108,6 +108,11 @@ def shares(contacts: Sequence[ContactArea], *, centroid: FloatArray) -> FloatArr
     Two contacts are a beam on two supports whatever their areas: r = 1 - x / l along the line between them. K+ is the
     pseudo-inverse: moments that the contacts cannot take (across that line, or about a single one) are left out.
     A negative part is one that would have to hold the body down.
+
+    Parameters
+    ----------
+    contacts : of the body with what carries it
+    centroid : of the body [3] [m]
     """
     A = np.array([each.area for each in contacts])
     at = np.array([each.centroid[:2] for each in contacts])

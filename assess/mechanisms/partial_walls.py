@@ -238,7 +238,7 @@ def horizontal_arch(
     weight : of the panel and of what moves with it [N]
     span : clear, between cross walls [m]
     thickness, height : of the panel [m]
-    ends : thrust that each end holds [N]: that of a cross wall or a tie, 0 where nothing stands beyond
+    ends : thrust that each end holds [N]: that of the masonry beyond it or of a tie, 0 where there is neither
     strength : of the masonry along the wall, f_d [Pa]
 
     Raises
@@ -261,13 +261,13 @@ def horizontal_arch(
     return HorizontalArch(weight, span, thrust, rise, float(capacity[0]), moved, capacity)
 
 
-def cross_wall_thrust(*, weight: float, length: float, lever: float, friction: float | None = None) -> float:
-    """Return the thrust that a cross wall holds at an end [N]: until it rocks in its plane, or slides.
+def thrust_held_beyond(*, weight: float, length: float, lever: float, friction: float | None = None) -> float:
+    """Return the thrust that the masonry beyond an end of an arch holds [N]: until it rocks in its plane, or slides.
 
     Parameters
     ----------
-    weight : of the cross wall and of what it carries [N]
-    length : in plan [m]
+    weight : of the wall beyond the end and of what it carries [N]
+    length : of that wall in plan [m]
     lever : of the thrust over its foot [m]
     friction : at its foot [-]; None where it is not known
     """

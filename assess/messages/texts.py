@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from assess.messages.building_texts import BUILDING_TEXTS
+from assess.messages.candidate_texts import CANDIDATE_TEXTS
 from assess.messages.input_texts import GEOMETRY_TEXTS, RECORD_TEXTS
 
 UNCERTAINTY_TEXTS: Mapping[str, str] = {
@@ -95,6 +96,7 @@ TEXTS: Mapping[str, str] = {
     **BUILDING_TEXTS,
     **RECORD_TEXTS,
     **UNCERTAINTY_TEXTS,
+    **CANDIDATE_TEXTS,
     "listed": "{first}; {others}",
     # remarks on checks
     "spread-would-pass": "with their numerical spread a share {share} of the draws passes, but the records as they are "

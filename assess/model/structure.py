@@ -22,6 +22,8 @@ from assess.short_repr import ShortRepr
 if TYPE_CHECKING:
     from pandas import DataFrame
 
+    from assess.model.candidates import Candidates
+
 PartKind = Literal[
     "wall", "gable", "parapet", "pier", "spandrel", "floor", "roof", "vault", "arch", "tower", "chimney", "pinnacle",
     "tie",
@@ -332,6 +334,12 @@ class Structure(ShortRepr):
             new = [each for each in {part.name: part for part in near}.values() if each.name not in found]
             found |= {part.name: part for part in new}
         return tuple(sorted(found.values(), key=lambda part: (part.base, part.name)))
+
+    def mechanisms(self) -> Candidates:
+        """Return the mechanisms that the building can have, the weakest first, and the parts that have none."""
+        from assess.model.candidates import find_candidates  # late: it stands above this module
+
+        return find_candidates(self)
 
     def table(self, name: str = "parts") -> DataFrame:
         """Return a table of the building, a row to each thing that it lists.

@@ -358,7 +358,7 @@ def _cracked_multiplier(
 ) -> float:
     """Return the multiplier that opens a crack at an elevation [m], the least of the sides that rock."""
     parts = divide(whole.solids, level_plane(elevation), where="crack")
-    blocks = (_static_block(parts.below, definition.towards), _static_block(parts.above, definition.towards))
+    blocks = (static_block(parts.below, definition.towards), static_block(parts.above, definition.towards))
     base, joint, head = whole.body.base, base_of_section(parts.foot, direction=definition.towards), top_edge(whole.body)
     assert base is not None  # a piece with solids has a base and a top
     assert head is not None
@@ -372,7 +372,7 @@ def _cracked_multiplier(
     return min(found)
 
 
-def _static_block(solids: Sequence[Solid], direction: Sequence[float]) -> RigidBlock:
+def static_block(solids: Sequence[Solid], direction: Sequence[float]) -> RigidBlock:
     """Return solids that move as one as a block for statics: mass and centroid in the plane of motion."""
     masses = np.array([solid.mass for solid in solids])
     centre = masses @ np.array([solid.centroid for solid in solids]) / masses.sum()

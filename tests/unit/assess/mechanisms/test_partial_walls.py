@@ -15,11 +15,11 @@ from assess.mechanisms.partial_walls import (
     SideWall,
     UprightWall,
     corner,
-    cross_wall_thrust,
     facade_with_wedges,
     horizontal_arch,
     least_corner,
     least_facade_with_wedges,
+    thrust_held_beyond,
 )
 from assess.oscillator import multiplier
 from spectra.gravity import g
@@ -205,9 +205,9 @@ def test_no_other_hinge_of_an_arch_is_weaker_than_the_middle(seed: int) -> None:
     assert arch.multiplier <= other + 1e-12
 
 
-def test_a_cross_wall_rocks_or_slides() -> None:
-    assert cross_wall_thrust(weight=100e3, length=4.0, lever=5.0) == pytest.approx(40e3)
-    assert cross_wall_thrust(weight=100e3, length=4.0, lever=5.0, friction=0.3) == pytest.approx(30e3)
+def test_what_lies_beyond_an_end_rocks_or_slides() -> None:
+    assert thrust_held_beyond(weight=100e3, length=4.0, lever=5.0) == pytest.approx(40e3)
+    assert thrust_held_beyond(weight=100e3, length=4.0, lever=5.0, friction=0.3) == pytest.approx(30e3)
 
 
 def test_an_arch_of_nothing_is_refused() -> None:

@@ -1,0 +1,30 @@
+"""The English text of messages on the mechanisms that are found on a building, by key."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+CANDIDATE_TEXTS: Mapping[str, str] = {
+    "candidate-title": "{part}: {what}",
+    # why a mechanism can form
+    "reason-and": "{one}; {other}",
+    "reason-facade": "free façade, {length} long, above z = {z}",
+    "reason-inner-wall": "wall with rooms on both sides, {length} long, above z = {z}",
+    "reason-meets": "met by {walls}, and whether they are bonded only a survey can tell",
+    "reason-no-return": "no wall meets it",
+    "reason-bears": "{body} bears on it at z = {z}",
+    "reason-tied": "by its shape {bodies} would push it over, yet it stands: that something takes the thrust is to be "
+    "confirmed",
+    "reason-ties": "{ties} may hold it and is left out",
+    "reason-wedges": "a wedge of {walls} may come with it, cracked at up to 30 degrees from the vertical",
+    "reason-corner": "outer corner of {one} and {other}, whose bond is not known",
+    "reason-spans": "held at z = {low} and at z = {high}, free between",
+    "reason-bay": "bay of {span} between {one} and {other}, with masonry beyond both to thrust against",
+    "reason-cap": "stands free above z = {z}",
+    "reason-shaft": "free-standing, {height} high; a crack may run at any height and inclination",
+    "reason-arch": "arch that spans {span}",
+    "reason-portal": "{over} stands on {one} and {other}, which may sway",
+    # parts without a mechanism
+    "no-mechanism": "{part}: no mechanism found; nothing is free to turn, and no two levels hold it with a load above",
+    "no-mechanism-built": "{part}: its mechanisms have no multiplier: {why}",
+}

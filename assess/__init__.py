@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from assess.loads.load import BodyLoad, ForceLoad, MassLoad, OverburdenLoad, TieLoad
     from assess.mechanisms.four_hinge import RadialJoints
     from assess.mechanisms.mechanism import CutAngle, CutPlane
+    from assess.mechanisms.side_walls import SideWalls
     from assess.model.bodies import Body, Material, box, mesh, profile
     from assess.study.block import Block, equivalent_block, four_hinge, single_block, two_block
     from assess.verbs import Run, answers, envelope, fragility, load, read_building, respond, run, write_report
@@ -40,6 +41,7 @@ __all__ = [
     "Record",
     "Run",
     "Shape",
+    "SideWalls",
     "TieLoad",
     "answers",
     "box",
@@ -69,6 +71,7 @@ _HOMES = {
     "assess.loads.load": ("BodyLoad", "ForceLoad", "MassLoad", "OverburdenLoad", "TieLoad"),
     "assess.mechanisms.four_hinge": ("RadialJoints",),
     "assess.mechanisms.mechanism": ("CutAngle", "CutPlane"),
+    "assess.mechanisms.side_walls": ("SideWalls",),
     "assess.model.bodies": ("Body", "Material", "box", "mesh", "profile"),
     "assess.study.block": ("Block", "equivalent_block", "four_hinge", "single_block", "two_block"),
     "assess.verbs": (

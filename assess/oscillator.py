@@ -6,8 +6,8 @@ phi [rad] is the rotation of the leading block. A `Branch` tabulates one directi
 sign (rotation >= 0, restoring > 0 resists, excitation > 0); an `Oscillator` is one or two of them. Geometry and
 mechanisms, which make it, know nothing of codes; dynamics and codes, which use it, know nothing of blocks or meshes.
 
-Beside it pass the rotations at which ties and forces end and floors lose their seats, and the forces at the hinges
-when the mechanism starts to rock, with the friction that they need. H along the
+Beside it pass the rotations at which ties and forces end and floors lose their seats, the side walls toothed into a
+block, and the forces at the hinges when the mechanism starts to rock, with the friction that they need. H along the
 branch's own direction and V up act on the block that presses at a hinge; with n square to the faces there,
 
     N = H n_x + V n_z        T = H n_z - V n_x        friction needed: |T| / N
@@ -27,6 +27,7 @@ from typing import TYPE_CHECKING, Literal
 import numpy as np
 
 from assess.messages.message import Message, Term
+from assess.short_repr import ShortRepr
 from spectra.arrays import FloatArray
 from spectra.gravity import g
 
@@ -410,6 +411,29 @@ class OpenSeat:
     branch: BranchName
     rotation: FloatArray
     travel: FloatArray
+
+
+@dataclass(frozen=True, repr=False)
+class Toothing(ShortRepr):
+    """Side walls toothed into the back of a single block, and what of it may turn with them.
+
+    walls : how many; course, overlap, thickness : h_b, l, t_s [m]; density [kg/m3]; friction : mu [-]
+    height : of what turns, measured down from where the side walls end, rising to that of the block itself [n] [m]
+    restoring : of its weights and loads at rest, about its front edge [n] [N m]
+    excitation : B of it at rest [n] [kg m]
+    depth : from its front edge to the side walls [n] [m]
+    """
+
+    walls: int
+    course: float
+    overlap: float
+    thickness: float
+    density: float
+    friction: float
+    height: FloatArray
+    restoring: FloatArray
+    excitation: FloatArray
+    depth: FloatArray
 
 
 @dataclass(frozen=True)

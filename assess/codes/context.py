@@ -13,7 +13,7 @@ from assess.declaration import BuildingDamping, Count, Evidence, PositiveLength,
 from assess.errors import ProcedureError
 from assess.faults import argument_problems
 from assess.messages.message import Message
-from assess.oscillator import BranchName, HingeForces, LocalLimit, OpenSeat, Oscillator
+from assess.oscillator import BranchName, HingeForces, LocalLimit, OpenSeat, Oscillator, Toothing
 from spectra.spectrum import Spectrum
 
 WallSupport = Literal["free", "spanning", "hinged"]
@@ -187,6 +187,7 @@ class Context:
     starting : the mechanism with every action that is there at rest, for multipliers; None: the oscillator itself
     breaking : the same with actions until they end, for the acceleration on the capacity curve; None: the oscillator
     limits : rotations at which actions end or seats are lost
+    toothing : side walls whose friction the linear and the non-linear check of NTC 2018 count; None: none
     open_seats : floors and beams that rest on the mechanism and whose seat is not given, in each branch
     crushing : whether every hinge presses on a joint of finite strength
     knowledge : level of knowledge that the project gives for this mechanism, by the code that needs it
@@ -220,6 +221,7 @@ class Context:
     starting: Oscillator | None = None
     breaking: Oscillator | None = None
     limits: tuple[LocalLimit, ...] = ()
+    toothing: Toothing | None = None
     open_seats: tuple[OpenSeat, ...] = ()
     crushing: bool = False
     knowledge: Mapping[str, str] = field(default_factory=dict)

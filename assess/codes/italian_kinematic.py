@@ -514,7 +514,8 @@ def curve_steps(
 
 def _acceleration_conditions(case: LimitStateCase) -> tuple[Message, ...]:
     """Return the condition of a pass where the multiplier counts actions that are not shown to last."""
-    if linear_multiplier(case.curves.starting) <= linear_multiplier(case.curves.lasting) * (1.0 + 1e-9):
+    same = linear_multiplier(case.curves.starting) <= linear_multiplier(case.curves.lasting) * (1.0 + 1e-9)
+    if same or not case.context.actions:
         return ()
     return (message("counts-at-rest", severity=Severity.WARNING),)
 

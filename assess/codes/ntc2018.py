@@ -34,6 +34,7 @@ from assess.codes.italian_limit_states import (
     LimitStateCase,
     check_each_limit_state,
 )
+from assess.codes.toothing import count_side_walls, left_step, toothing_steps, with_side_wall_messages
 from assess.declaration import Evidence, Name, PositiveTime, Range, Safe, Several, Tried
 from assess.messages.message import Quantity, Term, message
 from assess.oscillator import Oscillator
@@ -68,14 +69,15 @@ class Ntc2018Options(ItalianOptions):
 
 def assess_linear(oscillator: Oscillator, context: Context, *, options: ItalianOptions) -> tuple[Check, ...]:
     """Check a0* against the accelerations of ground and floor, S_eZ(T0) of free elements; a_g,SLV = q a_g,SLD."""
-    return check_each_limit_state(
+    found = check_each_limit_state(
         oscillator,
-        context,
+        count_side_walls(oscillator, context),
         clauses.EDITION,
         options,
         known=NTC2018_LINEAR.limit_states,
         one=lambda case: _linear_check(case, options),
     )
+    return tuple(with_side_wall_messages(check, context) for check in found)
 
 
 NONLINEAR_CLAUSE = "C8.7.1.2.1.8"
@@ -85,14 +87,15 @@ ELASTIC, FIRST, AT_ACTIVATION = "T1", "T1'", "T1'_a"  # of the building: elastic
 
 def assess_nonlinear(oscillator: Oscillator, context: Context, *, options: ItalianOptions) -> tuple[Check, ...]:
     """Check d_SLV and d_SLC against the displacements of ground and floor; the capacity is at least a_g,SLD."""
-    return check_each_limit_state(
+    found = check_each_limit_state(
         oscillator,
-        context,
+        count_side_walls(oscillator, context),
         clauses.EDITION,
         options,
         known=NTC2018_NONLINEAR.limit_states,
         one=lambda case: _nonlinear_check(case.at_ultimate),
     )
+    return tuple(with_side_wall_messages(check, context) for check in found)
 
 
 def _acceleration_demand_steps(
@@ -230,6 +233,7 @@ def _linear_check(case: LimitStateCase, options: ItalianOptions) -> Check:
         uplift_pga=clauses.uplift_on_floor(branch, context, confidence_factor=FC),
         damping=clauses.ELASTIC_DAMPING,
         steps=(
+            *_toothing_steps(case),
             *kinematic.activation_steps(case, clauses.EDITION),
             *_period_steps(case, T0=T0),
             *_share_steps(case, modes),
@@ -238,6 +242,12 @@ def _linear_check(case: LimitStateCase, options: ItalianOptions) -> Check:
             *kinematic.acceleration_ratio_steps(LINEAR_CLAUSES[case.state], demands, capacity=a0),
         ),
     )
+
+
+def _toothing_steps(case: LimitStateCase) -> tuple[Step, ...]:
+    """Write the friction of side walls, which holds the wall on its way outwards."""
+    toothing = case.context.toothing
+    return () if toothing is None or case.curves.name != "positive" else toothing_steps(toothing)
 
 
 def _linear_capacity_steps(case: LimitStateCase, over_pga: Demands | None, *, a0: float, q: float) -> tuple[Step, ...]:
@@ -325,6 +335,9 @@ def _nonlinear_capacity_steps(case: LimitStateCase, cap: clauses.Ntc2018Capacity
         given = {d: (cap.d, "m"), "T0": (cap.T0, "s")}
         words, formula = "acceleration on the elastic branch", f"{d} · (2 · π / T0)²"
         curve = (step(a, words, "C8.7.1.6", formula, cap.a, "m/s2", given=given),)
+    elif (friction := _toothing_steps(case)) and case.context.toothing is not None:
+        left = left_step(case.context.toothing, curve[0].value or 0.0, argument=f"φ({d})")
+        curve = (*friction, left, *curve)
     formula, given = f"{ultimate.factor:g} · π · √({d} / {a})", {d: (cap.d, "m"), a: (cap.a, "m/s2")}
     return (
         *kinematic.displacement_capacity_steps(

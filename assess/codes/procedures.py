@@ -272,7 +272,7 @@ def history_rules(
 
 def _context_where(given: Applicability, context: Context) -> Context:
     """Return the context of a procedure; no number of a void one is kept, and what breaks may fall before it stands."""
-    return replace(context, starting=None, breaking=None, limits=()) if given.void else context
+    return replace(context, starting=None, breaking=None, limits=(), toothing=None) if given.void else context
 
 
 def premise_conditions(procedure: str, context: Context) -> tuple[Message, ...]:

@@ -43,8 +43,9 @@ from assess.mechanisms.chain import HINGES, Chain, ChainPair, Joint
 from assess.mechanisms.directions import DirectionCandidate, DirectionSweep
 from assess.mechanisms.oscillators import ChainActions, Variants, find_variants, mechanism_actions, oscillator_at_start
 from assess.mechanisms.restitution import ImpactRules, Restitution
+from assess.mechanisms.side_walls import ToothedBlock, toothing_of
 from assess.messages.message import Message, Term
-from assess.oscillator import BRANCH_NAMES, BranchName, LocalLimit, OpenSeat, Oscillator
+from assess.oscillator import BRANCH_NAMES, BranchName, LocalLimit, OpenSeat, Oscillator, Toothing
 from spectra.arrays import FloatArray
 from spectra.gravity import g
 
@@ -192,6 +193,7 @@ class Mechanism:
     direction : of positive rotation, a horizontal vector; None for an equivalent block
     adjacent_bodies : the bodies in contact with it that would stop its motion one way or another
     messages : further messages for the engineer
+    toothed : the block with the side walls toothed into it; None where there are none
     candidates : the directions among which the weakest was found, or with which a given one was compared
     weaker : the weakest free direction, where the given one has a multiplier more than 10 % above it; else None
     """
@@ -217,6 +219,7 @@ class Mechanism:
     weaker: Vector | None = None
     adjacent_bodies: tuple[str, ...] = ()
     messages: tuple[Message, ...] = ()
+    toothed: ToothedBlock | None = None
 
     def __repr__(self) -> str:
         return f"Mechanism({self.name!r}, {self.kind}, {self.sides}-sided, {self.positive.mass:.4g} kg)"
@@ -250,6 +253,11 @@ class Mechanism:
     def variants(self) -> Variants:
         """The oscillators of the mechanism as it starts, as its actions end, and as it collapses."""
         return find_variants(self.pair, self.oscillator, self.actions)
+
+    @cached_property
+    def toothing(self) -> Toothing | None:
+        """The side walls toothed into it, and what of it may turn with them; None where there are none."""
+        return None if self.toothed is None else toothing_of(self.toothed, self.positive)
 
     @property
     def rise(self) -> float:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from math import cos, hypot, inf, sin, sqrt
 from typing import Annotated, ClassVar, Literal
 
@@ -13,11 +13,13 @@ from assess.declaration import (
     UNCERTAIN_UPLIFT,
     Evidence,
     Fault,
+    KeyFault,
     Length,
     Name,
     PositiveLength,
     PositiveMass,
     PositiveRate,
+    Safe,
     Uplift,
 )
 from assess.errors import FallingError, MechanismError
@@ -47,7 +49,8 @@ from assess.mechanisms.restitution import (
     single_block_rule,
     sorrentino_rebound,
 )
-from assess.messages.message import Message, Quantity, lengths, warning
+from assess.mechanisms.side_walls import NONE_COUNTED, SideWalls, toothed_block
+from assess.messages.message import Message, Quantity, lengths, note, warning
 from spectra.gravity import g
 
 INERTIA_RATIOS = (1e-4, 1e4)  # I_O / (M R^2) = g / (p^2 R): 4/3 of a slender block, less of a wall that spans
@@ -65,6 +68,15 @@ class SingleBlock(BlockMechanism):
     """hinge of positive rotation; the extreme line of the base (of the cut) if absent"""
     hinges_negative: Annotated[tuple[Place, ...] | None, DRAWN_HINGES] = None
     """hinge of negative rotation; the extreme line of the base (of the cut) if absent"""
+    side_walls: Annotated[SideWalls | None, Evidence("measured", "up", NONE_COUNTED, safe=Safe.ABSENT)] = None
+    """{ bond = "toothed", course, overlap, thickness, friction, count }: cross walls behind it, whose friction the
+    linear and the non-linear check of NTC 2018 count; no friction if absent"""
+
+    def faults(self) -> Iterator[KeyFault]:
+        """Yield the keys that do not go together."""
+        yield from super().faults()
+        if self.side_walls is not None and not isinstance(self.direction, tuple):
+            yield "direction", "missing, and side_walls stand behind the wall as seen along it; give the direction"
 
 
 def single_block(
@@ -152,7 +164,11 @@ def build_single_block(
         warnings=() if front else tuple(hinge_warnings(pieces[0], definition.towards)),
         **common_arguments(definition),
     )
-    return mechanism, pieces
+    if definition.side_walls is None or definition.side_walls.bond == "detached":
+        return mechanism, pieces
+    where = f'mechanism "{name}"'
+    toothed = toothed_block(where, definition.side_walls, pieces[0], definition.along, foot=mechanism.elevation)
+    return replace(mechanism, toothed=toothed, warnings=(*mechanism.warnings, note("side-walls-where-counted"))), pieces
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -189,6 +189,11 @@ TEXTS: Mapping[str, str] = {
     "before it rocks from PGA {pga} upwards",
     "counts-at-rest": "a pass is valid only if every resisting tie and force acts in full as the motion starts: "
     "they count in the multiplier, but are not shown to last",
+    "side-walls-hold": "a pass is valid only if the side walls are toothed into the wall as given, over the whole "
+    "height of what turns, and no crack parts them yet",
+    "side-walls-part": "with the friction of its side walls the upper {height} of the wall resists least, in front of "
+    "cracks in them at tan(β) = {slope} from the vertical: no more friction counts than gives the wall the multiplier "
+    "of that part, {multiplier}; examine it as a mechanism of its own",
     "holds-to-its-end": "a pass is valid only if {what} acts in full up to the displacement given as its end, and what "
     "it is anchored to holds it",
     "seats-hold": "a pass at {state} is valid only if the seats that are not given are longer than what moves on them "

@@ -209,7 +209,7 @@ def _setting(
         return None
     if safe is Safe.WEAKEST:
         weakest = _weakest(path, content, study)
-        return None if weakest is None else {path: weakest}
+        return None if weakest is None else {path: weakest, **_side_walls_behind(path, content)}
     if safe is Safe.WITHOUT:
         return {path[:-1]: Safe.ABSENT, **_crack_without(path, content, solids)}
     given = value_at(content, path)
@@ -273,6 +273,13 @@ def _crack_without(path: KeyPath, content: sections.Content, solids: Solids) -> 
         return {(*path[:2], "crack"): "minimum"}
     low, high = (float(level) for level in (wall.vertices[:, 2].min(), wall.vertices[:, 2].max()))
     return {(*path[:2], "crack"): low + NEAR_TOP * (high - low)}
+
+
+def _side_walls_behind(path: KeyPath, content: sections.Content) -> Setting:
+    """Leave out the side walls of a wall whose direction changes: they stand behind it as seen along the stated one."""
+    section = content.mechanisms[str(path[1])]
+    there = path[-1] == "direction" and getattr(section, "side_walls", None) is not None
+    return {(*path[:2], "side_walls"): Safe.ABSENT} if there else {}
 
 
 def _weakest(path: KeyPath, content: sections.Content, study: Study) -> list[float] | str | None:

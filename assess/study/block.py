@@ -28,6 +28,7 @@ from assess.mechanisms.four_hinge import FourHinge, RadialJoints
 from assess.mechanisms.kinds import Definition
 from assess.mechanisms.mechanism import CutAngle, CutPlane, Mechanism, Sides, Vector
 from assess.mechanisms.restitution import Restitution, RestitutionChoice
+from assess.mechanisms.side_walls import SideWalls
 from assess.mechanisms.single_block import EquivalentBlock, SingleBlock
 from assess.mechanisms.two_block import TwoBlock
 from assess.messages.message import Message, locate
@@ -181,6 +182,7 @@ def single_block(
     restitution: float | str | tuple[RestitutionChoice, RestitutionChoice] | None = None,
     hinge: Place | None = None,
     hinge_negative: Place | None = None,
+    side_walls: SideWalls | None = None,
     around: Sequence[Body] = (),
 ) -> Block:
     """Return a block that rocks about the edges of its base.
@@ -197,6 +199,7 @@ def single_block(
     interface : what the hinges press on; rigid without limit of strength where None
     restitution : velocity after over before the impact [-], or a rule: "thesis", "housner", "sorrentino", "momentum"
     hinge, hinge_negative : given hinges, in space or in the plane of motion; as the geometry shows where None
+    side_walls : toothed into its back as seen along a given direction; only NTC 2018 counts their friction
     around : other bodies of the building: floors that load it, walls that stop it
 
     Raises
@@ -209,6 +212,7 @@ def single_block(
         cut=cut,
         hinges=None if hinge is None else (hinge,),
         hinges_negative=None if hinge_negative is None else (hinge_negative,),
+        side_walls=side_walls,
         **_shared_fields(direction, sides, loads, interface, restitution),
     )
     return _make_block(name, definition, (*bodies, *_bodies("around", around)))

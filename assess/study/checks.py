@@ -346,6 +346,7 @@ def _context_without_floor_spectrum(
         starting=variants.starting,
         breaking=variants.breaking,
         limits=limits(mechanism),
+        toothing=mechanism.toothing,
         open_seats=open_seats(mechanism),
         knowledge=study.knowledge.get(mechanism.name, {}),
         limit_state=study.limit_state if study.hazard is None else None,

@@ -68,7 +68,8 @@ def whole(text: str) -> dict[str, Any]:
     if "mechanisms" in given:
         return given
     if any(
-        isinstance(value, dict) and not key.startswith(("interface", "amplification")) for key, value in given.items()
+        isinstance(value, dict) and not key.startswith(("interface", "amplification", "side_walls"))
+        for key, value in given.items()
     ):
         return merge(around, given)
     return merge(around, {"mechanisms": {"storey" if "interfaces" in given else "wall": given}})

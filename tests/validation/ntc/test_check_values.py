@@ -17,7 +17,8 @@ from scipy.constants import g
 from assess.codes import ntc2018
 from assess.codes.context import Building, Context, SiteHazard, StatedFirstMode
 from assess.codes.italian_limit_states import ItalianOptions
-from assess.codes.ntc2018_clauses import TOOTHING_LEVER, floor_demand, toothing_friction, ultimate_modes
+from assess.codes.ntc2018_clauses import floor_demand, ultimate_modes
+from assess.codes.toothing import TOOTHING_LEVER, toothing_friction
 from assess.errors import ProcedureError
 from assess.geometry.planar import planar_body
 from assess.geometry.solid import box

@@ -59,6 +59,7 @@ HELD = "it is held against something else, and a pass is incomplete, or has a co
 TARGET = "it sets what is compared with the index, which page 1 prints beside it"
 PUBLISHED = "nothing is drawn that gives another, and a pass without a source has that as condition"
 TABLE = "its whole table is left out: the outline of the mesh counts in place of the shape"
+TOOTHING = "its whole table is left out: no friction of side walls counts"
 SHARED_FATE = "alone it vouches for nothing: what it is the reason or source of is replaced with it"
 RISK = "it bears on fragility and risk, of which no verdict asks"
 MAY_STAND = {
@@ -83,6 +84,10 @@ MAY_STAND = {
         f"mechanisms.NAME.{joint}.shape.{form}"
         for joint in ("interface", "interfaces.NAME")
         for form in ("rectangle", "hollow_rectangle", "circle", "annulus", "polygon")
+    ),
+    TOOTHING: tuple(
+        f"mechanisms.NAME.side_walls.{key}"
+        for key in ("bond", "course", "overlap", "thickness", "friction", "density", "count")
     ),
     SHARED_FATE: ("building.limit_states.NAME.reason", "report.sources.NAME"),
     RISK: (

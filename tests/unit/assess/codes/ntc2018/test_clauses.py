@@ -15,7 +15,8 @@ from scipy.constants import g
 from assess.codes import ntc2018_clauses
 from assess.codes.context import FreePeriod, StatedFirstMode
 from assess.codes.italian_limit_states import Demands, Floor
-from assess.codes.ntc2018_clauses import FirstModes, toothing_friction
+from assess.codes.ntc2018_clauses import FirstModes
+from assess.codes.toothing import toothing_friction
 from assess.oscillator import LocalLimit
 from spectra.table import table_spectrum
 from tests.support.straight import CURVES, GROUND, HOUSE, RAISED, SOFT, STRAIGHT

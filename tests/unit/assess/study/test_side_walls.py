@@ -1,0 +1,101 @@
+"""Side walls in a project: what counts by whom, with a source and without, and where the direction changes."""
+
+from pathlib import Path
+
+import pytest
+
+from assess.codes.check import Check
+from assess.codes.verdict import Decision, State
+from assess.errors import ProjectError
+from assess.project.build import build, build_to_decide
+from assess.project.project_file import load
+from assess.results import Results
+from assess.study.run import run_study
+from tests.support.projects import NTC, block, lines, project_toml, wall
+
+TOOTHED = 'side_walls = { bond = "toothed", course = "0.25 m", overlap = "0.15 m", thickness = "0.5 m", count = 2 }'
+SURVEY = {"mechanisms.wall.side_walls": "measured: joint opened at three heights"}
+METHODS = ("ntc2018-linear", "ntc2018-nonlinear", "dmi2008-linear", "asce43-05-spectrum")
+
+
+def results(
+    folder: Path,
+    side_walls: str = "",
+    *,
+    sources: dict[str, str] | None = None,
+    direction=(1, 0, 0),
+    length: float = 5.0,
+) -> Results:
+    text = project_toml(
+        site={"spectrum": {**NTC, "a_g": "0.13 g"}, "limit_state": "SLV"},
+        building={"height": 6.0, "storeys": 2, "use_class": "II"},
+        materials={"m": {"density": 1900, "disintegration": "excluded"}},
+        report={"sources": {"materials.m.disintegration": "measured: survey", **(sources or {})}},
+        verdict={"basis": "ntc2018", "procedures": ["ntc2018-linear"]},
+        analysis={"procedures": list(METHODS)},
+        bodies={"wall": wall(0.5, length, 6.0, material="m")},
+        mechanisms={"wall": lines(block(direction=list(direction), sides="one"), side_walls)},
+    )
+    (folder / "project.toml").write_text(text, encoding="utf-8")
+    return run_study(build(load(folder)), jobs=1)
+
+
+def checks_of(found: Results) -> dict[str, Check]:
+    return {check.procedure: check for check in found.mechanisms[0].checks}
+
+
+def test_without_a_source_none_of_their_friction_counts(tmp_path: Path) -> None:
+    bare, typed = results(tmp_path), results(tmp_path, TOOTHED)
+    assert bare.verdict is not None
+    assert typed.verdict is not None
+    (line,) = typed.verdict.overrides
+    assert (typed.verdict.state, line.key, line.source) == (State.REPLACED, "mechanisms.wall.side_walls", "")
+    assert line.instead == "no friction of side walls"
+    assert typed.verdict.mechanisms == bare.verdict.mechanisms
+    assert bare.verdict.outcome == Decision.FAIL
+    assert typed.verdict.other_state is not None
+    assert typed.verdict.other_state.outcome == Decision.PASS
+
+
+def test_with_a_source_the_procedures_of_ntc2018_alone_count_it(tmp_path: Path) -> None:
+    """α0 rises from 0.0833 to 0.2227; d0*, d_SLV, histories and other codes stay."""
+    bare, found = checks_of(results(tmp_path)), results(tmp_path, TOOTHED, sources=SURVEY)
+    held = checks_of(found)
+    linear, other = held["ntc2018-linear"], bare["ntc2018-linear"]
+    assert linear.capacity / other.capacity == pytest.approx(0.222684 / (0.5 / 6.0), rel=1e-5)
+    assert held["ntc2018-nonlinear"].capacity == pytest.approx(bare["ntc2018-nonlinear"].capacity, rel=1e-9)
+    assert held["ntc2018-nonlinear"].demand < bare["ntc2018-nonlinear"].demand
+    for name in ("dmi2008-linear", "asce43-05-spectrum"):
+        assert (held[name].capacity, held[name].demand) == (bare[name].capacity, bare[name].demand)
+    assert [each.key for each in linear.conditions][-1] == "side-walls-hold"
+    assert [each.key for each in linear.remarks] == ["side-walls-part"]
+    assert "counts-at-rest" not in [each.key for each in linear.conditions]
+    assert "side-walls-where-counted" in [each.key for each in found.warnings]
+    assert found.verdict is not None
+    (line,) = found.verdict.overrides
+    assert (found.verdict.outcome, line.outcome_instead) == (Decision.PASS, Decision.FAIL)
+    assert {"F", "α_h", "M_F"} <= {each.symbol for each in linear.steps}
+    assert "M_F(φ(d_SLV))" in {each.symbol for each in held["ntc2018-nonlinear"].steps}
+
+
+def test_a_source_for_one_of_their_keys_vouches_for_none_of_the_others(tmp_path: Path) -> None:
+    one = {"mechanisms.wall.side_walls.friction": "measured: tests of two joints"}
+    found = results(tmp_path, TOOTHED, sources=one).verdict
+    assert found is not None
+    assert found.state == State.REPLACED
+
+
+def test_side_walls_do_not_turn_with_the_direction(tmp_path: Path) -> None:
+    """Towards its length the wall is stated; the weakest direction has none of the side walls that stand there."""
+    results(tmp_path, TOOTHED, sources=SURVEY, direction=(0, 1, 0), length=1.5)
+    study = build_to_decide(load(tmp_path / "project.toml"))
+    (direction,) = [each for each in study.replaceables if each.key == "mechanisms.wall.direction"]
+    assert {path[-1] for path in direction.setting} == {"direction", "side_walls"}
+    assert direction.study_at("wall").mechanisms[0].toothing is None
+
+
+def test_what_they_lack_is_told_with_its_key(tmp_path: Path) -> None:
+    with pytest.raises(ProjectError, match=r"mechanisms.wall.side_walls.course: missing; a toothed joint needs it"):
+        results(tmp_path, 'side_walls = { bond = "toothed", overlap = "0.1 m", thickness = "0.5 m" }')
+    with pytest.raises(ProjectError, match=r'side_walls.bond: .*write "toothed" or "detached"'):
+        results(tmp_path, 'side_walls = { bond = "keyed" }')

@@ -1,4 +1,4 @@
-"""`assess geometry`: the parts of model files as a table for the terminal, as CSV and as JSON."""
+"""`assess geometry`: the parts of model files, or their defects, as a table for the terminal, as CSV and as JSON."""
 
 from __future__ import annotations
 
@@ -58,13 +58,16 @@ def geometry(
     element: Annotated[
         str | None, typer.Option(metavar="NAME", help="Only these elements: name, GlobalId, class or pattern.")
     ] = None,
+    doctor: Annotated[
+        bool, typer.Option("--doctor", help="List what is wrong, what cures it, and what was mended.")
+    ] = False,
     as_json: Annotated[bool, typer.Option("--json", help="Print the parts as JSON.")] = False,
     as_csv: Annotated[bool, typer.Option("--csv", help="Print the table as CSV at full precision.")] = False,
 ) -> None:
     """List the parts of model files: name, class, storey, size, volume, position, closed or why not, thin direction.
 
     The thin direction is the usual `direction` of a wall's mechanism. A broken part or an unreadable file has its own
-    line; the exit code is 2 if nothing could be listed.
+    line; the exit code is 2 if nothing could be listed. With --doctor: the defects, with the volume that mending moved.
     """
     refuse_two_formats(as_json=as_json, as_csv=as_csv)
     scale = _length_of_unit(unit)
@@ -74,8 +77,13 @@ def geometry(
     wrong = [each for each in listed if isinstance(each, GeometryError)]
     if len(wrong) == len(listed) == 1:
         raise wrong[0]
-    text = _geometry_json if as_json else _geometry_csv if as_csv else _geometry_table
-    print(text(list(zip(files, listed, strict=True))), end="")
+    found = list(zip(files, listed, strict=True))
+    if doctor:
+        from assess.cli.doctor import doctor_csv, doctor_json, doctor_table
+
+        print((doctor_json if as_json else doctor_csv if as_csv else doctor_table)(found), end="")
+    else:
+        print((_geometry_json if as_json else _geometry_csv if as_csv else _geometry_table)(found), end="")
     raise typer.Exit(2 if len(wrong) == len(listed) else 0)
 
 

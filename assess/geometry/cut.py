@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -257,12 +257,24 @@ def section_moments(solid: Solid, elevation: ArrayLike, *, direction: Sequence[f
     -------
     area A [m2], int s dA [m3] and int s^2 dA [m4] of each section [n, 3]; 0 where the solid does not reach
     """
-    x, y = np.asarray(direction[:2], dtype=np.float64) / np.hypot(direction[0], direction[1])
-    turned = np.column_stack([solid.vertices[:, :2] @ [[x, -y], [y, x]], solid.vertices[:, 2]])  # s, t square to it, z
-    corners = turned[solid.triangles]
-    low, high = corners[:, :, 2].min(axis=1), corners[:, :, 2].max(axis=1)
-    levels = np.atleast_1d(np.asarray(elevation, dtype=np.float64))
-    return np.array([_moments(corners[(low < z) & (high >= z)], z) for z in levels])
+    return np.array([_moments(*each) for each in _segments(solid, elevation, direction)])
+
+
+def section_edges(solid: Solid, elevation: ArrayLike, *, direction: Sequence[float]) -> FloatArray:
+    """Return the first and the last place of level sections along a horizontal direction, at many elevations.
+
+    Parameters
+    ----------
+    solid : the body
+    elevation : [n] [m]
+    direction : horizontal vector along which places are measured from the origin [3]
+
+    Returns
+    -------
+    least and largest s of each section [n, 2] [m]; infinite and minus infinite where the solid does not reach
+    """
+    found = [np.concatenate(each)[:, 0] for each in _segments(solid, elevation, direction)]
+    return np.array([(each.min(initial=np.inf), each.max(initial=-np.inf)) for each in found])
 
 
 def _axes(normal: FloatArray) -> FloatArray:
@@ -317,17 +329,30 @@ def _area_in_plane(points: FloatArray, triangles: IntArray, *, size: float) -> s
     return shapely.union_all(shapely.polygons(flat[np.abs(ax * by - ay * bx) > DEGENERATE * size**2]))
 
 
-def _moments(crossed: FloatArray, z: float) -> tuple[float, float, float]:
-    """Return the integrals at one elevation, from the triangles it crosses [m, 3, 3], outward orientation."""
-    if not len(crossed):
-        return 0.0, 0.0, 0.0
-    upper = crossed[:, :, 2] >= z
-    lone = np.where(upper.sum(axis=1) == 1, upper.argmax(axis=1), (~upper).argmax(axis=1))  # the corner on its own side
-    at = np.arange(len(crossed))
-    apex, following, preceding = (crossed[at, (lone + step) % 3] for step in (0, 1, 2))
-    ends = [apex + (z - apex[:, 2:]) / (far[:, 2:] - apex[:, 2:]) * (far - apex) for far in (following, preceding)]
-    flip = upper[at, lone]  # with the apex above, the outside lies right of the way from `following` to `preceding`
-    s, t = np.where(flip[:, None], ends[0], ends[1])[:, :2].T
-    u, w = np.where(flip[:, None], ends[1], ends[0])[:, :2].T
+def _segments(
+    solid: Solid, elevation: ArrayLike, direction: Sequence[float]
+) -> Iterator[tuple[FloatArray, FloatArray]]:
+    """Yield the segments in which each level cuts triangles: their ends s, t [m, 2], anticlockwise around the masonry.
+
+    s is measured along the direction, t square to it.
+    """
+    x, y = np.asarray(direction[:2], dtype=np.float64) / np.hypot(direction[0], direction[1])
+    turned = np.column_stack([solid.vertices[:, :2] @ [[x, -y], [y, x]], solid.vertices[:, 2]])
+    corners = turned[solid.triangles]  # outward orientation
+    low, high = corners[:, :, 2].min(axis=1), corners[:, :, 2].max(axis=1)
+    for z in np.atleast_1d(np.asarray(elevation, dtype=np.float64)):
+        crossed = corners[(low < z) & (high >= z)]
+        upper = crossed[:, :, 2] >= z
+        lone = np.where(upper.sum(axis=1) == 1, upper.argmax(axis=1), (~upper).argmax(axis=1))  # alone on its side
+        at = np.arange(len(crossed))
+        apex, following, preceding = (crossed[at, (lone + step) % 3] for step in (0, 1, 2))
+        ends = [apex + (z - apex[:, 2:]) / (far[:, 2:] - apex[:, 2:]) * (far - apex) for far in (following, preceding)]
+        flip = upper[at, lone][:, None]  # the outside lies right of the way from `following` to `preceding`
+        yield np.where(flip, ends[0], ends[1])[:, :2], np.where(flip, ends[1], ends[0])[:, :2]
+
+
+def _moments(start: FloatArray, end: FloatArray) -> tuple[float, float, float]:
+    """Return the integrals over one section, from its segments [m, 2], [m, 2]."""
+    (s, t), (u, w) = start.T, end.T
     D = s * w - u * t
     return float(D.sum() / 2.0), float(D @ (s + u) / 6.0), float(D @ (s * s + s * u + u * u) / 12.0)

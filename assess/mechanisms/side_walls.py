@@ -20,9 +20,8 @@ from typing import Annotated, Literal
 import numpy as np
 
 from assess.declaration import UNCERTAIN, Evidence, Fault, Number, PositiveDensity, PositiveLength, Share
-from assess.errors import GeometryError, MechanismError
-from assess.geometry.cut import Piece, divide, level_plane
-from assess.geometry.planar import base_of_section, join_bodies, planar_body_without_outline
+from assess.errors import MechanismError
+from assess.geometry.cut import Piece, section_edges, section_moments
 from assess.geometry.solid import Solid
 from assess.geometry.surface import volume
 from assess.mechanisms.chain import Chain, RigidBlock, virtual_work
@@ -32,6 +31,7 @@ from spectra.arrays import FloatArray
 NONE_COUNTED = "no friction of side walls"
 AS_SURVEYED = Evidence("measured", "up", NONE_COUNTED)  # where no source vouches for it, the table is left out
 LOWEST = 0.1  # of the height of the crack: the least height of what turns
+LAYERS = 400  # in which the masonry above the lowest level is summed up
 LEVELS = 41  # above which what turns is weighed; its multiplier varies slowly with the height
 JUST_BELOW = 1e-6  # of the height of the crack: a level this far below a load carries it
 END = 0.05  # of the length of a wall: what its ends are, where side walls stand
@@ -119,12 +119,10 @@ def toothing_of(block: ToothedBlock, chain: Chain) -> Toothing:
     block : with side walls
     chain : of the positive branch, with all its loads
     """
-    stated, whole = block.stated, replace(chain, joints=())
-    height = block.top - chain.hinges[0][1]
-    parts = [(each, _part_above(block, chain, block.top - each)) for each in _heights(block, chain, height)]
-    found = [(each, *part) for each, part in parts if part is not None]
-    found.append((height, whole, max(chain.hinges[0][0] - block.inner, 0.0)))
-    works = [virtual_work(part, np.zeros(1)) for _, part, _ in found]
+    stated, height = block.stated, block.top - chain.hinges[0][1]
+    parts = list(_parts_above(block, chain, block.top - _heights(block, chain, height)))
+    parts.append((height, replace(chain, joints=()), max(chain.hinges[0][0] - block.inner, 0.0)))
+    works = [virtual_work(part, np.zeros(1)) for _, part, _ in parts]
     volumes = [volume(solid.vertices, solid.triangles) for solid in block.solids]
     return Toothing(
         walls=stated.count,
@@ -133,31 +131,46 @@ def toothing_of(block: ToothedBlock, chain: Chain) -> Toothing:
         thickness=stated.thickness or 0.0,
         density=stated.density or sum(solid.mass for solid in block.solids) / sum(volumes),
         friction=stated.friction,
-        height=np.array([each for each, _, _ in found]),
+        height=np.array([each for each, _, _ in parts]),
         restoring=np.array([float(work.restoring[0]) for work in works]),
         excitation=np.array([float(work.excitation[0]) for work in works]),
-        depth=np.array([depth for _, _, depth in found]),
+        depth=np.array([depth for _, _, depth in parts]),
     )
 
 
-def _heights(block: ToothedBlock, chain: Chain, height: float) -> list[float]:
-    """Return the heights of the parts that are weighed, less than the whole, rising [m]: some carry a load just so."""
+def _heights(block: ToothedBlock, chain: Chain, height: float) -> FloatArray:
+    """Return the heights of the parts that are weighed, rising, but the whole [n] [m]; some just carry a load."""
     least = max(block.stated.course or 0.0, LOWEST * height)
-    above = [block.top - load.at[1] for load in chain.loads]
-    levels = [*np.linspace(least, height, LEVELS).tolist(), *above, *(each + JUST_BELOW * height for each in above)]
-    return sorted({each for each in levels if least <= each < height * (1.0 - JUST_BELOW)})
+    above = np.array([block.top - load.at[1] for load in chain.loads])
+    levels = np.unique(np.concatenate([np.linspace(least, height, LEVELS), above, above + JUST_BELOW * height]))
+    return np.asarray(levels[(levels >= least) & (levels < height * (1.0 - JUST_BELOW))])
 
 
-def _part_above(block: ToothedBlock, chain: Chain, level: float) -> tuple[Chain, float] | None:
-    """Return what turns above a level about its front edge, and how deep it is there [m]; None where nothing stands."""
-    try:
-        division = divide(block.solids, level_plane(level), where=block.where)
-    except GeometryError:
-        return None
-    body = join_bodies([planar_body_without_outline(solid, direction=block.along.tolist()) for solid in division.above])
-    back, front = base_of_section(division.foot, direction=block.along.tolist())
-    masonry = RigidBlock(body.mass, body.centroid, body.inertia)
-    return Chain((masonry,), (front,), tuple(load for load in chain.loads if load.at[1] > level)), front[0] - back[0]
+def _parts_above(block: ToothedBlock, chain: Chain, level: FloatArray) -> Iterator[tuple[float, Chain, float]]:
+    """Yield what turns above each level about its front edge: its height, itself, and its depth there [m].
+
+    Its masonry is summed up in thin layers; at a ledge what is both above and below bears.
+    """
+    along, top = block.along.tolist(), max(float(solid.vertices[:, 2].max()) for solid in block.solids)
+    edges = np.unique(np.concatenate([level, np.linspace(float(level.min(initial=top)), top, LAYERS + 1)]))
+    middle, thick = (edges[1:] + edges[:-1]) / 2.0, np.diff(edges)
+    layers = np.zeros((len(middle), 2))
+    near = JUST_BELOW * (block.top - chain.hinges[0][1])
+    sides = np.array([[np.inf, -np.inf]] * len(level)), np.array([[np.inf, -np.inf]] * len(level))
+    for solid in block.solids:
+        density = solid.mass / volume(solid.vertices, solid.triangles)
+        layers += density * section_moments(solid, middle, direction=along)[:, :2] * thick[:, None]
+        for side, z in zip(sides, (level + near, level - near), strict=True):
+            ends = section_edges(solid, z, direction=along)
+            side[:, 0], side[:, 1] = np.minimum(side[:, 0], ends[:, 0]), np.maximum(side[:, 1], ends[:, 1])
+    back, front = np.maximum(*(side[:, 0] for side in sides)), np.minimum(*(side[:, 1] for side in sides))
+    for z, behind, ahead in zip(level.tolist(), back.tolist(), front.tolist(), strict=True):
+        mass, moment = layers[middle > z].sum(axis=0).tolist()
+        if mass > 0.0 and behind < ahead:
+            rise = float(layers[middle > z, 0] @ middle[middle > z]) / mass
+            masonry = RigidBlock(mass, (moment / mass, rise), 0.0)  # at rest its inertia has no part
+            carried = tuple(load for load in chain.loads if load.at[1] > z)
+            yield block.top - z, Chain((masonry,), ((ahead, z),), carried), ahead - behind
 
 
 def _lower_end(solids: Sequence[Solid], along: FloatArray) -> float:

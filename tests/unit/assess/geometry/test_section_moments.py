@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from assess.geometry.cut import section_moments
+from assess.geometry.cut import section_edges, section_moments
 from assess.geometry.solid import box, polyhedron, profile
 
 
@@ -41,3 +41,13 @@ def test_the_volume_is_the_sum_of_slices() -> None:
     z = np.array([1e-9, h / 2, h - 1e-9])
     area = section_moments(cone, z, direction=[0, 1, 0])[:, 0]
     assert h / 6 * (area @ [1, 4, 1]) == pytest.approx(cone.mass, rel=1e-8)
+
+
+def test_the_edges_of_sections_follow_the_faces_of_a_battered_wall_however_it_stands() -> None:
+    """Of a trapezium of 2 m at its foot and 1 m at 4 m, turned in plan: from 0 to 2 - z/4 along its direction."""
+    wall = profile([(0.0, 0.0), (2.0, 0.0), (1.0, 4.0), (0.0, 4.0)], length=3.0, density=1.0, name="wall")
+    found = section_edges(wall, [0.5, 2.0, 3.9], direction=[5.0, 0.0, 0.0])
+    np.testing.assert_allclose(found, [[0.0, 1.875], [0.0, 1.5], [0.0, 1.025]], rtol=1e-12, atol=1e-12)
+    across = section_edges(wall, [1.0], direction=[0.0, -1.0, 0.0])
+    np.testing.assert_allclose(across, [[-1.5, 1.5]], rtol=1e-12)
+    assert np.isinf(section_edges(wall, [5.0], direction=[1.0, 0.0, 0.0])).all()

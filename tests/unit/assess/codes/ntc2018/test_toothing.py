@@ -170,6 +170,23 @@ def test_side_walls_rise_to_the_lower_end_of_a_gable() -> None:
     assert made.toothing.height[-1] == pytest.approx(5.0, abs=0.25)
 
 
+def test_what_turns_above_a_level_is_what_a_cut_there_leaves() -> None:
+    """Of a wall that steps back at 2 m and leans, and carries a floor: by mechanisms with the cut stated."""
+    corners = [(0.0, 0.0), (1.0, 0.0), (1.0, 2.0), (0.7, 2.0), (0.6, 6.0), (0.0, 6.0)]
+    wall = assess.profile(corners, length=5.0, density=DENSITY, name="wall")
+    floor = assess.MassLoad(mass=3000.0, at=(0.2, 4.5))
+    made = assess.single_block(wall, direction=(1, 0, 0), sides="one", side_walls=TOOTHED, loads=[floor]).mechanism
+    assert made.toothing is not None
+    for place in (3, 20, 35):
+        height = float(made.toothing.height[place])
+        loads = [floor] if height > 1.5 else []
+        above = assess.single_block(wall, direction=(1, 0, 0), sides="one", cut=6.0 - height, loads=loads).mechanism
+        branch, (edge, _) = above.oscillator.positive, above.positive.hinges[0]
+        assert made.toothing.restoring[place] == pytest.approx(branch.restoring[0], rel=2e-4)
+        assert made.toothing.excitation[place] == pytest.approx(branch.excitation[0], rel=2e-4)
+        assert made.toothing.depth[place] == pytest.approx(edge, rel=1e-4)
+
+
 def test_where_a_crack_parts_them_nothing_counts() -> None:
     assert facade(assess.SideWalls(bond="detached")).toothing is None
 

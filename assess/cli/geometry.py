@@ -4,14 +4,13 @@ from __future__ import annotations
 
 import json
 from collections.abc import Sequence
-from enum import StrEnum
 from math import atan2, degrees
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from assess.cli.options import refuse_two_formats
+from assess.cli.options import UpAxis, refuse_two_formats
 from assess.cli.tables import text_table
 from assess.messages.message import escape_text
 
@@ -32,13 +31,6 @@ PART_HEADER = (
     "closed",
     "thin [deg]",
 )
-
-
-class UpAxis(StrEnum):
-    """The axis of a file that points up."""
-
-    Y = "y"
-    Z = "z"
 
 
 def geometry(

@@ -37,6 +37,13 @@ class Language(StrEnum):
     ITALIAN = "it"
 
 
+class UpAxis(StrEnum):
+    """The axis of a file that points up."""
+
+    Y = "y"
+    Z = "z"
+
+
 ProjectPath = Annotated[
     Path, typer.Argument(metavar="PROJECT", help="The project file, or the folder that contains project.toml.")
 ]

@@ -5,30 +5,40 @@ from __future__ import annotations
 import json
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Literal
 
 import typer
 
-from assess.cli.options import ProjectPath, refuse_two_formats
+from assess.cli.options import ProjectPath, UpAxis, refuse_two_formats
 from assess.cli.stderr import print_messages, progress
+from assess.messages.message import escape_text, locate
 
 
 def new(
     folder: Annotated[
         Path | None, typer.Argument(metavar="DIR", help="Folder to create; it must be empty or not exist yet.")
     ] = None,
+    more: Annotated[list[Path] | None, typer.Argument(metavar="MODEL…", help="Further models, with --from.")] = None,
     example: Annotated[
-        str,
+        str | None,
         typer.Option(
             "--example",
             metavar="NAME",
             autocompletion=_complete_examples,
-            help="Name of the example; --list shows them.",
+            help="Name of the example; --list shows them. The smallest wall if absent.",
         ),
-    ] = "single_wall",
+    ] = None,
+    models: Annotated[
+        list[Path] | None,
+        typer.Option("--from", metavar="MODEL", help="IFC or mesh of a building, whose mechanisms are found."),
+    ] = None,
+    unit: Annotated[
+        str | None, typer.Option(metavar="UNIT", help="Unit of the models' coordinates, such as mm, with --from.")
+    ] = None,
+    up: Annotated[UpAxis | None, typer.Option(help="Axis of the models that points up, with --from.")] = None,
     list_examples: Annotated[bool, typer.Option("--list", help="List the examples and exit.")] = False,
 ) -> None:
-    """Create a runnable project to start from: the smallest wall, or an example."""
+    """Create a runnable project to start from: the smallest wall, an example, or the building of a model."""
     from assess.examples import EXAMPLES, copy_example
 
     if list_examples:
@@ -37,10 +47,37 @@ def new(
         return
     if folder is None:
         raise typer.BadParameter("give the folder to create, or --list")
-    file = copy_example(example, folder)
+    if models:
+        if example is not None:
+            raise typer.BadParameter("--example beside --from; give one of them")
+        _draw([*models, *(more or ())], folder, unit=unit, up=None if up is None else up.value)
+        return
+    if more or unit is not None or up is not None:
+        raise typer.BadParameter("further models, --unit and --up go with --from MODEL")
+    name = example or "single_wall"
+    file = copy_example(name, folder)
     print(file)
-    for table in EXAMPLES[example].tables():
+    for table in EXAMPLES[name].tables():
         print(f"assess batch {file.parent / table} --template {file}")
+
+
+def _draw(models: Sequence[Path], folder: Path, *, unit: str | None, up: Literal["y", "z"] | None) -> None:
+    """Write the project of a building and say what was found."""
+    from assess.project.drawn_project import PROJECT, is_stated, write_project
+
+    with progress() as shown:
+        shown.step("building")
+        structure, candidates = write_project(models, folder, unit=unit, up=up)
+    print_messages(locate(structure.warnings, models[0].name))
+    stated = sum(map(is_stated, candidates))
+    print(folder / PROJECT)
+    print(
+        f"parts: {len(structure.parts)}; mechanisms: {stated}; found, to be assessed apart: {len(candidates) - stated}"
+    )
+    for each in structure.left_out:
+        print(escape_text(f"left out: {each.name}: {each.reason}"))
+    for message in candidates.without.values():
+        print(escape_text(f"without a mechanism: {message}"))
 
 
 def check(project: ProjectPath) -> None:

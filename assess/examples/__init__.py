@@ -11,7 +11,7 @@ from pathlib import Path
 from assess.errors import ProjectError
 from assess.examples import casa_grande, house, street, surfaces
 from assess.examples.surfaces import ClosedSurface, ply
-from assess.outputs.writing import MADE, make_stage, remove_abandoned_stages
+from assess.outputs.writing import new_folder
 
 SCHEMA = "project.schema.json"
 """The schema of project files, beside that of an example: editors that know `#:schema` check and complete with it."""
@@ -91,11 +91,8 @@ def copy_example(name: str, folder: Path) -> Path:
         near = get_close_matches(name, EXAMPLES, n=1)
         hint = f'did you mean "{near[0]}"?' if near else f"known: {', '.join(EXAMPLES)}"
         raise ProjectError(f'example "{name}" is not known; {hint}')
-    if folder.exists() and not folder.is_dir():
-        raise ProjectError(f"{folder}: is a file; give the name of a new folder")
-    if folder.is_dir() and any(folder.iterdir()):
-        raise ProjectError(f"{folder}: is not empty; give the name of a new folder")
-    _write(name, folder)
+    with new_folder(folder, command="assess new") as made:
+        _fill(name, made)
     return folder / EXAMPLES[name].file
 
 
@@ -104,26 +101,24 @@ def source(name: str) -> Path:
     return Path(__file__).parent / "projects" / name
 
 
-def _write(name: str, folder: Path) -> None:
-    folder = folder.absolute()
-    folder.parent.mkdir(parents=True, exist_ok=True)
-    remove_abandoned_stages(folder.parent)
-    with make_stage(folder.parent, command="assess new") as place:
-        made = place / MADE
-        shutil.copytree(source(name), made, dirs_exist_ok=True)
-        for path, surface in EXAMPLES[name].meshes().items():
-            (made / path).parent.mkdir(exist_ok=True)
-            (made / path).write_bytes(ply(surface))
-        for path, text in {**EXAMPLES[name].tables(), **EXAMPLES[name].models()}.items():
-            (made / path).write_text(text, encoding="utf-8", newline="")
-        _name_schema(made, EXAMPLES[name].file)
-        if folder.exists():
-            folder.rmdir()  # it is empty
-        made.rename(folder)
+def _fill(name: str, made: Path) -> None:
+    shutil.copytree(source(name), made, dirs_exist_ok=True)
+    for path, surface in EXAMPLES[name].meshes().items():
+        (made / path).parent.mkdir(exist_ok=True)
+        (made / path).write_bytes(ply(surface))
+    for path, text in {**EXAMPLES[name].tables(), **EXAMPLES[name].models()}.items():
+        (made / path).write_text(text, encoding="utf-8", newline="")
+    name_schema(made, EXAMPLES[name].file)
 
 
-def _name_schema(folder: Path, file: str) -> None:
-    """Write the schema beside a project file, and name it in the file's first line, where editors look for it."""
+def name_schema(folder: Path, file: str) -> None:
+    """Write the schema beside a project file, and name it in the file's first line, where editors look for it.
+
+    Parameters
+    ----------
+    folder : of the project
+    file : its project file
+    """
     from assess.project.project_file import schema_text
 
     (folder / SCHEMA).write_text(schema_text(), encoding="utf-8", newline="\n")

@@ -331,7 +331,8 @@ def _gables(drawing: Drawing) -> Iterator[Seed]:
     """Find the gables: parts of their own, and what walls have above all that meet them."""
     yield from _caps(drawing, kinds=("gable",))
     for wall in drawing.structure.of_kind("wall"):
-        eaves = max((cross.part.top for cross in drawing.structure.cross_walls(wall.name)), default=wall.top)
+        meeting = [cross.part.top for cross in drawing.structure.cross_walls(wall.name)]
+        eaves = max(meeting, default=wall.top) if wall.eaves is None else wall.eaves
         ways = tuple(_ways((wall,)))
         if LOW_GABLE <= wall.top - eaves < wall.height:
             high = eaves + 0.5 * (wall.top - eaves)

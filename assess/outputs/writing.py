@@ -20,7 +20,7 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 from secrets import token_hex
 
-from assess.errors import FullDiskError, OutputError
+from assess.errors import FullDiskError, OutputError, ProjectError
 from assess.messages.message import Message, note
 from assess.outputs.lock import LOCK, hold_lock, is_abandoned
 from assess.outputs.manifest import MANIFEST, RESULTS, Manifest, digest, link_above, read, state, stays_inside
@@ -164,6 +164,33 @@ def make_folder(folder: Path) -> Iterator[None]:
         with suppress(OSError):
             for place in absent:
                 place.rmdir()
+
+
+@contextmanager
+def new_folder(folder: Path, *, command: str) -> Iterator[Path]:
+    """Give a folder to fill, which is `folder` after the block, completely or not at all.
+
+    Parameters
+    ----------
+    folder : to create; it may exist if it is empty
+    command : that writes it, named to other commands meanwhile
+
+    Raises
+    ------
+    ProjectError : it is a file, or not empty
+    """
+    if folder.exists() and not folder.is_dir():
+        raise ProjectError(f"{folder}: is a file; give the name of a new folder")
+    if folder.is_dir() and any(folder.iterdir()):
+        raise ProjectError(f"{folder}: is not empty; give the name of a new folder")
+    folder = folder.absolute()
+    folder.parent.mkdir(parents=True, exist_ok=True)
+    remove_abandoned_stages(folder.parent)
+    with make_stage(folder.parent, command=command) as place:
+        yield place / MADE
+        if folder.exists():
+            folder.rmdir()  # it is empty
+        (place / MADE).rename(folder)
 
 
 def refuse_obstacles(folder: Path, manifest: Manifest, owner: str, expected: Sequence[str]) -> None:

@@ -1,0 +1,353 @@
+"""A project file from a building that was read from its model: bodies, loads, and a table for each mechanism found.
+
+What only a survey can tell stands in one block at the end, commented out, with the densities. Until it is filled in,
+what needs it is not answered.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+import shutil
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from math import degrees
+from pathlib import Path
+from typing import Any
+
+from assess.errors import ProjectError
+from assess.examples import name_schema
+from assess.examples.surfaces import ClosedSurface, ply
+from assess.geometry.formats.mesh_file import Up
+from assess.geometry.solid import Solid
+from assess.loads.load import BodyLoad, OverburdenLoad
+from assess.mechanisms.four_hinge import FourHinge, RadialJoints
+from assess.mechanisms.mechanism import BlockMechanism, CutAngle, Vector
+from assess.mechanisms.two_block import TwoBlock
+from assess.model.candidates import BuildingType, Candidate, Candidates
+from assess.model.structure import COVERINGS, Part, PartKind, Structure
+from assess.model.structure_reading import read_structure
+from assess.outputs.writing import new_folder
+from assess.project.values import length_of_unit
+
+CHURCH_KINDS: tuple[PartKind, ...] = ("tower", "vault", "arch", "pinnacle")
+"""Kinds of parts that a house seldom has, which tell whose list of mechanisms the report goes through."""
+MESHES, PROJECT = "meshes", "project.toml"
+
+
+@dataclass(frozen=True)
+class DrawnProject:
+    """A project drawn from a model.
+
+    Attributes
+    ----------
+    text : of its project.toml
+    meshes : bodies that the model does not hold as they are, by the path of the file each is written to
+    """
+
+    text: str
+    meshes: Mapping[str, Solid]
+
+
+def draw_project(
+    structure: Structure, candidates: Candidates, *, title: str, unit: str | None = None, up: Up | None = None
+) -> DrawnProject:
+    """Write the project file of a building with the mechanisms that were found on it.
+
+    Parameters
+    ----------
+    structure : the building; its model files lie beside the project file
+    candidates : its mechanisms
+    title : of the project
+    unit, up : of the model files, as project files write them; the files' own where None
+    """
+    names = _body_names(structure.parts)
+    building_type: BuildingType = "church" if structure.of_kind(*CHURCH_KINDS) else "house"
+    stated = [each for each in candidates if is_stated(each)]
+    meshes = {_mesh_path(names[part.name]): part.solid for part in structure.parts if not _is_element(part, structure)}
+    lines = [
+        f"# Drawn from {', '.join(structure.files)} by `assess new --from`.",
+        "# What only a survey can tell is to be filled in at the end; until then, what needs it is not answered.",
+        "",
+        f"title = {_text(title)}",
+        "",
+        *_building(structure),
+        "[report]",
+        f'building_type = "{building_type}"',
+        "",
+        *_not_examined(candidates, stated, building_type),
+        "[bodies]",
+        *(_body(part, names, structure, unit=unit, up=up) for part in structure.parts),
+        "",
+    ]
+    for each in stated:
+        lines += _mechanism(each, names, building_type)
+    lines += _unstated(candidates, stated)
+    lines += _survey(structure, stated)
+    return DrawnProject("\n".join(lines) + "\n", meshes)
+
+
+def is_stated(candidate: Candidate) -> bool:
+    """Return whether a project file can state a mechanism, and it stands as it is drawn."""
+    return candidate.definition is not None and candidate.multiplier is not None and candidate.multiplier > 0.0
+
+
+def _body_names(parts: Sequence[Part]) -> dict[str, str]:
+    """Return a name of each part that needs no quotes in a project file."""
+    found: dict[str, str] = {}
+    for part in parts:
+        stem = re.sub(r"[^A-Za-z0-9]+", "-", part.name).strip("-").lower() or part.kind
+        name = next(each for each in (stem, *(f"{stem}-{i}" for i in range(2, 10_000))) if each not in found.values())
+        found[part.name] = name
+    return found
+
+
+def _is_element(part: Part, structure: Structure) -> bool:
+    """Return whether an element of a model file is the part and nothing else."""
+    alike = [each for each in structure.parts if (each.file, each.element) == (part.file, part.element)]
+    return part.whole and bool(part.file) and len(alike) == 1
+
+
+def _mesh_path(name: str) -> str:
+    return f"{MESHES}/{name}.ply"
+
+
+def _building(structure: Structure) -> Iterator[str]:
+    tops = [part.top for part in structure.parts if part.kind not in (*COVERINGS, "chimney", "pinnacle", "tie")]
+    yield "[building]"
+    yield f'height = "{max(tops) - structure.lowest:.6g} m"'
+    if storeys := [each for each in structure.storeys if each.height is not None]:
+        yield f"storeys = {len(storeys)}"
+    yield f'ground_elevation = "{structure.lowest + 0.0:.6g} m"'
+    yield ""
+
+
+def _body(part: Part, names: Mapping[str, str], structure: Structure, *, unit: str | None, up: Up | None) -> str:
+    keys: dict[str, Any] = {"material": _material(part)}
+    if _is_element(part, structure):
+        keys |= {"mesh": part.file} | ({"element": part.element} if part.element else {})
+        keys |= ({"mesh_unit": unit} if unit else {}) | ({"mesh_up": up} if up else {})
+    else:
+        keys |= {"mesh": _mesh_path(names[part.name])}
+    return f"{names[part.name]} = {_table(keys)}"
+
+
+def _material(part: Part) -> str:
+    """Return the name of a part's material: that of the model, or what it is."""
+    stem = re.sub(r"[^A-Za-z0-9]+", "-", part.material).strip("-").lower()
+    return stem or (part.kind if part.kind in COVERINGS else "masonry")
+
+
+def _mechanism(candidate: Candidate, names: Mapping[str, str], building_type: BuildingType) -> Iterator[str]:
+    definition = candidate.definition
+    assert definition is not None  # as it is stated
+    yield from _comment(f"{candidate.reason}.")
+    yield f"# Least static multiplier {candidate.multiplier:.3g}{_runners_up(candidate)}."
+    yield f"[mechanisms.{candidate.name}]"
+    yield f"label = {_text(str(candidate.title))}"
+    yield f'kind = "{definition.kind}"'
+    blocks = [[names[body] for body in block] for block in definition.blocks]
+    yield f"blocks = {_value([block if len(block) > 1 else block[0] for block in blocks])}"
+    yield from (f"{key} = {_value(value)}" for key, value in _keys(definition))
+    if building_type in candidate.examines:
+        yield f'examines = "{candidate.examines[building_type]}"'
+    yield ""
+    for load in definition.loads:
+        assert isinstance(load, BodyLoad | OverburdenLoad)  # all that candidates have
+        yield f"[[mechanisms.{candidate.name}.loads]]"
+        yield from (f"{key} = {_value(value)}" for key, value in _load_keys(load, names))
+        yield ""
+
+
+def _keys(definition: BlockMechanism) -> Iterator[tuple[str, Any]]:
+    """Yield the keys of a mechanism beside its blocks and loads."""
+    yield "direction", [round(each, 9) + 0.0 for each in definition.towards]
+    if definition.sides is not None:
+        yield "sides", definition.sides
+    if isinstance(definition.cut, CutAngle):
+        yield "cut", {"point": list(definition.cut.point), "angle": f"{degrees(definition.cut.angle):.6g} deg"}
+    elif isinstance(definition.cut, float):
+        yield "cut", f"{definition.cut:.6g} m"
+    if isinstance(definition, TwoBlock) and definition.crack is not None:
+        yield "crack", definition.crack
+    if isinstance(definition, FourHinge):
+        for key, hinges in (("hinges", definition.hinges), ("hinges_negative", definition.hinges_negative)):
+            if isinstance(hinges, str):
+                yield key, hinges
+            elif hinges is not None:
+                yield key, {letter: list(at) for letter, at in zip("ABCD", hinges, strict=True)}
+        if isinstance(joints := definition.joints, RadialJoints):
+            ends = {"first": f"{degrees(joints.first):.8g} deg", "last": f"{degrees(joints.last):.8g} deg"}
+            yield "joints", {"centre": list(joints.centre), **ends, "count": joints.count}
+
+
+def _load_keys(load: BodyLoad | OverburdenLoad, names: Mapping[str, str]) -> Iterator[tuple[str, Any]]:
+    yield "kind", load.kind
+    if isinstance(load, OverburdenLoad):
+        yield "bodies", [names[body] for body in load.bodies]
+        return
+    yield "body", names[load.body]
+    if load.role != "floor":
+        yield "role", load.role
+    if load.tolerance != BodyLoad.tolerance:
+        yield "tolerance", f"{load.tolerance:.4g} m"
+    if load.tied:
+        yield "tied", True
+
+
+def _runners_up(candidate: Candidate) -> str:
+    """Say how the same parts fail at a multiplier as low, as far as statics tell."""
+    ties = [
+        f"{each.multiplier:.3g} towards {_value([round(x, 3) + 0.0 for x in each.direction])}"
+        for each in candidate.ties
+    ]
+    return f"; as weak: {', '.join(ties)}" if ties else ""
+
+
+def _direction(way: Vector) -> str:
+    return _value([round(each, 9) + 0.0 for each in way])
+
+
+def _not_examined(candidates: Candidates, stated: Sequence[Candidate], building_type: BuildingType) -> Iterator[str]:
+    """Yield what the list of the report says of mechanisms that are found and that no table here examines."""
+    examined = {each.examines.get(building_type) for each in stated}
+    found = {entry: names for entry, names in candidates.by_entry(building_type).items() if entry not in examined}
+    if not found:
+        return
+    least = {each.name: each.multiplier for each in candidates}
+    yield "[report.not_examined]"
+    for entry, names in found.items():
+        values = [value for name in names if (value := least[name]) is not None]
+        said = f", least static multiplier {min(values):.3g}" if values else ""
+        yield f"{entry} = {_text(f'found on the drawing ({len(names)}){said}; to be assessed apart')}"
+    yield ""
+
+
+def _unstated(candidates: Candidates, stated: Sequence[Candidate]) -> Iterator[str]:
+    """Yield comments on what is found and has no table here, and on the parts without a mechanism."""
+    others = [each for each in candidates if each not in stated]
+    if others:
+        yield "# Found, to be assessed by formula or by a drawing of its own: no table of this file states it."
+    for each in others:
+        number = f"least static multiplier {each.multiplier:.3g}" if each.multiplier is not None else each.found.why_not
+        where = ", ".join(f"{name} {value}" for name, value in each.found.parameters.items())
+        yield from _comment(f"- {each.title}: {number}{f' ({where})' if where else ''}.")
+    if candidates.without:
+        yield "# Without a mechanism:"
+    for message in candidates.without.values():
+        yield from _comment(f"- {message}.")
+    yield ""
+
+
+RETURN_PERIODS = (
+    '{ return_period = 50, a_g = "0.077 g", f_0 = 2.38, t_c_star = 0.28 }',
+    '{ return_period = 475, a_g = "0.188 g", f_0 = 2.36, t_c_star = 0.33 }',
+    '{ return_period = 975, a_g = "0.240 g", f_0 = 2.39, t_c_star = 0.34 }',
+)
+SURVEY = f"""\
+# ---- To fill in from the survey: remove the # and write what was found -------------------------------------------
+# The site, by its hazard; or peak_acceleration, f_0 and t_c_star of one limit state.
+# [site.spectrum]
+# code = "ntc2018"
+# nominal_life = 50
+# use_class = "II"
+# soil = "B"             # and topography where it is not T1
+# hazard = [{", ".join(RETURN_PERIODS)}]
+# [procedures.ntc2018]
+# knowledge_level = "LC1"
+# A tie, and a bond of the side walls that was seen, go into the table of their mechanism:
+#     [[mechanisms.NAME.loads]] with kind = "tie", force = "30 kN", at = [0, 0, 6], anchor = [0, 7, 6]
+#     side_walls = {{ bond = "toothed", course = "0.25 m", overlap = "0.12 m", thickness = "0.5 m" }}
+# Who says that the masonry does not fall apart and that roofs are tied; when, and by which test.
+# [report.sources]"""
+SOURCE = '"measured: …, by whom and when"'
+
+
+def _survey(structure: Structure, stated: Sequence[Candidate]) -> Iterator[str]:
+    """Yield the block to be filled in, and the materials, which end it."""
+    seen: dict[str, Part] = {}
+    for part in structure.parts:
+        seen.setdefault(_material(part), part)
+    yield SURVEY
+    masonry = [name for name, part in seen.items() if part.kind not in COVERINGS]
+    yield from (f'# "materials.{name}.disintegration" = {SOURCE}' for name in masonry)
+    for each in stated:
+        loads = each.definition.loads if each.definition is not None else ()
+        tied = [number for number, load in enumerate(loads, start=1) if isinstance(load, BodyLoad) and load.tied]
+        yield from (f'# "mechanisms.{each.name}.loads[{number}].tied" = {SOURCE}' for number in tied)
+    yield "# The masonry: its density where it is assumed, and whether it may fall apart."
+    for name, part in seen.items():
+        yield f"[materials.{name}]"
+        yield f'density = "{part.density:.6g} kg/m^3"{"" if part.density_stated else "  # assumed"}'
+        if part.kind not in COVERINGS:
+            yield '# disintegration = "excluded"'
+        yield ""
+
+
+def _comment(text: str, width: int = 116) -> Iterator[str]:
+    """Yield a text as lines of comment."""
+    line = ""
+    for word in text.split():
+        if line and len(line) + len(word) + 1 > width:
+            yield f"# {line}"
+            line = "  " * text.startswith("- ")
+        line = f"{line} {word}" if line.strip() else line + word
+    yield f"# {line}"
+
+
+def _text(text: str) -> str:
+    """Write a text as TOML does, which quotes as JSON does."""
+    return json.dumps(text, ensure_ascii=False)
+
+
+def _table(values: Mapping[str, Any]) -> str:
+    return "{ " + ", ".join(f"{key} = {_value(value)}" for key, value in values.items()) + " }"
+
+
+def _value(value: Any) -> str:
+    """Write a value as TOML does."""
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if isinstance(value, str):
+        return _text(value)
+    if isinstance(value, Mapping):
+        return _table(value)
+    if isinstance(value, Sequence):
+        return "[" + ", ".join(map(_value, value)) + "]"
+    return repr(value) if isinstance(value, int) else f"{value:.10g}"
+
+
+def write_project(
+    models: Sequence[Path], folder: Path, *, unit: str | None = None, up: Up | None = None
+) -> tuple[Structure, Candidates]:
+    """Read a building and write its project into a new folder, completely or not at all, with copies of its models.
+
+    Parameters
+    ----------
+    models : files of one building
+    folder : to create
+    unit, up : of the files, as project files write them; the files' own where None
+
+    Returns
+    -------
+    The building and its mechanisms
+
+    Raises
+    ------
+    GeometryError : a model cannot be read, or nothing in it is masonry
+    ProjectError : the folder is not empty, or two models have one name
+    """
+    if len({model.name for model in models}) < len(models):
+        raise ProjectError(f"{models[-1]}: another model has its name, and both are copied into {folder}; rename one")
+    with new_folder(folder, command="assess new") as made:
+        structure = read_structure(models, unit=None if unit is None else length_of_unit(unit), up=up)
+        candidates = structure.mechanisms()
+        drawn = draw_project(structure, candidates, title=models[0].stem, unit=unit, up=up)
+        for path, solid in drawn.meshes.items():
+            (made / path).parent.mkdir(exist_ok=True)
+            (made / path).write_bytes(ply(ClosedSurface(solid.vertices, solid.triangles)))
+        for model in models:
+            shutil.copyfile(model, made / model.name)
+        (made / PROJECT).write_text(drawn.text, encoding="utf-8", newline="\n")
+        name_schema(made, PROJECT)
+    return structure, candidates

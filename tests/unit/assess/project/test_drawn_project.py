@@ -1,0 +1,126 @@
+"""Projects drawn from a model: they state what was found, run once filled in, and are written whole or not at all."""
+
+import pytest
+
+from assess.errors import GeometryError, ProjectError
+from assess.geometry.solid import profile
+from assess.mechanisms.chain import uplift_multiplier
+from assess.project.build import build
+from assess.project.drawn_project import is_stated, write_project
+from assess.project.project_file import load
+from assess.verbs import run
+from tests.support.buildings import house
+from tests.support.command import ended, ended_with
+from tests.support.drawings import fill_in, obj_of
+
+
+@pytest.fixture(scope="module")
+def drawn(tmp_path_factory: pytest.TempPathFactory):
+    place = tmp_path_factory.mktemp("drawn")
+    (place / "house.obj").write_text(obj_of(house(caps=True).parts))
+    structure, candidates = write_project([place / "house.obj"], place / "new")
+    return place / "new", structure, candidates
+
+
+def multipliers(folder):
+    study = build(load(folder))
+    return {each.name: min(map(uplift_multiplier, each.chains)) for each in study.mechanisms}
+
+
+def test_a_project_states_what_was_found(drawn) -> None:
+    folder, _, candidates = drawn
+    found = {each.name: each.multiplier for each in candidates if is_stated(each)}
+    assert multipliers(folder) == pytest.approx(found, rel=2e-3)
+    assert {"front-1-overturning-of-storeys", "gable-gable", "chimney-chimney", "front-2-bending"} <= set(found)
+
+
+def test_bodies_are_elements_of_the_model(drawn) -> None:
+    folder, _, _ = drawn
+    text = (folder / "project.toml").read_text(encoding="utf-8")
+    assert 'front-1 = { material = "masonry", mesh = "house.obj", element = "Front_1" }' in text
+    assert not (folder / "meshes").exists()
+    assert 'height = "8 m"' in text
+
+
+def test_what_no_table_states_is_listed(drawn) -> None:
+    folder, _, candidates = drawn
+    text = (folder / "project.toml").read_text(encoding="utf-8")
+    assert "# - Front_1: overturning of a corner: least static multiplier" in text
+    loaded = load(folder)
+    assert set(loaded.content.report.not_examined) == {"corner", "compound-overturning"}
+    assert {each.kind for each in candidates if not is_stated(each)} == {"corner", "wedges"}
+
+
+def test_before_the_survey_the_run_names_what_is_missing(drawn) -> None:
+    folder, _, _ = drawn
+    with pytest.raises(ProjectError, match=r"site\.spectrum: missing"):
+        run(folder)
+
+
+def test_once_filled_in_it_runs(drawn, tmp_path) -> None:
+    folder, _, candidates = drawn
+    again = tmp_path / "again"
+    write_project([folder / "house.obj"], again)
+    assert fill_in(again / "project.toml") <= 15
+    results = run(again, jobs=1).results
+    assert len(results.mechanisms) == sum(map(is_stated, candidates))
+    assert results.verdict is not None
+    assert results.verdict.basis == "ntc2018"
+    assert any(each.outcome.value == "pass" for each in results.verdict.mechanisms)
+
+
+def test_shells_of_one_object_become_meshes_of_their_own(tmp_path) -> None:
+    (tmp_path / "merged.obj").write_text(obj_of(house(storeys=1).parts, named=False))
+    structure, candidates = write_project([tmp_path / "merged.obj"], tmp_path / "new")
+    assert len(list((tmp_path / "new" / "meshes").glob("*.ply"))) == len(structure.parts) == 5
+    found = {each.name: each.multiplier for each in candidates if is_stated(each)}
+    assert multipliers(tmp_path / "new") == pytest.approx(found, rel=2e-3)
+
+
+def test_units_are_stated_where_they_are_given(tmp_path) -> None:
+    parts = house(storeys=1).parts
+    text = obj_of(parts)
+    scaled = "\n".join(
+        "v " + " ".join(f"{1000.0 * float(x):.9g}" for x in line.split()[1:]) if line.startswith("v ") else line
+        for line in text.split("\n")
+    )
+    (tmp_path / "house.obj").write_text(scaled)
+    _, candidates = write_project([tmp_path / "house.obj"], tmp_path / "new", unit="mm")
+    assert 'mesh_unit = "mm"' in (tmp_path / "new" / "project.toml").read_text(encoding="utf-8")
+    found = {each.name: each.multiplier for each in candidates if is_stated(each)}
+    assert multipliers(tmp_path / "new") == pytest.approx(found, rel=2e-3)
+
+
+def test_the_command_says_what_it_found(tmp_path, capsys) -> None:
+    walls, floors = obj_of(house(storeys=1).parts[:4]), obj_of(house(storeys=1).parts[4:])
+    (tmp_path / "walls.obj").write_text(walls)
+    (tmp_path / "floors.obj").write_text(floors)
+    assert ended("new", tmp_path / "new", "--from", tmp_path / "walls.obj", tmp_path / "floors.obj") == 0
+    said = capsys.readouterr()
+    assert str(tmp_path / "new" / "project.toml") in said.out
+    assert "parts: 5; mechanisms: " in said.out
+    assert "densit" in said.err
+    assert ended_with(capsys, "new", tmp_path / "other", tmp_path / "walls.obj")[0] == 2
+    code, line = ended_with(
+        capsys, "new", tmp_path / "other", "--from", tmp_path / "walls.obj", "--example", "single_wall"
+    )
+    assert (code, "give one of them" in line) == (2, True)
+
+
+def test_nothing_is_half_written(tmp_path) -> None:
+    (tmp_path / "house.obj").write_text(obj_of(house(storeys=1).parts))
+    (tmp_path / "full").mkdir()
+    (tmp_path / "full" / "mine").write_text("mine")
+    with pytest.raises(ProjectError, match="is not empty"):
+        write_project([tmp_path / "house.obj"], tmp_path / "full")
+    with pytest.raises(ProjectError, match="rename one"):
+        write_project([tmp_path / "house.obj", tmp_path / "full" / "house.obj"], tmp_path / "new")
+    with pytest.raises(GeometryError):
+        write_project([tmp_path / "none.obj"], tmp_path / "new")
+    thin = profile([(0, 0), (1e-3, 0), (1e-3, 1e-3)], length=0.01, density=1.0, name="thin")
+    (tmp_path / "dust.obj").write_text(
+        "o dust\n" + "".join(f"v {x} {y} {z}\n" for x, y, z in thin.vertices.tolist()) + "f 1 2 3\n"
+    )
+    with pytest.raises(GeometryError):
+        write_project([tmp_path / "dust.obj"], tmp_path / "new")
+    assert sorted(each.name for each in tmp_path.iterdir()) == ["dust.obj", "full", "house.obj"]

@@ -16,6 +16,7 @@ from assess.geometry.contact import CONTACT_TOLERANCE, JOINT, ContactArea, find_
 from assess.geometry.cut import Piece
 from assess.geometry.planar import top_edge
 from assess.geometry.solid import Solid
+from assess.geometry.surface import volume
 from assess.loads.load import Force, OverburdenLoad, point_in_plane
 from assess.messages.message import Message, Quantity, message, warning
 from spectra.arrays import FloatArray
@@ -146,6 +147,8 @@ def overburden(
 ) -> Overburden:
     """Return the weight that bodies put on a block, at the weighted centroid of their contacts.
 
+    What a body shares with the block is the block's, and has its weight there already.
+
     Raises
     ------
     GeometryError : a body does not bear on the block or would lift off it, or there is none
@@ -167,7 +170,8 @@ def overburden(
         read = [share_of(bearing_contacts(each), centroid=body.centroid) for each in other if each is not None]
         if (ends := unsure_shares(share, read)) is not None:
             unsure[body.name] = (share, ends)
-        weights.append(g * body.mass * share)
+        own = 1.0 - min(1.0, shared_volume(block, body)[1] / volume(body.vertices, body.triangles))
+        weights.append(g * body.mass * own * share)
         places.append(found.contact.centroid)
     if not weights:
         raise GeometryError("overburden: it has no bodies; name at least one")

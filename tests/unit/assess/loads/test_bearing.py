@@ -88,6 +88,14 @@ def test_a_share_that_a_gap_of_three_centimetres_would_change_is_told():
     assert overburden([beam], block=[FRONT], others=[REAR]).unsure == {}
 
 
+def test_what_an_overburden_shares_with_the_wall_is_the_wall_s():
+    """A slab 0.3 m thick let into the wall by 0.1 m of its height, over 0.6 x 2 m, presses with what is left."""
+    slab = cuboid((0, 1, 3.9), (0.6, 3, 4.2), "slab")
+    density = slab.mass / (0.6 * 2.0 * 0.3)
+    found = overburden([slab], block=[FRONT], others=[])
+    assert found.force == pytest.approx(g * density * 0.6 * 2.0 * 0.2, rel=1e-9)
+
+
 def test_a_body_that_would_lift_off_is_no_overburden():
     """It leans out beyond the far wall, so that it lies on that one alone."""
     out = join([cuboid((0.3, 1, 4), (7, 3, 4.3), "beam"), cuboid((8, 1, 4), (9, 3, 9), "heap", 9e3)], name="crane")

@@ -196,6 +196,10 @@ DRAWN: dict[str, tuple[Any, ...]] = {
     ),
     "restitution": (0.0, 0.3, 0.6, 0.9, 1.0, {"positive": 0.5, "negative": 0.5}),
     "sides": ("one", "two"),
+    "side_walls": tuple(
+        {"bond": "toothed", "course": course, "overlap": "0.3 m", "thickness": "0.6 m", "friction": 0.9, "count": 2}
+        for course in ("0.05 m", "0.25 m")
+    ),
 }
 """What is drawn at keys of a mechanism that are absent, or in place of what stands there."""
 ADDED_LOADS: tuple[Tables, ...] = (

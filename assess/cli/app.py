@@ -9,7 +9,7 @@ import typer
 from assess.cli.analysis import batch, envelope, fragility, run
 from assess.cli.geometry import geometry
 from assess.cli.options import Quiet, Verbose, first_sentence, with_verbosity
-from assess.cli.project import check, new, parameters, schema
+from assess.cli.project import check, mechanisms, new, parameters, schema
 from assess.cli.records import records
 from assess.cli.results import diff, report, summary
 from assess.cli.spectrum import spectrum
@@ -30,7 +30,7 @@ app = typer.Typer(
 )
 
 COMMANDS = (
-    new, check, run, batch, parameters, spectrum, envelope,
+    new, mechanisms, check, run, batch, parameters, spectrum, envelope,
     fragility, geometry, report, diff, summary, verify, schema,
 )  # fmt: skip
 

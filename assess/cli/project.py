@@ -9,7 +9,7 @@ from typing import Annotated, Literal
 
 import typer
 
-from assess.cli.options import ProjectPath, UpAxis, refuse_two_formats
+from assess.cli.options import ProjectPath, UpAxis, folder_option, refuse_two_formats
 from assess.cli.stderr import print_messages, progress
 from assess.messages.message import escape_text, locate
 
@@ -127,6 +127,39 @@ def parameters(
         print(directions_text(mechanisms), end="")
 
 
+def mechanisms(
+    project: ProjectPath,
+    output: Annotated[Path | None, folder_option("Write mechanisms.csv into this folder.")] = None,
+    write: Annotated[
+        bool, typer.Option("--write", help="Add what the project can state to the end of its file.")
+    ] = False,
+) -> None:
+    """Find the mechanisms that the bodies of a project can have, the weakest by static multiplier first.
+
+    The column "in file" names the mechanism of the project that is the same. Parts that have none are named.
+    """
+    from assess.cli.tables.project import mechanisms_text
+    from assess.project.found_mechanisms import add_mechanisms, find_mechanisms
+    from assess.project.project_file import load
+
+    with progress() as shown:
+        loaded = load(project)
+        shown.step("mechanisms")
+        found = find_mechanisms(loaded)
+    print(mechanisms_text(found), end="")
+    if output is not None:
+        from assess.outputs.writing import make_folder, replace_file
+
+        with make_folder(output):
+            file = output / "mechanisms.csv"
+            with replace_file(file, command="assess mechanisms", is_replaceable=_is_table_of_mechanisms) as made:
+                found.table().to_csv(made, index=False, lineterminator="\n")
+        print(file)
+    if write:
+        added = add_mechanisms(loaded, found.new)
+        print(f"{loaded.path}: {len(added)} mechanisms added" if added else f"{loaded.path}: nothing to add")
+
+
 def schema(
     output: Annotated[
         Path | None,
@@ -154,6 +187,12 @@ def _complete_examples(incomplete: str) -> Sequence[str]:
     """Complete the name of an example, by the folders that are shipped."""
     folders = (Path(__file__).parents[1] / "examples" / "projects").iterdir()
     return sorted(each.name for each in folders if each.is_dir() and each.name.startswith(incomplete))
+
+
+def _is_table_of_mechanisms(path: Path) -> bool:
+    """Whether a file is a table that `mechanisms` wrote."""
+    with path.open(encoding="utf-8", errors="replace") as file:
+        return file.readline().startswith("name,in_file,class,")
 
 
 def _is_schema(path: Path) -> bool:

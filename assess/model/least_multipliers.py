@@ -42,6 +42,7 @@ LOWEST = 0.15  # of the height of what stands above a level: the least that brea
 FLATTEST, STEEP = radians(5.0), radians(60.0)  # of a crack through a tower, from the horizontal
 VOUSSOIRS = 16  # of an arch whose joints are not drawn
 AT_SPRINGING = radians(0.5)  # by which its first and last joints lie inside it
+NAME = "found"  # of a mechanism while its multiplier is looked for
 Parameters = Mapping[str, Quantity]
 
 
@@ -110,6 +111,8 @@ class Drawing:
                 covering = self.structure.part(contact.first)
                 if contact.relation != "bears-on" or contact.first in names or contact.elevation <= above + NEAR_LEVEL:
                     continue
+                if self.share_of(contact) <= 0.0:
+                    continue  # by statics it rests on the others
                 off = shortest_distance(part.solid, covering.solid)
                 near = CONTACT_TOLERANCE if off < CONTACT_TOLERANCE else round(off + CONTACT_TOLERANCE, 3)
                 role: Role = THRUSTING.get(covering.kind, "floor")
@@ -141,19 +144,24 @@ class Drawing:
                     found.append(other)
         return tuple(dict.fromkeys(found))
 
+    def share_of(self, contact: PartContact) -> float:
+        """Return the share of a covering's weight that goes to one of its contacts, by statics; 0 if it lifts off."""
+        covering = self.structure.part(contact.first)
+        carried = [each for each in self.structure.contacts_of(covering.name) if each.first == covering.name]
+        carried = [each for each in carried if each.relation == "bears-on"]
+        r = shares([_contact_area(each) for each in carried], centroid=covering.solid.centroid)
+        return max(float(r[carried.index(contact)]), 0.0)
+
     def weight_per_length(self, part: Part) -> tuple[float, float]:
-        """Return the mass that coverings put on the top of a wall, along it [kg/m], and its mean elevation [m]."""
-        mass, moment = 0.0, 0.0
-        for contact in self.structure.contacts_of(part.name):
-            if contact.relation != "bears-on" or contact.second != part.name:
-                continue
-            covering = self.structure.part(contact.first)
-            carried = [each for each in self.structure.contacts_of(covering.name) if each.first == covering.name]
-            carried = [each for each in carried if each.relation == "bears-on"]
-            areas = [_contact_area(each) for each in carried]
-            share = float(shares(areas, centroid=covering.solid.centroid)[carried.index(contact)])
-            mass += max(share, 0.0) * covering.mass
-            moment += max(share, 0.0) * covering.mass * contact.elevation
+        """Return the mass that coverings put on a wall, along it [kg/m], and its mean elevation [m]."""
+        bearing = [each for each in self.structure.contacts_of(part.name) if each.relation == "bears-on"]
+        borne = [
+            (self.share_of(each) * self.structure.part(each.first).mass, each.elevation)
+            for each in bearing
+            if each.second == part.name
+        ]
+        mass = sum(each for each, _ in borne)
+        moment = sum(each * elevation for each, elevation in borne)
         return mass / part.length, (moment / mass if mass else part.top)
 
 
@@ -198,8 +206,8 @@ class TurningStack:
 
 def turning_stack(definition: SingleBlock, bodies: Bodies) -> TurningStack:
     """Return the bodies of a mechanism as they turn; raise GeometryError for a load that does not touch them."""
-    pieces = pieces_of("found", definition, bodies)
-    load_set = loads_of("found", definition, pieces, bodies)
+    pieces = pieces_of(NAME, definition, bodies)
+    load_set = loads_of(NAME, definition, pieces, bodies)
     return TurningStack(pieces[0].solids, load_set.loads, definition.towards)
 
 
@@ -223,7 +231,7 @@ def _turn(
     try:
         stack = _stack_of(parts, direction, drawing, above=low, tied=tied)
     except AssessError as error:
-        return Found(None, direction, why_not=str(error))
+        return Found(None, direction, why_not=_why(error))
     base = min(part.base for part in parts)
 
     def multiplier(at: tuple[float, ...]) -> float:
@@ -254,11 +262,11 @@ def built(definition: BlockMechanism, bodies: Bodies, parameters: Parameters, le
     count = 1 if least is None else least.evaluations + 1
     found = Found(None, definition.towards, parameters, definition, evaluations=count)
     try:
-        mechanism, _ = on_rigid_hinges("found", definition, bodies)
+        mechanism, _ = on_rigid_hinges(NAME, definition, bodies)
     except FallingError as error:
         return replace(found, multiplier=error.multiplier)
     except AssessError as error:
-        return replace(found, why_not=str(error))
+        return replace(found, why_not=_why(error))
     return replace(found, multiplier=min(map(uplift_multiplier, mechanism.chains)))
 
 
@@ -320,7 +328,7 @@ def weakest_crack(part: Part, directions: Sequence[Vector], drawing: Drawing, *,
             stack = turning_stack(definition, drawing.around(definition))
             stacks.append((_value(lambda stack=stack: stack.above(None)), direction, stack))  # type: ignore[misc]
         except AssessError as error:
-            return Found(None, direction, why_not=str(error))
+            return Found(None, direction, why_not=_why(error))
     _, towards, stack = min(stacks, key=lambda each: each[0])
     middle = part.solid.vertices.mean(axis=0)
 
@@ -358,9 +366,9 @@ def weakest_bend(
     whole = TwoBlock(blocks=((name,),), direction=direction, sides="one", cut=cut, crack="sorrentino", loads=(load,))
     bodies = {name: _slice(drawing.bodies[part.name], name, low, high)} if goes_on else drawing.around(whole)
     try:
-        formula, members = on_rigid_hinges("found", whole, bodies)
+        formula, members = on_rigid_hinges(NAME, whole, bodies)
     except AssessError as error:
-        return Found(None, direction, definition=whole, why_not=str(error), evaluations=1)
+        return Found(None, direction, definition=whole, why_not=_why(error), evaluations=1)
     first = min(map(uplift_multiplier, formula.chains))
     (pressing,) = (each for each in formula.positive.loads if isinstance(each, Force))
     ends = top_edge(members[1].body)
@@ -498,6 +506,10 @@ def weakest_arch(part: Part, drawing: Drawing) -> Found:
         joints=RadialJoints((middle, centre), first, pi - first, VOUSSOIRS),
     )
     return built(definition, drawing.around(definition), {"radius": Quantity(radius, "length")})
+
+
+def _why(error: AssessError) -> str:
+    return str(error).removeprefix(f'mechanism "{NAME}": ')
 
 
 def _value(chain: Callable[[], Chain]) -> float:

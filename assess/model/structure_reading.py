@@ -11,7 +11,7 @@ from assess.errors import GeometryError
 from assess.geometry.formats.mesh_file import Up
 from assess.geometry.solid import scale_density
 from assess.messages.message import Message, Quantity, note, warning, whole_number
-from assess.model.part_bodies import DrawnBody, leave_out, read_bodies
+from assess.model.part_bodies import DrawnBody, DrawnModel, leave_out, read_bodies
 from assess.model.part_contacts import find_contacts
 from assess.model.part_kinds import first_kind, kind_in_place, reason_to_leave_out
 from assess.model.part_shapes import Shape, shape_of
@@ -42,6 +42,24 @@ def read_structure(
     GeometryError : a file cannot be read, or nothing in them is masonry
     """
     models = [read_bodies(file, unit=unit, up=up) for file in files]
+    return structure_of_models(models, files=[file.name for file in files], density=density)
+
+
+def structure_of_models(
+    models: Sequence[DrawnModel], *, files: Sequence[str], density: Densities | None = None
+) -> Structure:
+    """Return the structure of a building from the bodies of its models.
+
+    Parameters
+    ----------
+    models : what the files hold
+    files : their names
+    density : as in `read_structure`
+
+    Raises
+    ------
+    GeometryError : nothing in them is masonry
+    """
     left_out = [each for model in models for each in model.left_out]
     drafts: list[_Draft] = []
     for model in models:
@@ -81,7 +99,7 @@ def read_structure(
         storeys=storeys,
         left_out=tuple(left_out),
         warnings=tuple(_assumptions(order)),
-        files=tuple(file.name for file in files),
+        files=tuple(files),
     )
 
 

@@ -81,7 +81,7 @@ def draw_project(
         "",
     ]
     for each in stated:
-        lines += _mechanism(each, names, building_type)
+        lines += mechanism_lines(each, names, building_type)
     lines += _unstated(candidates, stated)
     lines += _survey(structure, stated)
     return DrawnProject("\n".join(lines) + "\n", meshes)
@@ -138,7 +138,17 @@ def _material(part: Part) -> str:
     return stem or (part.kind if part.kind in COVERINGS else "masonry")
 
 
-def _mechanism(candidate: Candidate, names: Mapping[str, str], building_type: BuildingType) -> Iterator[str]:
+def mechanism_lines(
+    candidate: Candidate, names: Mapping[str, str], building_type: BuildingType | None
+) -> Iterator[str]:
+    """Yield the lines of the tables of a mechanism, with why it can form as a comment.
+
+    Parameters
+    ----------
+    candidate : that a project file can state
+    names : of the bodies, by the names of the parts
+    building_type : whose list of mechanisms the report goes through; None where it goes through none
+    """
     definition = candidate.definition
     assert definition is not None  # as it is stated
     yield from _comment(f"{candidate.reason}.")
@@ -149,7 +159,7 @@ def _mechanism(candidate: Candidate, names: Mapping[str, str], building_type: Bu
     blocks = [[names[body] for body in block] for block in definition.blocks]
     yield f"blocks = {_value([block if len(block) > 1 else block[0] for block in blocks])}"
     yield from (f"{key} = {_value(value)}" for key, value in _keys(definition))
-    if building_type in candidate.examines:
+    if building_type is not None and building_type in candidate.examines:
         yield f'examines = "{candidate.examines[building_type]}"'
     yield ""
     for load in definition.loads:

@@ -98,7 +98,7 @@ def load(path: Path | str) -> Project:
     file = _project_file(Path(path))
     data = _bytes(file)
     try:
-        tables = _toml(_text(data))
+        tables = parse_toml(_text(data))
     except ProjectError as error:
         raise ProjectError(f"{file}: {error}") from None
     return load_tree(tables, file, sha256=hashlib.sha256(data).hexdigest())
@@ -323,7 +323,8 @@ def _text(data: bytes) -> str:
         raise ProjectError(f"{reason}; a project file is TOML text, save it as UTF-8") from None
 
 
-def _toml(text: str) -> dict[str, Any]:
+def parse_toml(text: str) -> dict[str, Any]:
+    """Parse the text of a project file; raise ProjectError with the line where it is not TOML."""
     try:
         return tomllib.loads(text)
     except RecursionError:

@@ -11,6 +11,8 @@ from typing import Any
 from assess.cli.tables import messages_text, text_table
 from assess.mechanisms.chain import metres_text
 from assess.messages.message import Message, escape_text, text_of
+from assess.project.drawn_project import is_stated
+from assess.project.found_mechanisms import FoundMechanisms
 from assess.project.project_file import Project
 from assess.project.sections import Content
 from assess.project.sections.content import checklist
@@ -53,6 +55,33 @@ CONSTANTS_HEADER = (
     "phi_ov [rad]",
     "lambda [-]",
 )
+
+
+MECHANISM_HEADER = ("mechanism", "multiplier", "in file", "at")
+
+
+def mechanisms_text(found: FoundMechanisms) -> str:
+    """Write a line for each mechanism that the bodies of a project can have, and what has none.
+
+    Parameters
+    ----------
+    found : on the bodies
+    """
+    rows = [
+        (
+            each.name,
+            "none" if each.multiplier is None else f"{each.multiplier:.4g}",
+            found.in_file.get(each.name, "no" if is_stated(each) else "by formula"),
+            ", ".join(f"{name} {value}" for name, value in each.found.parameters.items()),
+        )
+        for each in found.candidates
+    ]
+    weakest = ", ".join(each.name for each in found.candidates.weakest)
+    lines = [f"within 10 % of the least multiplier: {weakest}\n"] if weakest else []
+    lines += [f"{each.name}: {escape_text(each.found.why_not)}\n" for each in found.candidates if each.found.why_not]
+    lines += [f"without a mechanism: {escape_text(str(why))}\n" for why in found.candidates.without.values()]
+    lines += [f"left out: {escape_text(f'{each.name}: {each.reason}')}\n" for each in found.structure.left_out]
+    return text_table(MECHANISM_HEADER, rows) + "".join(lines)
 
 
 def description(

@@ -1,0 +1,154 @@
+"""The mechanisms that the bodies of a project can have beside those that it states, and the tables that add them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from hashlib import sha256
+from typing import TYPE_CHECKING
+
+from assess.errors import OutputError, ProjectError
+from assess.geometry.formats.mesh_file import Element
+from assess.geometry.solid import scale_density
+from assess.loads.load import BodyLoad
+from assess.mechanisms.kinds import Definition
+from assess.mechanisms.mechanism import BlockMechanism
+from assess.model.candidates import Candidate, Candidates
+from assess.model.part_bodies import DrawnBody, DrawnModel
+from assess.model.structure import Structure
+from assess.model.structure_reading import structure_of_models
+from assess.outputs.writing import replace_file
+from assess.project.drawn_project import is_stated, mechanism_lines
+from assess.project.project_file import Project, load_tree, parse_toml
+from assess.project.site_and_structure import bodies_of, definitions_of, models_of, solid_of
+
+if TYPE_CHECKING:
+    from pandas import DataFrame
+
+SAME_CUT = 0.1  # m: cuts of a wall this near each other are one
+SAME_WAY = 0.999  # cosine: directions within 2.5 degrees are one
+CLASS_OF_ROLE: Mapping[str, str] = {"floor": "IfcSlab", "roof": "IfcRoof", "vault": "IfcSlab"}
+"""The class of a body that the project loads a mechanism with, by the role that it states."""
+
+
+@dataclass(frozen=True)
+class FoundMechanisms:
+    """What was found on the bodies of a project.
+
+    Attributes
+    ----------
+    structure : the bodies as a building
+    candidates : its mechanisms, the weakest first
+    in_file : by the name of a candidate, the mechanism of the project that is the same
+    bodies : names of the project's bodies; parts into which one was split have others
+    """
+
+    structure: Structure
+    candidates: Candidates
+    in_file: Mapping[str, str]
+    bodies: frozenset[str]
+
+    @property
+    def new(self) -> tuple[Candidate, ...]:
+        """The candidates that the project can state and does not."""
+        known = [each for each in self.candidates if each.name not in self.in_file]
+        return tuple(each for each in known if is_stated(each) and self.bodies.issuperset(each.parts))
+
+    def table(self) -> DataFrame:
+        """Return a row for each mechanism, the weakest first, with that of the project that is the same."""
+        table = self.candidates.table()
+        table.insert(1, "in_file", [self.in_file.get(each.name, "") for each in self.candidates])
+        return table
+
+
+def find_mechanisms(project: Project) -> FoundMechanisms:
+    """Find the mechanisms that the bodies of a project can have.
+
+    Bodies that load a mechanism are what it says they are; others are what they look like and touch.
+
+    Raises
+    ------
+    GeometryError : a model cannot be read, or nothing in the project is masonry
+    """
+    content = project.content
+    definitions = definitions_of(content)
+    models = models_of(content.bodies, known={})
+    solids = {name: solid_of(name, body, content.materials, models) for name, body in content.bodies.items()}
+    loads = [load for each in definitions.values() if isinstance(each, BlockMechanism) for load in each.loads]
+    roles = {load.body: load.role for load in loads if isinstance(load, BodyLoad)}
+    drawn = []
+    for name, body in bodies_of(content, solids).items():
+        if body.solid is None or body.material is None:
+            continue
+        density = body.material.density
+        element = Element(kinds=(CLASS_OF_ROLE[roles[name]],) if name in roles else (), density=density)
+        drawn.append(DrawnBody(name, scale_density(body.solid, 1.0 / density), element, project.path.name))
+    structure = structure_of_models([DrawnModel(tuple(drawn), (), ())], files=[project.path.name])
+    candidates = structure.mechanisms()
+    return FoundMechanisms(structure, candidates, _in_file(candidates, definitions, structure), frozenset(solids))
+
+
+def _in_file(candidates: Candidates, definitions: Mapping[str, Definition], structure: Structure) -> dict[str, str]:
+    """Return the mechanism of a project that moves the same bodies in the same way, by the name of each candidate."""
+    found = {}
+    for each in candidates:
+        for name, stated in definitions.items():
+            if each.definition is not None and _is_same(each.definition, stated, structure):
+                found[each.name] = name
+                break
+    return found
+
+
+def _is_same(one: BlockMechanism, other: Definition, structure: Structure) -> bool:
+    if not isinstance(other, BlockMechanism) or other.kind != one.kind or other.direction == "sweep":
+        return False
+    if set(one.bodies) != set(other.bodies):
+        return False
+    ways = 1.0 if other.direction is None else float(one.along @ other.along)
+    base = min(structure.part(body).base for body in one.bodies)
+    cuts = [base if each.cut is None else each.cut for each in (one, other)]
+    level = [each if isinstance(each, float) else None for each in cuts]
+    near = level[0] is not None and level[1] is not None and abs(level[0] - level[1]) <= SAME_CUT
+    return ways >= SAME_WAY and (near or cuts[0] == cuts[1])
+
+
+def add_mechanisms(project: Project, candidates: Sequence[Candidate]) -> tuple[str, ...]:
+    """Add tables of mechanisms at the end of a project file, whose text stays as it is; return their names.
+
+    Parameters
+    ----------
+    project : as it was read
+    candidates : that it can state
+
+    Raises
+    ------
+    ProjectError : the file has changed since it was read, or no longer reads with the tables; nothing is written
+    """
+    taken = set(project.content.mechanisms)
+    lines, names = [""], []
+    for each in candidates:
+        name = next(one for one in (each.name, *(f"{each.name}-{i}" for i in range(2, 1000))) if one not in taken)
+        taken.add(name)
+        names.append(name)
+        bodies = {body: body for body in project.content.bodies}
+        lines += mechanism_lines(replace(each, name=name), bodies, project.content.report.building_type)
+    before = project.path.read_bytes()
+    changed = f"{project.path}: has changed since it was read; nothing was written: run the command again"
+    if sha256(before).hexdigest() != project.sha256:
+        raise ProjectError(changed)
+    text = before.decode("utf-8")
+    after = text + "\n" * (not text.endswith("\n")) + "\n".join(lines)
+    try:
+        load_tree(parse_toml(after.removeprefix("\ufeff")), project.path, sha256="")
+    except ProjectError as error:
+        raise ProjectError(f"the tables of the mechanisms cannot be added, and nothing was written: {error}") from None
+    try:
+        with replace_file(
+            project.path, command="assess mechanisms", is_replaceable=lambda path: path.read_bytes() == before
+        ) as made:
+            made.write_bytes(after.encode("utf-8"))
+    except OutputError:
+        if project.path.exists() and project.path.read_bytes() != before:
+            raise ProjectError(changed) from None
+        raise
+    return tuple(names)

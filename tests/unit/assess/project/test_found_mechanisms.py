@@ -1,0 +1,109 @@
+"""Mechanisms found on the bodies of a project: what it states is known, what is added changes nothing else."""
+
+import csv
+
+import pytest
+
+from assess.errors import ProjectError
+from assess.project.found_mechanisms import add_mechanisms, find_mechanisms
+from assess.project.project_file import load
+from tests.support.buildings import house
+from tests.support.command import ended
+from tests.support.drawings import obj_of
+
+HEAD = """\
+# my house
+title = "House"          # kept
+
+[materials.stone]
+density = "1900 kg/m^3"
+
+[materials.timber]
+density = "400 kg/m^3"
+
+[bodies]
+"""
+TAIL = """
+[mechanisms.mine]        # typed by hand
+kind = "single-block"
+blocks = ["Front_1"]
+direction = [0, -1, 0]
+sides = "one"
+loads = [{ kind = "body", body = "Roof_1", role = "roof" }]
+"""
+
+
+@pytest.fixture
+def file(tmp_path):
+    parts = house(storeys=1).parts
+    (tmp_path / "house.obj").write_text(obj_of(parts))
+    names = [part.name.replace(" ", "_") for part in parts]
+    bodies = [
+        f'{name} = {{ material = "{"timber" if "Roof" in name else "stone"}", mesh = "house.obj", element = "{name}" }}'
+        for name in names
+    ]
+    path = tmp_path / "project.toml"
+    path.write_text(HEAD + "\n".join(bodies) + "\n" + TAIL)
+    return path
+
+
+def test_what_the_project_states_is_known(file) -> None:
+    found = find_mechanisms(load(file))
+    assert found.in_file == {"front-1-overturning": "mine"}
+    assert {each.name for each in found.new} >= {"back-1-overturning", "left-1-overturning", "right-1-overturning"}
+    assert found.structure.part("Roof_1").kind == "roof"
+    assert found.structure.part("Front_1").density == 1900.0
+    assert found.structure.part("Front_1").mass == pytest.approx(1900.0 * 9.0 * 0.5 * 3.0)
+
+
+def test_added_tables_leave_the_rest_as_it_is(file) -> None:
+    before = file.read_text()
+    loaded = load(file)
+    new = find_mechanisms(loaded).new
+    names = add_mechanisms(loaded, new)
+    assert file.read_text().startswith(before)
+    again = load(file)
+    assert set(again.content.mechanisms) == {"mine", *names}
+    assert not find_mechanisms(again).new
+
+
+def test_a_name_that_is_taken_gets_a_number(file) -> None:
+    file.write_text(file.read_text().replace("mechanisms.mine", "mechanisms.back-1-overturning"))
+    loaded = load(file)
+    assert "back-1-overturning-2" in add_mechanisms(loaded, find_mechanisms(loaded).new)
+
+
+def test_a_file_that_changed_meanwhile_is_refused(file) -> None:
+    loaded = load(file)
+    new = find_mechanisms(loaded).new
+    file.write_text(file.read_text() + "# changed\n")
+    after = file.read_bytes()
+    with pytest.raises(ProjectError, match="has changed since it was read; nothing was written"):
+        add_mechanisms(loaded, new)
+    assert file.read_bytes() == after
+    assert sorted(each.name for each in file.parent.iterdir()) == ["house.obj", "project.toml"]
+
+
+def test_tables_that_cannot_be_added_are_refused(file) -> None:
+    text = file.read_text()
+    inline = text[: text.index("[mechanisms.mine]")]
+    keys = 'kind = "single-block", blocks = ["Front_1"], direction = [0, -1, 0], sides = "one"'
+    file.write_text("mechanisms = { mine = { " + keys + " } }\n" + inline)
+    before = file.read_bytes()
+    loaded = load(file)
+    with pytest.raises(ProjectError, match="cannot be added, and nothing was written"):
+        add_mechanisms(loaded, find_mechanisms(loaded).new)
+    assert file.read_bytes() == before
+
+
+def test_the_command_lists_writes_and_keeps_a_table(file, tmp_path, capsys) -> None:
+    assert ended("mechanisms", file, "-o", tmp_path / "out", "--write") == 0
+    said = capsys.readouterr().out
+    assert "front-1-overturning" in said
+    assert "mine" in said
+    assert "mechanisms added" in said
+    with (tmp_path / "out" / "mechanisms.csv").open(encoding="utf-8") as table:
+        rows = list(csv.DictReader(table))
+    assert [row["in_file"] for row in rows if row["name"] == "front-1-overturning"] == ["mine"]
+    assert ended("mechanisms", file, "-o", tmp_path / "out", "--write") == 0
+    assert "nothing to add" in capsys.readouterr().out

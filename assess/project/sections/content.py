@@ -58,7 +58,8 @@ from assess.results.provenance import source_line
 
 ASSUMED = "assumed"
 SOURCE_KINDS = ("measured", "literature", ASSUMED)
-NO_SOURCE = "assum"  # of a text, in any case: what it says is an assumption
+NO_SOURCE = "assum"  # beginning of a text, in any case: what it says is an assumption
+TO_FILL_IN = ("…", "...")  # in a text: what an example or a message has in place of a source
 MOST_FIGURES = 12
 MOST_REVISIONS = 40
 ALIKE = ("client", "checker", "date", "reference")
@@ -165,10 +166,13 @@ class Report(ProjectSection):
     def source_of(self, key: str) -> str:
         """Return the source of a key or of the innermost table that holds it; empty where none vouches for it.
 
+        A text that says that the value is assumed is none, nor is one that is still to be filled in.
+
         key : with dots, items of lists counted from 0
         """
         found = source_line(key, self.sources)
-        return "" if found.strip().lower().startswith(NO_SOURCE) else found
+        none = found.strip().lower().startswith(NO_SOURCE) or any(dots in found for dots in TO_FILL_IN)
+        return "" if none else found
 
     @model_validator(mode="after")
     def _revisions_differ(self) -> Report:

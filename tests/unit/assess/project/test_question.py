@@ -78,6 +78,8 @@ def keys(found):
         ('disintegration = "possible"', "", ["materials.m.disintegration"]),
         (EXCLUDED, "", ["report.sources"]),
         (EXCLUDED, '"materials.m" = "assumed: it looks sound"', ["report.sources"]),
+        (EXCLUDED, '"materials.m" = "measured: …, by whom and when"', ["report.sources"]),
+        (EXCLUDED, '"materials.m" = "measured: ..."', ["report.sources"]),
         (EXCLUDED, '"materials.m.disintegration" = "measured: quality index"', []),
         (EXCLUDED, '"materials.m" = "measured: survey"', []),
     ],

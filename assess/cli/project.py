@@ -9,7 +9,7 @@ from typing import Annotated, Literal
 
 import typer
 
-from assess.cli.options import ProjectPath, UpAxis, folder_option, refuse_two_formats
+from assess.cli.options import JobsOption, ProjectPath, UpAxis, folder_option, refuse_two_formats
 from assess.cli.stderr import print_messages, progress
 from assess.messages.message import escape_text, locate
 
@@ -133,27 +133,35 @@ def mechanisms(
     write: Annotated[
         bool, typer.Option("--write", help="Add what the project can state to the end of its file.")
     ] = False,
+    index: Annotated[
+        bool, typer.Option("--index", help="Examine them by the project's basis, and rank by the PGA that they hold.")
+    ] = False,
+    jobs: JobsOption = None,
 ) -> None:
     """Find the mechanisms that the bodies of a project can have, the weakest by static multiplier first.
 
     The column "in file" names the mechanism of the project that is the same. Parts that have none are named.
     """
     from assess.cli.tables.project import mechanisms_text
-    from assess.project.found_mechanisms import add_mechanisms, find_mechanisms
+    from assess.project.found_mechanisms import add_mechanisms, find_margins, find_mechanisms
     from assess.project.project_file import load
 
     with progress() as shown:
         loaded = load(project)
         shown.step("mechanisms")
         found = find_mechanisms(loaded)
-    print(mechanisms_text(found), end="")
+        margins = None
+        if index:
+            shown.step("checks")
+            margins = find_margins(loaded, found, jobs=jobs or 0)
+    print(mechanisms_text(found, margins), end="")
     if output is not None:
         from assess.outputs.writing import make_folder, replace_file
 
         with make_folder(output):
             file = output / "mechanisms.csv"
             with replace_file(file, command="assess mechanisms", is_replaceable=_is_table_of_mechanisms) as made:
-                found.table().to_csv(made, index=False, lineterminator="\n")
+                found.table(margins).to_csv(made, index=False, lineterminator="\n")
         print(file)
     if write:
         added = add_mechanisms(loaded, found.new)

@@ -18,9 +18,11 @@ from assess.model.part_bodies import DrawnBody, DrawnModel
 from assess.model.structure import Structure
 from assess.model.structure_reading import structure_of_models
 from assess.outputs.writing import replace_file
+from assess.project.build import build_to_decide
 from assess.project.drawn_project import is_stated, mechanism_lines
 from assess.project.project_file import Project, load_tree, parse_toml
 from assess.project.site_and_structure import bodies_of, definitions_of, models_of, solid_of
+from assess.study.run import find_outcome
 
 if TYPE_CHECKING:
     from pandas import DataFrame
@@ -54,11 +56,19 @@ class FoundMechanisms:
         known = [each for each in self.candidates if each.name not in self.in_file]
         return tuple(each for each in known if is_stated(each) and self.bodies.issuperset(each.parts))
 
-    def table(self) -> DataFrame:
-        """Return a row for each mechanism, the weakest first, with that of the project that is the same."""
+    def table(self, margins: Mapping[str, float] | None = None) -> DataFrame:
+        """Return a row for each mechanism, the weakest first, with that of the project that is the same.
+
+        Parameters
+        ----------
+        margins : PGA at capacity over the site's, by candidate; those that have one come first then
+        """
         table = self.candidates.table()
         table.insert(1, "in_file", [self.in_file.get(each.name, "") for each in self.candidates])
-        return table
+        if margins is None:
+            return table
+        table.insert(5, "margin", [margins.get(each.name) for each in self.candidates])
+        return table.sort_values("margin", kind="stable")
 
 
 def find_mechanisms(project: Project) -> FoundMechanisms:
@@ -112,6 +122,30 @@ def _is_same(one: BlockMechanism, other: Definition, structure: Structure) -> bo
     return ways >= SAME_WAY and (near or cuts[0] == cuts[1])
 
 
+def find_margins(project: Project, found: FoundMechanisms, *, jobs: int = 0) -> dict[str, float]:
+    """Return the PGA at capacity over the site's of each mechanism that the basis of a project answers, by candidate.
+
+    Those that the file does not state are examined as `add_mechanisms` would add them.
+
+    Parameters
+    ----------
+    project : with a site
+    found : on its bodies
+    jobs : threads, 0 for all cores
+
+    Raises
+    ------
+    AssessError : the project cannot be run, as one without a site
+    """
+    before = project.path.read_bytes()
+    after, names = _with_tables(project, found.new, before)
+    study = build_to_decide(load_tree(parse_toml(after.removeprefix("\ufeff")), project.path, sha256=""))
+    verdict = find_outcome(study, jobs=jobs)
+    margins = {each.mechanism: each.margin for each in verdict.mechanisms if each.margin is not None}
+    stated = dict(zip((each.name for each in found.new), names, strict=True)) | dict(found.in_file)
+    return {candidate: margins[name] for candidate, name in stated.items() if name in margins}
+
+
 def add_mechanisms(project: Project, candidates: Sequence[Candidate]) -> tuple[str, ...]:
     """Add tables of mechanisms at the end of a project file, whose text stays as it is; return their names.
 
@@ -124,20 +158,11 @@ def add_mechanisms(project: Project, candidates: Sequence[Candidate]) -> tuple[s
     ------
     ProjectError : the file has changed since it was read, or no longer reads with the tables; nothing is written
     """
-    taken = set(project.content.mechanisms)
-    lines, names = [""], []
-    for each in candidates:
-        name = next(one for one in (each.name, *(f"{each.name}-{i}" for i in range(2, 1000))) if one not in taken)
-        taken.add(name)
-        names.append(name)
-        bodies = {body: body for body in project.content.bodies}
-        lines += mechanism_lines(replace(each, name=name), bodies, project.content.report.building_type)
     before = project.path.read_bytes()
     changed = f"{project.path}: has changed since it was read; nothing was written: run the command again"
     if sha256(before).hexdigest() != project.sha256:
         raise ProjectError(changed)
-    text = before.decode("utf-8")
-    after = text + "\n" * (not text.endswith("\n")) + "\n".join(lines)
+    after, names = _with_tables(project, candidates, before)
     try:
         load_tree(parse_toml(after.removeprefix("\ufeff")), project.path, sha256="")
     except ProjectError as error:
@@ -151,4 +176,17 @@ def add_mechanisms(project: Project, candidates: Sequence[Candidate]) -> tuple[s
         if project.path.exists() and project.path.read_bytes() != before:
             raise ProjectError(changed) from None
         raise
-    return tuple(names)
+    return names
+
+
+def _with_tables(project: Project, candidates: Sequence[Candidate], before: bytes) -> tuple[str, tuple[str, ...]]:
+    """Return the text of a project file with tables of candidates at its end, and their names."""
+    taken, lines, names = set(project.content.mechanisms), [""], []
+    for each in candidates:
+        name = next(one for one in (each.name, *(f"{each.name}-{i}" for i in range(2, 1000))) if one not in taken)
+        taken.add(name)
+        names.append(name)
+        bodies = {body: body for body in project.content.bodies}
+        lines += mechanism_lines(replace(each, name=name), bodies, project.content.report.building_type)
+    text = before.decode("utf-8")
+    return text + "\n" * (not text.endswith("\n")) + "\n".join(lines), tuple(names)

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import fields
-from math import atan2, degrees
+from math import atan2, degrees, inf
 from textwrap import wrap
 from typing import Any
 
@@ -60,28 +60,35 @@ CONSTANTS_HEADER = (
 MECHANISM_HEADER = ("mechanism", "multiplier", "in file", "at")
 
 
-def mechanisms_text(found: FoundMechanisms) -> str:
+def mechanisms_text(found: FoundMechanisms, margins: Mapping[str, float] | None = None) -> str:
     """Write a line for each mechanism that the bodies of a project can have, and what has none.
 
     Parameters
     ----------
     found : on the bodies
+    margins : PGA at capacity over the site's, by candidate, by which they are ranked then
     """
+    ranked = list(found.candidates)
+    if margins is not None:
+        ranked.sort(key=lambda each: margins.get(each.name, inf))
     rows = [
         (
             each.name,
             "none" if each.multiplier is None else f"{each.multiplier:.4g}",
+            *(() if margins is None else (f"{margins[each.name]:.3g}" if each.name in margins else "-",)),
             found.in_file.get(each.name, "no" if is_stated(each) else "by formula"),
             ", ".join(f"{name} {value}" for name, value in each.found.parameters.items()),
         )
-        for each in found.candidates
+        for each in ranked
     ]
     weakest = ", ".join(each.name for each in found.candidates.weakest)
     lines = [f"within 10 % of the least multiplier: {weakest}\n"] if weakest else []
     lines += [f"{each.name}: {escape_text(each.found.why_not)}\n" for each in found.candidates if each.found.why_not]
     lines += [f"without a mechanism: {escape_text(str(why))}\n" for why in found.candidates.without.values()]
     lines += [f"left out: {escape_text(f'{each.name}: {each.reason}')}\n" for each in found.structure.left_out]
-    return text_table(MECHANISM_HEADER, rows) + "".join(lines)
+    name, least, *others = MECHANISM_HEADER
+    held = () if margins is None else ("PGA held / site's",)
+    return text_table((name, least, *held, *others), rows) + "".join(lines)
 
 
 def description(

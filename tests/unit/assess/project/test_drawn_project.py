@@ -1,5 +1,7 @@
 """Projects drawn from a model: they state what was found, run once filled in, and are written whole or not at all."""
 
+from math import cos, radians, sin
+
 import pytest
 
 from assess.errors import GeometryError, ProjectError
@@ -77,17 +79,28 @@ def test_shells_of_one_object_become_meshes_of_their_own(tmp_path) -> None:
     assert multipliers(tmp_path / "new") == pytest.approx(found, rel=2e-3)
 
 
-def test_units_are_stated_where_they_are_given(tmp_path) -> None:
-    parts = house(storeys=1).parts
-    text = obj_of(parts)
-    scaled = "\n".join(
-        "v " + " ".join(f"{1000.0 * float(x):.9g}" for x in line.split()[1:]) if line.startswith("v ") else line
-        for line in text.split("\n")
-    )
-    (tmp_path / "house.obj").write_text(scaled)
-    _, candidates = write_project([tmp_path / "house.obj"], tmp_path / "new", unit="mm")
+def placed(text: str, *, angle: float = 0.0, at=(0.0, 0.0), unit: float = 1.0) -> str:
+    """Return an OBJ file turned about the vertical, moved, and in another unit."""
+    lines = []
+    for line in text.split("\n"):
+        if line.startswith("v "):
+            x, y, z = map(float, line.split()[1:])
+            turned = (x * cos(angle) - y * sin(angle) + at[0], x * sin(angle) + y * cos(angle) + at[1], z)
+            line = "v " + " ".join(f"{each / unit:.9g}" for each in turned)
+        lines.append(line)
+    return "\n".join(lines)
+
+
+def test_a_model_turned_moved_and_in_millimetres_has_the_same_mechanisms(drawn, tmp_path) -> None:
+    _, _, candidates = drawn
+    text = placed(obj_of(house(caps=True).parts), angle=radians(33.0), at=(100.0, -50.0), unit=1e-3)
+    (tmp_path / "house.obj").write_text(text)
+    _, again = write_project([tmp_path / "house.obj"], tmp_path / "new", unit="mm")
     assert 'mesh_unit = "mm"' in (tmp_path / "new" / "project.toml").read_text(encoding="utf-8")
-    found = {each.name: each.multiplier for each in candidates if is_stated(each)}
+    assert {each.name: each.multiplier for each in again} == pytest.approx(
+        {each.name: each.multiplier for each in candidates}, rel=1e-3
+    )
+    found = {each.name: each.multiplier for each in again if is_stated(each)}
     assert multipliers(tmp_path / "new") == pytest.approx(found, rel=2e-3)
 
 

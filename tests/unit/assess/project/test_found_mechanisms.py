@@ -5,8 +5,10 @@ import csv
 import pytest
 
 from assess.errors import ProjectError
-from assess.project.found_mechanisms import add_mechanisms, find_mechanisms
+from assess.project.build import build_to_decide
+from assess.project.found_mechanisms import add_mechanisms, find_margins, find_mechanisms
 from assess.project.project_file import load
+from assess.study.run import find_outcome
 from tests.support.buildings import house
 from tests.support.command import ended
 from tests.support.drawings import obj_of
@@ -94,6 +96,40 @@ def test_tables_that_cannot_be_added_are_refused(file) -> None:
     with pytest.raises(ProjectError, match="cannot be added, and nothing was written"):
         add_mechanisms(loaded, find_mechanisms(loaded).new)
     assert file.read_bytes() == before
+
+
+SITE = """
+[site.spectrum]
+code = "ntc2018"
+nominal_life = 50
+use_class = "II"
+soil = "B"
+hazard = [
+  { return_period = 50, a_g = "0.077 g", f_0 = 2.38, t_c_star = 0.28 },
+  { return_period = 975, a_g = "0.240 g", f_0 = 2.39, t_c_star = 0.34 },
+]
+
+[procedures.ntc2018]
+knowledge_level = "LC1"
+"""
+
+
+def test_by_the_basis_they_rank_by_the_pga_that_they_hold(file) -> None:
+    """A run of the project with the tables finds the same."""
+    file.write_text(file.read_text() + SITE)
+    loaded = load(file)
+    found = find_mechanisms(loaded)
+    margins = find_margins(loaded, found, jobs=1)
+    table = found.table(margins)
+    assert list(table.margin.dropna()) == sorted(margins.values())
+    assert margins["left-1-overturning"] < margins["front-1-overturning"]  # though its multiplier is higher
+    assert "front-1-corner" not in margins
+    names = dict(zip(add_mechanisms(loaded, found.new), (each.name for each in found.new), strict=True))
+    verdict = find_outcome(build_to_decide(load(file)))
+    again = {each.mechanism: each.margin for each in verdict.mechanisms}
+    assert {candidate: again[name] for name, candidate in names.items() if again[name] is not None} == pytest.approx(
+        {candidate: margins[candidate] for candidate in names.values() if candidate in margins}
+    )
 
 
 def test_the_command_lists_writes_and_keeps_a_table(file, tmp_path, capsys) -> None:

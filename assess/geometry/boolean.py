@@ -155,13 +155,14 @@ def count_once(solids: Sequence[Solid]) -> tuple[Solid, ...]:
     return tuple(kept)
 
 
-def subtract(solid: Solid, others: Sequence[Solid]) -> Solid | None:
+def subtract(solid: Solid, others: Sequence[Solid], *, film: float = 0.0) -> Solid | None:
     """Return a body less others, with its density; None where nothing is left.
 
     Parameters
     ----------
     solid : the body
     others : bodies that take from it
+    film : what is left thinner than this goes too [m]
     """
     from manifold3d import Manifold, OpType
 
@@ -170,22 +171,25 @@ def subtract(solid: Solid, others: Sequence[Solid]) -> Solid | None:
     rest = Manifold.batch_boolean([whole, *taken], OpType.Subtract)
     if float(rest.volume()) <= NEGLIGIBLE_OVERLAP * float(whole.volume()):
         return None
+    rest = rest.simplify(film) if film else rest
     return _piece_of(solid, rest, origin, density=solid.mass / float(whole.volume()))
 
 
-def common_part(solid: Solid, other: Solid) -> Solid | None:
+def common_part(solid: Solid, other: Solid, *, film: float = 0.0) -> Solid | None:
     """Return the part of a body that lies in another, with its density; None where they share nothing.
 
     Parameters
     ----------
     solid : the body
     other : which bounds it
+    film : what of it is thinner than this is left out [m]
     """
     origin = (solid.vertices.min(axis=0) + solid.vertices.max(axis=0)) / 2.0
     whole, within = (_manifold_of_solid(each, origin) for each in (solid, other))
     shared = whole ^ within
     if float(shared.volume()) <= NEGLIGIBLE_OVERLAP * float(whole.volume()):
         return None
+    shared = shared.simplify(film) if film else shared
     return _piece_of(solid, shared, origin, density=solid.mass / float(whole.volume()))
 
 

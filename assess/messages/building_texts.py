@@ -7,6 +7,8 @@ from collections.abc import Mapping
 BUILDING_TEXTS: Mapping[str, str] = {
     "density-assumed": "the model states no density for {number} of its parts: {masonry} are assumed for masonry and "
     "{covering} for floors, roofs and vaults",
+    "split-body": "{body} is one closed body: it is split into {number} parts between opposite faces, and where its "
+    "floors bear is not drawn",
     # what is not read as masonry
     "left-out-without-body": "it has no body: {why}",
     "left-out-not-closed": "its surface is no closed body: {why}",

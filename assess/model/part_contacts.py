@@ -23,6 +23,7 @@ from spectra.arrays import FloatArray
 REACH = 0.05  # m: faces this near touch; surveyed faces are 20 mm uneven, and so are those they meet
 ABOVE = 0.25  # of the lower height of two upright parts: one that begins no farther below the other's top is above it
 LEAST_SEAT = 0.05  # m: a covering that overlaps a wall by less than an uneven face does not bear on it
+EVEN = 0.1  # of a contact's normal: of two walls end to end the smaller one leans
 LEAST_AREA = 0.02  # m2: a smaller contact is a splinter of a corner
 TIE_REACH = 0.05  # m: from a bar to what it holds
 SANDWICHED = 0.7  # m: the thickest floor between two walls that stand over one another
@@ -122,12 +123,14 @@ def _contacts(one: Part, other: Part, solids: Mapping[str, Solid]) -> Iterator[P
 def _covering(covering: Part, carrier: Part, solids: Mapping[str, Solid]) -> Iterator[PartContact]:
     """Return how a covering meets an upright part: it bears on it, carries it, or leans on it."""
     slab, wall = solids[covering.name], solids[carrier.name]
-    bears = find_contact(wall, slab, tolerance=REACH)
-    if bears is not None and bears.bearing and bears.area >= LEAST_SEAT * _shared_length(carrier, slab):
+    above, below = carrier.base >= covering.base - REACH, carrier.base < covering.top - REACH
+    bears = find_contact(wall, slab, tolerance=REACH) if below else None
+    carries = find_contact(slab, wall, tolerance=REACH) if above else None
+    borne, carried = (each.area if each is not None and each.bearing else 0.0 for each in (bears, carries))
+    if bears is not None and borne >= max(carried, LEAST_SEAT * _shared_length(carrier, slab)) > 0.0:
         yield _contact(covering, carrier, "bears-on", bears, gap=0.0)
         return
-    carries = find_contact(slab, wall, tolerance=REACH)
-    if carries is not None and carries.bearing and carries.area >= LEAST_AREA:
+    if carries is not None and carried >= LEAST_AREA:
         yield _contact(carrier, covering, "stands-on", carries, gap=0.0)
         return
     yield from _facing(covering, carrier, solids)
@@ -154,7 +157,7 @@ def _leaning(one: Part, other: Part, solids: Mapping[str, Solid]) -> Iterator[Pa
         return
     normal = np.abs(patches.area @ patches.normal)
     ends = [float(normal @ np.abs(np.array(part.along))) for part in (one, other)]
-    first, second = (one, other) if ends[0] > ends[1] else (other, one)
+    first, second = (one, other) if ends[0] > ends[1] + EVEN * float(np.linalg.norm(normal)) else (other, one)
     yield from _facing(first, second, solids)
 
 

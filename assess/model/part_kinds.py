@@ -262,7 +262,7 @@ class _Place:
         others = [structure.part(each.other(part.name)) for each in contacts]
         uprights = {each.name for each in others if each.kind in (*PLATES, "pier")}
         self.bridges = len(uprights) >= 2 and area < BRIDGED * shape.plan and part.base > structure.lowest + LINTEL
-        walls = [other for other in structure.plates if other.name != part.name and other.eaves is None]
+        walls = [each for each in structure.of_kind("wall") if each.name != part.name and each.eaves is None]
         self.among_walls = any(
             min(other.top, part.top) - max(other.base, part.base) >= BESIDE * part.height for other in walls
         )

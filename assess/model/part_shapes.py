@@ -58,6 +58,8 @@ class Shape:
 
 LEVEL = 0.985  # vertical part of the mean normal of a level covering's upper faces: within 10 degrees
 FACING = 0.9  # cosine with the normal of a plate: a battered or uneven face still counts as its face
+PLANE = 0.6  # of the silhouette, that the face of a plate takes: of a wall that bends in plan it takes less
+STEEP, SIDEWAYS = 0.26, 0.02  # vertical part of a normal: of a plate that leans by 15 degrees; of an upright end
 FACE_SPREAD = 0.1  # m: what is farther than this from the middle of a face projects from it
 FILL = (0.7, 1.3)  # volume over silhouette times thickness: pilasters add to it, recesses take away
 SLENDER = 2.0  # least ratio of the sides of a plate
@@ -82,7 +84,7 @@ def shape_of(solid: Solid) -> Shape:
     width, length, height = (float(np.ptp(vertices @ axis)) for axis in (normal, along, UP))
     whole, plan = volume(vertices, solid.triangles), faces.silhouette(UP).area
     upright = faces.plate(normal, whole) if length >= SLENDER * width else None
-    level = faces.plate(UP, whole)
+    level, tilted = faces.plate(UP, whole), faces.tilted_plate(whole)
     curved = _has_curved_underside(faces)
 
     def shape(kind: ShapeKind, thickness: float = width, **more: object) -> Shape:
@@ -91,14 +93,15 @@ def shape_of(solid: Solid) -> Shape:
 
     if max(width, height) <= SLENDER * min(width, height) and max(width, height) * BAR <= length:
         return shape("bar")
-    if upright is not None and not (level is not None and level[0] < upright[0] and width >= SLENDER * level[0]):
+    flat = [plate[0] for plate in (level, tilted) if plate is not None and width >= SLENDER * plate[0]]
+    if upright is not None and upright[0] < min(flat, default=np.inf):
         thickness, silhouette = upright
         if curved and silhouette.area < ARCH_FILL * shapely.envelope(silhouette).area:
             return shape("arch", thickness)
         return shape("upright", thickness, eaves=_eaves(silhouette), openings=openings_of(silhouette))
     depth = whole / plan
     if curved and depth <= min(VAULT_DEPTH, FLAT * plan**0.5):
-        return shape("curved", depth)
+        return shape("curved", 2.0 * whole / faces.shell_area)
     if level is not None and width >= SLENDER * level[0] and depth <= SLAB_DEPTH:
         return shape("level", level[0])
     if depth <= min(SLAB_DEPTH, FLAT * plan**0.5):
@@ -107,7 +110,10 @@ def shape_of(solid: Solid) -> Shape:
     hull = shapely.MultiPoint(vertices[:, :2]).convex_hull.area
     if length < SLENDER * width and height >= SHAFT * length:
         tapers = (solid.centroid[2] - vertices[:, 2].min()) < TAPER * height
-        return shape("shaft", tapers=bool(tapers), hollow=bool(not tapers and whole < HOLLOW * hull * height))
+        hollow = not tapers and whole < HOLLOW * hull * height
+        return shape(
+            "shaft", width if tapers else faces.distance(normal) or width, tapers=bool(tapers), hollow=bool(hollow)
+        )
     return shape("block", hollow=bool(whole < HOLLOW * hull * height))
 
 
@@ -130,6 +136,28 @@ def openings_of(silhouette: Region) -> tuple[Opening, ...]:
     return tuple(sorted(found, key=lambda each: (each.left, each.base)))
 
 
+def core_of(solid: Solid, shape: Shape) -> FloatArray:
+    """Return the extent of a body without its slivers, across it, along it and up: least and largest [2, 3] [m].
+
+    Parameters
+    ----------
+    solid : the body
+    shape : of it
+    """
+    faces, axes = _faces(solid), np.array([shape.normal, shape.along, UP])
+    low, high = np.full(3, -np.inf), np.full(3, np.inf)
+    for k in range(3):
+        seen = shapely.buffer(
+            shapely.buffer(faces.silhouette(axes[k]), -UNEVEN / 2.0), UNEVEN / 2.0, join_style="mitre"
+        )
+        if seen.is_empty:
+            continue
+        places = shapely.get_coordinates(seen) @ _frame(axes[k]).T @ axes.T
+        for j in (j for j in range(3) if j != k):
+            low[j], high[j] = max(low[j], places[:, j].min()), min(high[j], places[:, j].max())
+    return np.array([low, high])
+
+
 UNEVEN = 0.05  # m: borders of walls are no straighter
 LEAST_OPENING = 0.1  # m2: smaller ones are holes of beams and pipes
 
@@ -144,11 +172,8 @@ class Faces:
 
     def silhouette(self, axis: FloatArray) -> Region:
         """Return the shadow along an axis [3], in coordinates along it horizontally and up."""
-        side = np.array([-axis[1], axis[0], 0.0])
-        side = side / np.linalg.norm(side) if side.any() else np.array([1.0, 0.0, 0.0])
-        frame = np.column_stack([side, np.cross(axis, side)])
         facing = self.normal @ axis > SEEN
-        return shapely.union_all(shapely.polygons(self.corners[facing] @ frame))
+        return shapely.union_all(shapely.polygons(self.corners[facing] @ _frame(axis)))
 
     def plate(self, axis: FloatArray, whole: float) -> tuple[float, Region] | None:
         """Return the distance of the two faces across an axis [m] and the silhouette; None where it is no plate.
@@ -158,14 +183,42 @@ class Faces:
         axis : unit vector [3]
         whole : volume [m3]
         """
+        thickness = self.distance(axis)
+        if thickness <= 0.0:
+            return None
+        silhouette = self.silhouette(axis)
+        sides = [float(self.area[side * (self.normal @ axis) > FACING].sum()) for side in (1.0, -1.0)]
+        plane = min(sides) >= PLANE * silhouette.area
+        return (
+            (thickness, silhouette) if plane and FILL[0] <= whole / (silhouette.area * thickness) <= FILL[1] else None
+        )
+
+    def tilted_plate(self, whole: float) -> tuple[float, Region] | None:
+        """Return the same across the axis that most of the surface faces; None where that is level or upright."""
+        tensor = (self.normal * self.area[:, None]).T @ self.normal
+        axis = np.linalg.eigh(tensor)[1][:, -1]
+        axis = axis if axis[2] > 0.0 else -axis
+        return self.plate(axis, whole) if STEEP < axis[2] < LEVEL else None
+
+    @property
+    def shell_area(self) -> float:
+        """The area of the two sides of a curved covering, without its upright ends [m2]."""
+        return float(self.area[np.abs(self.normal[:, 2]) > SIDEWAYS].sum())
+
+    def distance(self, axis: FloatArray) -> float:
+        """Return the distance of the two faces across an axis [3] [m]; 0 where there are not two."""
         cosine, place = self.normal @ axis, self.corners.mean(axis=1) @ axis
         front, back = cosine > FACING, cosine < -FACING
         if not (front.any() and back.any()):
-            return None
-        thickness = _level_of(place[front], self.area[front]) - _level_of(place[back], self.area[back])
-        silhouette = self.silhouette(axis)
-        fits = thickness > 0.0 and FILL[0] <= whole / (silhouette.area * thickness) <= FILL[1]
-        return (thickness, silhouette) if fits else None
+            return 0.0
+        return _level_of(place[front], self.area[front]) - _level_of(place[back], self.area[back])
+
+
+def _frame(axis: FloatArray) -> FloatArray:
+    """Return two unit vectors square to an axis [3, 2], the first of them horizontal."""
+    side = np.array([-axis[1], axis[0], 0.0])
+    side = side / np.linalg.norm(side) if side.any() else np.array([1.0, 0.0, 0.0])
+    return np.column_stack([side, np.cross(axis, side)])
 
 
 SEEN = 1e-6  # cosine: faces that lie along the axis cast no shadow

@@ -37,7 +37,9 @@ def face_outwards(parts: Sequence[Part], contacts: Sequence[PartContact]) -> lis
     insides: dict[tuple[str, ...], shapely.Geometry] = {}
     found: dict[str, Part] = {}
     for part in parts:
-        found[part.name] = _turned(part, _outward_sign(part, parts, plans, insides)) if part.is_plate else part
+        found[part.name] = (
+            _turned(part, _outward_sign(part, parts, plans, insides)) if part.is_plate and part.kind != "pier" else part
+        )
     for part in sorted(parts, key=lambda each: each.base):
         below = [each.second for each in contacts if each.first == part.name and each.relation == "stands-on"]
         carriers = [found[name] for name in below if found[name].outward]
@@ -81,7 +83,7 @@ def _outward_sign(
     normal, along = np.array(part.normal[:2]), np.array(part.along[:2])
     places = part.start + np.array(STATIONS) * part.length
     middle = places[:, None] * along + part.middle * normal
-    reach = (part.thickness / 2.0 + AWAY) * normal
+    reach = (float(np.ptp(part.solid.vertices[:, :2] @ normal)) / 2.0 + AWAY) * normal
     front, back = (float(np.mean(shapely.contains_xy(insides[key], middle + side * reach))) for side in (1.0, -1.0))
     if (front >= MOST) != (back >= MOST):
         return -1 if front >= MOST else 1

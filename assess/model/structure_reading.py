@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from assess.errors import GeometryError
-from assess.geometry.formats.mesh_file import Up
+from assess.geometry.formats.mesh_file import MAX_LISTED, Up
 from assess.geometry.solid import scale_density
 from assess.messages.message import Message, Quantity, note, warning, whole_number
 from assess.model.part_bodies import DrawnBody, DrawnModel, leave_out, read_bodies
@@ -69,6 +69,8 @@ def structure_of_models(
             left_out += [each for each in read if isinstance(each, LeftOut)]
     parts = [_first_part(draft, number, density) for number, draft in enumerate(drafts)]
     by_name = dict(zip((part.name for part in parts), drafts, strict=True))
+    if not parts:
+        raise GeometryError(_nothing(files[0], left_out))
     found = find_contacts(parts)
     first = Structure(tuple(parts), found.contacts)
     placed: list[Part] = []
@@ -81,8 +83,7 @@ def structure_of_models(
         else:
             placed.append(replace(part, kind=kind, shared=found.shared[part.name]))
     if not placed:
-        reasons = "; ".join(f"{each.name}: {each.reason}" for each in left_out[:3])
-        raise GeometryError(f"{files[0]}: nothing in it is read as masonry ({reasons or 'it is empty'})")
+        raise GeometryError(_nothing(files[0], left_out))
     there = {part.name for part in placed}
     contacts = [_bonded(each, by_name) for each in found.contacts if each.first in there and each.second in there]
     storeys = _storeys([each for model in models for each in model.storeys], placed)
@@ -98,9 +99,15 @@ def structure_of_models(
         contacts=tuple(replace(each, first=names[each.first], second=names[each.second]) for each in contacts),
         storeys=storeys,
         left_out=tuple(left_out),
-        warnings=tuple(_assumptions(order)),
+        warnings=(*_splits(drafts), *_assumptions(order)),
         files=tuple(files),
     )
+
+
+def _nothing(file: Path, left_out: Sequence[LeftOut]) -> str:
+    """Return the text of an error where nothing is masonry."""
+    reasons = "; ".join(f"{each.name}: {each.reason}" for each in left_out[:MAX_LISTED])
+    return f"{file}: nothing in it is read as masonry ({reasons}); check the unit, the axis that is up and the names"
 
 
 @dataclass(frozen=True)
@@ -212,14 +219,19 @@ def _names(parts: Sequence[Part], drafts: Mapping[str, _Draft]) -> dict[str, str
     return found
 
 
+def _splits(drafts: Sequence[_Draft]) -> list[Message]:
+    """Warn of bodies that were split."""
+    pieces = Counter((draft.body.source, draft.body.name) for draft in drafts if draft.piece is not None)
+    return [
+        warning("split-body", body=name or source, number=whole_number(number))
+        for (source, name), number in pieces.items()
+    ]
+
+
 def _assumptions(parts: Sequence[Part]) -> list[Message]:
     """Warn of densities that the model does not state."""
     assumed = [part for part in parts if not part.density_stated and part.kind != "tie"]
-    return [
-        warning(
-            "density-assumed",
-            number=whole_number(len(assumed)),
-            masonry=Quantity(MASONRY_DENSITY, "density"),
-            covering=Quantity(COVERING_DENSITY, "density"),
-        )
-    ] * bool(assumed)
+    if not assumed:
+        return []
+    masonry, covering = (Quantity(each, "density") for each in (MASONRY_DENSITY, COVERING_DENSITY))
+    return [warning("density-assumed", number=whole_number(len(assumed)), masonry=masonry, covering=covering)]

@@ -243,15 +243,7 @@ def extrude(outline: Sequence[tuple[float, float]], x0: float, x1: float, base: 
     """Return a convex outline in y and z over a base, extruded along x."""
     points, n = np.array(outline), len(outline)
     ends = [np.column_stack([np.full(n, x), points[:, 0], points[:, 1] + base]) for x in (x0, x1)]
-    fans = [(0, k, k + 1) for k in range(1, n - 1)]
-    sides = [(k, (k + 1) % n) for k in range(n)]
-    triangles = [
-        *((a, c, b) for a, b, c in fans),
-        *((a + n, b + n, c + n) for a, b, c in fans),
-        *((a, b, b + n) for a, b in sides),
-        *((a, b + n, a + n) for a, b in sides),
-    ]
-    return _outwards(np.concatenate(ends), np.array(triangles))
+    return _between(ends[0], ends[1], [(0, k, k + 1) for k in range(1, n - 1)])
 
 
 def pyramid(rectangle: Rectangle, base: float, height: float) -> Solid:
@@ -272,18 +264,34 @@ def vault(
     outline, n = np.concatenate([rings[0], rings[1][::-1]]), 34
     quads = [(k, k + 1, n - 2 - k, n - 1 - k) for k in range(16)]
     faces = [t for a, b, c, d in quads for t in ((a, b, c), (a, c, d))]
-    sides = [(k, (k + 1) % n) for k in range(n)]
-    ends = [
+    first, last = (
         np.column_stack([np.full(n, at[0] + x), outline[:, 0] + at[1], outline[:, 1] + base])
         for x in (-length / 2, length / 2)
-    ]
+    )
+    return _between(first, last, faces)
+
+
+def bent_wall(radius: float, thickness: float, *, height: float) -> Solid:
+    """Return a half ring in plan towards +y, of 12 flat pieces."""
+    angles, n = np.linspace(0.0, np.pi, 13), 26
+    rings = [np.column_stack([r * np.cos(angles), r * np.sin(angles)]) for r in (radius, radius - thickness)]
+    outline = np.concatenate([rings[0], rings[1][::-1]])
+    quads = [(k, k + 1, n - 2 - k, n - 1 - k) for k in range(12)]
+    faces = [t for a, b, c, d in quads for t in ((a, b, c), (a, c, d))]
+    return _between(np.column_stack([outline, np.zeros(n)]), np.column_stack([outline, np.full(n, height)]), faces)
+
+
+def _between(first: FloatArray, last: FloatArray, faces: Sequence[tuple[int, int, int]]) -> Solid:
+    """Return the solid between two outlines [n, 3] of the same faces."""
+    n = len(first)
+    sides = [(k, (k + 1) % n) for k in range(n)]
     triangles = [
         *((a, c, b) for a, b, c in faces),
         *((a + n, b + n, c + n) for a, b, c in faces),
         *((a, b, b + n) for a, b in sides),
         *((a, b + n, a + n) for a, b in sides),
     ]
-    return _outwards(np.concatenate(ends), np.array(triangles))
+    return _outwards(np.concatenate([first, last]), np.array(triangles))
 
 
 def _outwards(vertices: FloatArray, triangles: Any) -> Solid:

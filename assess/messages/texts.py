@@ -206,6 +206,8 @@ TEXTS: Mapping[str, str] = {
     "no-vertical-on-floor": "a pass is valid without vertical motion: histories have none, and {key} does not give "
     "that of the floor",
     # values that help
+    "source-of-too-much": "the source of {key} vouches for no value in it: name a key, or the innermost table that "
+    "holds it",
     "override-unsourced": "{key} = {value} has no source; {without}: {outcome}, up to {margin} times the action",
     "override-unsourced-falls": "{key} = {value} has no source; {without}, what it bears on falls under its own loads",
     "override-unsourced-unknown": "{key} = {value} has no source; {without}: {outcome}",

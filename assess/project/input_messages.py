@@ -16,9 +16,12 @@ from assess.geometry.solid import Solid
 from assess.mechanisms.mechanism import Mechanism
 from assess.messages.message import Message, Quantity, locate, note, warning
 from assess.project import sections
+from assess.project.keys import stated_values
 from assess.project.question import (
     procedures_of,
 )
+from assess.project.section import ProjectSection
+from assess.results.provenance import count_from_0, tables_that_hold
 from assess.study.mechanism_results import load_messages
 from assess.study.study import (
     Study,
@@ -41,6 +44,7 @@ def project_messages(
     """Yield what the engineer should know before reading any result."""
     mechanisms = study.mechanisms
     yield from _implausible_numbers(content)
+    yield from _sources_of_too_much(content)
     for name, solid in solids.items():
         if solid is not None:
             yield from _body_messages(name, solid, content.bodies[name])
@@ -56,6 +60,19 @@ def project_messages(
     for code in KNOWLEDGE_CODES:
         if code in with_options:
             yield from _crushing_messages(code, BASES[code].circular, getattr(content.procedures, code), mechanisms)
+
+
+def _sources_of_too_much(content: sections.Content) -> Iterator[Message]:
+    """Yield each source of a table that is too large for one: it vouches for no value."""
+    if not content.report.sources:
+        return
+    values = (each for each in stated_values(content) if not isinstance(each.value, ProjectSection))
+    stated = [".".join(map(str, each.path)) for each in values]
+    held = {table for key in stated for table in tables_that_hold(key)}
+    for named in content.report.sources:
+        key = count_from_0(named)
+        if key not in held and any(each.startswith(f"{key}.") for each in stated):
+            yield warning("source-of-too-much", "report.sources", key=named)
 
 
 def _body_messages(name: str, solid: Solid, body: sections.BodySection) -> Iterator[Message]:

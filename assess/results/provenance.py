@@ -233,7 +233,7 @@ def source_line(key: str, sources: Mapping[str, str]) -> str:
     sources : lines by the keys that they are for, items of lists counted either way
     """
     stated = {count_from_0(place): text for place, text in sources.items()}
-    return next((stated[each] for each in (key, *_tables_that_hold(key)) if each in stated), "")
+    return next((stated[each] for each in (key, *tables_that_hold(key)) if each in stated), "")
 
 
 def this_program() -> Program:
@@ -315,7 +315,7 @@ def file_state(path: Path) -> FileState:
     return (status.st_size, status.st_mtime_ns, status.st_ctime_ns, status.st_ino)
 
 
-def _tables_that_hold(key: str) -> Iterator[str]:
+def tables_that_hold(key: str) -> Iterator[str]:
     """Yield the tables that one source may know: the innermost, and all within a mechanism but its loads."""
     steps = key.split(".")
     for count in range(len(steps) - 1, 0, -1):

@@ -133,6 +133,15 @@ def test_a_source_for_the_mechanism_or_all_its_loads_vouches_for_no_tie(tmp_path
         assert found.outcome == without.outcome == Decision.FAIL
 
 
+def test_a_source_that_vouches_for_no_value_is_told() -> None:
+    tables = copy.deepcopy(PROJECTS["ntc-joint"])
+    too_much = ("mechanisms", "mechanisms.wall", "bodies", "materials")
+    tables["report"]["sources"] |= dict.fromkeys((*too_much, "bodies.wall.box", "mechanisms.wall.direction"), TESTED)
+    study = build_to_decide(load_tree(tables, Path("project.toml"), sha256=""))
+    told = [str(each.values["key"]) for each in study.messages if each.key == "source-of-too-much"]
+    assert told == list(too_much)
+
+
 def test_a_tie_behind_one_that_is_left_out_keeps_its_source(tmp_path: Path) -> None:
     """Of two ties the first has no source: in the state without it the second stays, and its source is its own."""
     alone = verdict_of(tmp_path, thickness=THIN, tie=tie(), sources={"mechanisms.wall.loads[1]": PULLED})

@@ -9,6 +9,8 @@ BUILDING_TEXTS: Mapping[str, str] = {
     "{covering} for floors, roofs and vaults",
     "split-body": "{body} is one closed body: it is split into {number} parts between opposite faces, and where its "
     "floors bear is not drawn",
+    "layers-of-finish": "walls of which some layers are no masonry, as insulation, air or plaster: {number} ({names}); "
+    "their thickness and mass are those of all layers, so give that of the masonry",
     # what is not read as masonry
     "left-out-without-body": "it has no body: {why}",
     "left-out-not-closed": "its surface is no closed body: {why}",

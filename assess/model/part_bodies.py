@@ -20,11 +20,10 @@ from assess.geometry.solid import Solid
 from assess.geometry.surface import Surface, connected_groups, find_edges, merge_vertices, neighbours, volume
 from assess.mechanisms.mechanism import Vector
 from assess.messages.message import Message, Quantity, note, whole_number
+from assess.model.part_kinds import is_classed, reason_by_class
 from assess.model.structure import LeftOut
 from spectra.arrays import FloatArray
 
-UNCLASSED = ("IfcBuildingElementProxy", "IfcProxy", "IfcGeographicElement")
-"""Classes that say nothing of what they hold: a whole building may be one element, as in a mesh."""
 SPLINTER = 1e-3  # m3: smaller shells are nails and drawing errors
 
 
@@ -101,18 +100,13 @@ def leave_out(body: DrawnBody, reason: Message) -> LeftOut:
     return LeftOut(body.name or "without name", reason, size, body.solid.mass, body.source)
 
 
-def is_classed(element: Element) -> bool:
-    """Return whether the class of an element says what it is."""
-    return bool(element.kinds) and not any(kind in UNCLASSED for kind in element.kinds)
-
-
 def _bodies_of(
     mesh: ElementMesh, content: MeshFile, file: Path, *, unit: float | None, up: Up | None
 ) -> Iterator[DrawnBody | LeftOut]:
     """Return the bodies of one element, and what of it is none."""
     element, name = mesh.element, file.name
     shown = short_name(element.names[0]) if element.names else ""
-    source = source_of(element, name)
+    source, no_masonry = source_of(element, name), reason_by_class(element)
     if mesh.fault:
         yield LeftOut(shown or element.shown, note("left-out-without-body", why=mesh.fault), source=source)
         return
@@ -121,6 +115,10 @@ def _bodies_of(
         surface = assemble_mesh(selected, selected.meshes, scale=unit, up=up, where="")
     except GeometryError as problem:
         yield LeftOut(shown or element.shown, note("left-out-without-body", why=fault_of(problem, name)), source=source)
+        return
+    if no_masonry is not None:
+        at = surface[0][np.unique(surface[1])]
+        yield LeftOut(shown or element.shown, no_masonry, _box(at), abs(volume(*surface)), source)
         return
     shells = [surface] if is_classed(element) else list(_shells(merge_vertices(*surface)))
     small = [shell for shell in shells if len(shells) > 1 and abs(volume(*shell)) < SPLINTER]

@@ -10,10 +10,11 @@ from collections.abc import Mapping
 
 from assess.geometry.formats.mesh_file import Element
 from assess.messages.message import Message, Quantity, note
-from assess.model.part_bodies import is_classed
 from assess.model.part_shapes import Shape
 from assess.model.structure import COVERINGS, PLATES, Part, PartKind, Structure
 
+UNCLASSED = ("IfcBuildingElementProxy", "IfcProxy", "IfcGeographicElement")
+"""Classes that say nothing of what they hold: a whole building may be one element, as in a mesh."""
 LEFT_OUT_CLASSES: Mapping[str, str] = {
     "IfcFurnishingElement": "furniture",
     "IfcFurniture": "furniture",
@@ -60,7 +61,7 @@ READ_CLASSES = (*KINDS_BY_CLASS, *FRAME_CLASSES, "IfcBuildingElementPart", "IfcB
 FINISH = re.compile(
     r"plaster|render(ing)?\b|stucco|intonac|\bputz|verputz|enduit|revoco|enlucido|insulat|isolant|isolier|d[äa]mm|"
     r"isolation|aislamiento|\bfinish|rivestiment|cladding|verkleidung|bardage|\bpaint|pittur|membran|guaina|"
-    r"waterproof|vapou?r|air gap|cavity\b|intercapedine",
+    r"waterproof|vapou?r|\bair\b|\baria\b|\bluft|cavity\b|intercapedine",
     re.IGNORECASE,
 )
 NO_MASONRY = re.compile(
@@ -90,6 +91,11 @@ LARGEST_JOINERY = 0.12  # m: thicker things of such a name are walls around wind
 TIE_DEPTH, TIE_LENGTH = 0.1, 1.5  # m: a bar no thicker and at least as long is a tie
 
 
+def is_classed(element: Element) -> bool:
+    """Return whether the class of an element says what it is."""
+    return bool(element.kinds) and not any(kind in UNCLASSED for kind in element.kinds)
+
+
 def class_of(element: Element) -> str:
     """Return the class, of an element or of what it is part of, that says what it is; empty where none does."""
     known = {*LEFT_OUT_CLASSES, *KINDS_BY_CLASS, *FRAME_CLASSES}
@@ -97,32 +103,44 @@ def class_of(element: Element) -> str:
     return of_owner or next((kind for kind in element.kinds if kind in known), "")
 
 
-def reason_to_leave_out(element: Element, shape: Shape) -> Message | None:
-    """Return why a body is not read as masonry, by its class, its names, its materials and its thickness; else None."""
+def reason_by_class(element: Element) -> Message | None:
+    """Return why elements of a class are no masonry; None where the class does not say so."""
     found = class_of(element)
-    if found in LEFT_OUT_CLASSES:
-        return note(f"left-out-{LEFT_OUT_CLASSES[found]}")
+    return note(f"left-out-{LEFT_OUT_CLASSES[found]}") if found in LEFT_OUT_CLASSES else None
+
+
+def masonry_layers(element: Element) -> tuple[tuple[str, float | None], ...]:
+    """Return the layers of an element, by name and thickness [m], that are no finish, timber, metal or air."""
+    return tuple(each for each in element.layers if not FINISH.search(each[0]) and not NO_MASONRY.search(each[0]))
+
+
+def reason_to_leave_out(element: Element, shape: Shape) -> Message | None:
+    """Return why a body is not read as masonry, by its names, its materials and its thickness; None where it may be.
+
+    Parameters
+    ----------
+    element : as the file names it
+    shape : of its body
+    """
     name = " ".join(element.names)
-    materials = " ".join(layer for layer, _ in element.layers) if len(element.layers) == 1 else ""
-    if (FINISH.search(name) and not is_classed(element)) or FINISH.search(materials) or _is_leaf_of_finish(element):
+    upright = shape.kind in ("upright", "shaft", "arch", "block")
+    if FINISH.search(name) and (not is_classed(element) or "IfcBuildingElementPart" in element.kinds):
         return note("left-out-finish")
+    if element.layers and not masonry_layers(element):
+        if all(FINISH.search(layer) for layer, _ in element.layers):
+            return note("left-out-finish")
+        if upright:
+            return note("left-out-material", material=", ".join(dict.fromkeys(layer for layer, _ in element.layers)))
     for thing, words in THINGS.items():
         thick = thing == "joinery" and shape.thickness > LARGEST_JOINERY
         if not is_classed(element) and words.search(name) and not WALL_WORDS.search(name) and not thick:
             return note(f"left-out-{thing}")
-    upright = shape.kind in ("upright", "shaft", "arch", "block")
-    if upright and NO_MASONRY.search(materials):
-        return note("left-out-material", material=materials)
     thin = THINNEST_WALL if shape.kind == "upright" else THINNEST_COVERING
     if shape.kind in ("upright", "level", "sloped", "curved") and shape.thickness < thin:
         return note("left-out-thin", thickness=Quantity(shape.thickness, "length", 2))
-    if found in FRAME_CLASSES and not is_tie(element, shape):
+    if class_of(element) in FRAME_CLASSES and not is_tie(element, shape):
         return note("left-out-frame")
     return None
-
-
-def _is_leaf_of_finish(element: Element) -> bool:
-    return "IfcBuildingElementPart" in element.kinds and bool(FINISH.search(" ".join(element.names)))
 
 
 def is_tie(element: Element, shape: Shape) -> bool:
@@ -140,7 +158,7 @@ def first_kind(element: Element, shape: Shape) -> PartKind | None:
     by_class = KINDS_BY_CLASS.get(class_of(element))
     if by_class in COVERINGS and shape.kind not in ("upright", "shaft"):
         roofed = element.predefined == "ROOF" or by_class == "roof"
-        return "vault" if shape.kind == "curved" else "roof" if roofed else "floor"
+        return "roof" if roofed else "vault" if shape.kind == "curved" else "floor"
     if by_class in ("chimney", "pier"):
         return by_class
     if shape.kind == "shaft" and shape.hollow and shape.height < TOWER_RATIO * shape.plan**0.5:

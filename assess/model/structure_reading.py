@@ -10,10 +10,10 @@ from pathlib import Path
 from assess.errors import GeometryError
 from assess.geometry.formats.mesh_file import MAX_LISTED, Up
 from assess.geometry.solid import scale_density
-from assess.messages.message import Message, Quantity, note, warning, whole_number
+from assess.messages.message import Message, Quantity, first_names, note, warning, whole_number
 from assess.model.part_bodies import DrawnBody, DrawnModel, leave_out, read_bodies
 from assess.model.part_contacts import find_contacts
-from assess.model.part_kinds import first_kind, kind_in_place, reason_to_leave_out
+from assess.model.part_kinds import first_kind, kind_in_place, masonry_layers, reason_to_leave_out
 from assess.model.part_shapes import Shape, shape_of
 from assess.model.part_sides import face_outwards
 from assess.model.part_splitting import split_body
@@ -99,12 +99,12 @@ def structure_of_models(
         contacts=tuple(replace(each, first=names[each.first], second=names[each.second]) for each in contacts),
         storeys=storeys,
         left_out=tuple(left_out),
-        warnings=(*_splits(drafts), *_assumptions(order)),
+        warnings=(*_splits(drafts), *_layers(order, names, by_name), *_assumptions(order)),
         files=tuple(files),
     )
 
 
-def _nothing(file: Path, left_out: Sequence[LeftOut]) -> str:
+def _nothing(file: str, left_out: Sequence[LeftOut]) -> str:
     """Return the text of an error where nothing is masonry."""
     reasons = "; ".join(f"{each.name}: {each.reason}" for each in left_out[:MAX_LISTED])
     return f"{file}: nothing in it is read as masonry ({reasons}); check the unit, the axis that is up and the names"
@@ -139,7 +139,8 @@ def _drafts_of(body: DrawnBody) -> list[_Draft | LeftOut]:
 def _first_part(draft: _Draft, number: int, density: Densities | None) -> Part:
     """Return a part by the first kind of its body, under a number for its name."""
     body, shape, element = draft.body, draft.shape, draft.body.element
-    material = max(element.layers, key=lambda layer: layer[1] or 0.0, default=("", None))[0]
+    masonry = masonry_layers(element) or element.layers
+    material = max(masonry, key=lambda layer: layer[1] or 0.0, default=("", None))[0]
     given = density.get(material) if isinstance(density, Mapping) else density if draft.kind not in COVERINGS else None
     stated = given or element.density
     used = stated or (COVERING_DENSITY if draft.kind in COVERINGS else MASONRY_DENSITY)
@@ -226,6 +227,16 @@ def _splits(drafts: Sequence[_Draft]) -> list[Message]:
         warning("split-body", body=name or source, number=whole_number(number))
         for (source, name), number in pieces.items()
     ]
+
+
+def _layers(parts: Sequence[Part], names: Mapping[str, str], drafts: Mapping[str, _Draft]) -> list[Message]:
+    """Warn of walls whose bodies include layers that are no masonry."""
+    elements = {part.name: drafts[part.name].body.element for part in parts if part.is_plate}
+    built = [names[name] for name, each in elements.items() if len(masonry_layers(each)) < len(each.layers)]
+    if not built:
+        return []
+    listed = first_names(built, MAX_LISTED)
+    return [warning("layers-of-finish", number=whole_number(len(built)), names=listed)]
 
 
 def _assumptions(parts: Sequence[Part]) -> list[Message]:

@@ -10,7 +10,10 @@ import pytest
 
 import assess
 from assess.geometry.boolean import unite
+from assess.geometry.formats.mesh_file import Element
 from assess.geometry.solid import Solid, polyhedron
+from assess.model.part_kinds import masonry_layers, reason_to_leave_out
+from assess.model.part_shapes import shape_of
 from assess.model.structure import Structure
 from tests.support.houses import (
     House,
@@ -165,6 +168,52 @@ def test_ifc_is_read_by_class_and_what_is_no_masonry_is_listed(tmp_path):
     assert wall.element == wall.source.split()[1]
     assert wall.storey == "level 0"
     assert ("level 0", 0.0) in [(storey.name, storey.elevation) for storey in structure.storeys]
+
+
+STUDS = (("Plasterboard", 0.0125), ("Metal - Stud Layer", 0.07), ("Plasterboard", 0.0125))
+CAVITY = (("Brick, Common", 0.102), ("Air Layer - Unspecified", 0.05), ("Concrete Block", 0.1), ("Plaster", 0.012))
+
+
+@pytest.mark.parametrize(
+    ("layers", "reason", "masonry"),
+    [
+        (STUDS, "left-out-material", []),
+        ((("Intonaco", 0.02),), "left-out-finish", []),
+        (CAVITY, None, ["Brick, Common", "Concrete Block"]),
+        ((("", None),), None, [""]),
+        ((), None, []),
+    ],
+)
+def test_layers_of_an_element_tell_whether_it_is_masonry(layers, reason, masonry):
+    element = Element(kinds=("IfcWallStandardCase", "IfcWall"), layers=layers)
+    found = reason_to_leave_out(element, shape_of(WALL))
+    assert (None if found is None else found.key) == reason
+    assert [name for name, _ in masonry_layers(element)] == masonry
+
+
+def test_ifc_states_layers_densities_and_storeys(tmp_path):
+    ifcopenshell = pytest.importorskip("ifcopenshell", reason="the extra 'ifc' is not installed")
+    import ifcopenshell.api.material as material
+    import ifcopenshell.api.pset as pset
+
+    file = write_ifc(tmp_path / "house.ifc", House(openings=False).parts(), unit=1e-3)
+    model = ifcopenshell.open(str(file))
+    stone, plaster = (material.add_material(model, name=name) for name in ("Stone", "Plaster"))
+    pset.edit_pset(
+        model, pset=pset.add_pset(model, stone, name="Pset_MaterialCommon"), properties={"MassDensity": 2250.0}
+    )
+    build = material.add_material_set(model, name="wall", set_type="IfcMaterialLayerSet")
+    for each, thickness in ((stone, 480.0), (plaster, 20.0)):
+        layer = material.add_layer(model, layer_set=build, material=each)
+        material.edit_layer(model, layer=layer, attributes={"LayerThickness": thickness})
+    material.assign_material(model, products=model.by_type("IfcWall"), type="IfcMaterialLayerSet", material=build)
+    model.write(str(file))
+    structure = assess.read_building(file)
+    wall, floor = structure.part("wall 0 at 0"), structure.of_kind("floor")[0]
+    assert (wall.material, wall.density, wall.density_stated) == ("Stone", 2250.0, True)
+    assert not floor.density_stated
+    assert [each.key for each in structure.warnings] == ["layers-of-finish", "density-assumed"]
+    assert assess.read_building(file, density={"Stone": 2000.0}).part("wall 0 at 0").density == 2000.0
 
 
 def test_names_of_meshes_tell_what_is_no_masonry(tmp_path):

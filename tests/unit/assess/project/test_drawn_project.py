@@ -1,17 +1,19 @@
 """Projects drawn from a model: they state what was found, run once filled in, and are written whole or not at all."""
 
-from math import cos, radians, sin
+from math import cos, pi, radians, sin
 
 import pytest
 
 from assess.errors import GeometryError, ProjectError
+from assess.examples.surfaces import ClosedSurface, ply
 from assess.geometry.solid import profile
 from assess.mechanisms.chain import uplift_multiplier
+from assess.model.structure import Structure
 from assess.project.build import build
-from assess.project.drawn_project import is_stated, write_project
+from assess.project.drawn_project import draw_project, is_stated, write_project
 from assess.project.project_file import load
 from assess.verbs import run
-from tests.support.buildings import house
+from tests.support.buildings import STONE, block, house, part_of, touching
 from tests.support.command import ended, ended_with
 from tests.support.drawings import fill_in, obj_of
 
@@ -137,3 +139,25 @@ def test_nothing_is_half_written(tmp_path) -> None:
     with pytest.raises(GeometryError):
         write_project([tmp_path / "dust.obj"], tmp_path / "new")
     assert sorted(each.name for each in tmp_path.iterdir()) == ["dust.obj", "full", "house.obj"]
+
+
+def test_arches_portals_and_inclined_cracks_are_stated(tmp_path) -> None:
+    turn = [pi * i / 32 for i in range(33)]
+    ring = [(2.5 * cos(t), 2.5 * sin(t)) for t in turn] + [(2.0 * cos(t), 2.0 * sin(t)) for t in turn[::-1]]
+    parts = (
+        part_of("Arch", profile(ring, length=0.8, density=STONE, name="arch"), "arch", normal=(0, 1)),
+        *(part_of(f"Pier {y}", block((20, 20.6), (y, y + 0.8), (0, 3)), "pier", normal=(1, 0)) for y in (0.0, 3.0)),
+        part_of("Lintel", block((20, 20.6), (0, 3.8), (3, 3.5)), "spandrel", normal=(1, 0)),
+        part_of("Tower", block((40, 43), (0, 3.5), (0, 14)), "tower"),
+    )
+    structure = Structure(parts=parts, contacts=touching(parts), files=("church.ifc",))
+    candidates = structure.mechanisms()
+    drawn = draw_project(structure, candidates, title="church")
+    for path, solid in drawn.meshes.items():
+        (tmp_path / path).parent.mkdir(exist_ok=True)
+        (tmp_path / path).write_bytes(ply(ClosedSurface(solid.vertices, solid.triangles)))
+    (tmp_path / "project.toml").write_text(drawn.text, encoding="utf-8")
+    found = {each.name: each.multiplier for each in candidates if is_stated(each)}
+    assert {"arch-arch", "pier-0-0-portal", "tower-tower"} <= set(found)
+    assert multipliers(tmp_path) == pytest.approx(found, rel=5e-3)
+    assert 'building_type = "church"' in drawn.text

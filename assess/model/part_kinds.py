@@ -198,7 +198,7 @@ def kind_in_place(part: Part, shape: Shape, element: Element, structure: Structu
     element : that it was read from
     structure : all parts of their first kinds, and their contacts
     """
-    if part.kind in ("tie", "vault", "arch", "chimney"):
+    if part.kind in ("tie", "vault", "arch", "chimney", "tower"):
         return part.kind
     if element.predefined == "PARAPET":
         return "parapet"

@@ -111,9 +111,8 @@ def shape_of(solid: Solid) -> Shape:
     if length < SLENDER * width and height >= SHAFT * length:
         tapers = (solid.centroid[2] - vertices[:, 2].min()) < TAPER * height
         hollow = not tapers and whole < HOLLOW * hull * height
-        return shape(
-            "shaft", width if tapers else faces.distance(normal) or width, tapers=bool(tapers), hollow=bool(hollow)
-        )
+        plane = None if tapers else faces.plate(normal, whole)  # a round one has no plane faces
+        return shape("shaft", width if plane is None else plane[0], tapers=bool(tapers), hollow=bool(hollow))
     return shape("block", hollow=bool(whole < HOLLOW * hull * height))
 
 

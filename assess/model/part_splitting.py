@@ -170,7 +170,7 @@ MOSTLY_UPRIGHT = 0.75  # of its surface
 
 
 def _curved_wall(body: DrawnBody, shape: Shape, faces: Sequence[_Face]) -> Piece | None:
-    """Return a wall that bends in plan as one part, facing its convex side; None where the body is none.
+    """Return a wall that bends in plan as one part, facing its convex side, and a full ring as a tower; else None.
 
     faces : the upright plane faces of the body; of a wall that bends they are narrow
     """
@@ -186,9 +186,9 @@ def _curved_wall(body: DrawnBody, shape: Shape, faces: Sequence[_Face]) -> Piece
         return None
     middle = shapely.get_coordinates(shapely.MultiPoint(vertices[:, :2]).convex_hull.centroid)[0]
     away = body.solid.centroid[:2] - middle
-    if np.hypot(*away) > thickness / 4.0:
-        x, y = (away / np.hypot(*away)).tolist()
-        along = np.array([-y, x])
-        length = float(np.ptp(vertices[:, :2] @ along))
-        shape = replace(shape, normal=(x, y, 0.0), along=(-y, x, 0.0), length=length)
-    return body, replace(shape, kind="upright", thickness=thickness), "wall"
+    if np.hypot(*away) <= thickness / 4.0:
+        return body, replace(shape, kind="shaft", thickness=shape.width, hollow=True), "tower"
+    x, y = (away / np.hypot(*away)).tolist()
+    length = float(np.ptp(vertices[:, :2] @ np.array([-y, x])))
+    turned = replace(shape, normal=(x, y, 0.0), along=(-y, x, 0.0), length=length)
+    return body, replace(turned, kind="upright", thickness=thickness), "wall"

@@ -144,6 +144,15 @@ def test_wall_that_bends_is_one_wall(tmp_path):
     assert apse.normal == pytest.approx((0.0, 1.0, 0.0), abs=1e-6)
 
 
+def test_ring_of_facets_is_a_tower_and_no_wall(tmp_path):
+    halves = [
+        bent_wall(3.0, 0.8, height=5.0),
+        turned(planted({"": bent_wall(3.0, 0.8, height=5.0)}), angle=np.pi)[0].solid,
+    ]
+    structure = assess.read_building(write_merged(tmp_path / "ring.obj", [united(halves)]))
+    assert [part.kind for part in structure.parts] == ["tower"]
+
+
 def test_ifc_is_read_by_class_and_what_is_no_masonry_is_listed(tmp_path):
     pytest.importorskip("ifcopenshell", reason="the extra 'ifc' is not installed")
     things = {

@@ -344,7 +344,7 @@ def _shafts(drawing: Drawing, *, kinds: tuple[PartKind, ...]) -> Iterator[Seed]:
     """Find the towers and spires that can fall above an inclined crack."""
     for part in drawing.structure.of_kind(*kinds):
         ways = tuple(_ways((part,)))
-        low, high = part.base + 0.05 * part.height, part.base + 0.6 * part.height
+        low, high = part.base, part.base + 0.6 * part.height
         find = partial(weakest_crack, part, ways, drawing, low=low, high=high)
         yield Seed((part,), note("reason-shaft", height=Quantity(part.height, "length", 3)), find)
 

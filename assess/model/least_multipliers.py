@@ -39,7 +39,7 @@ from assess.model.walls import static_block
 
 NEAR_LEVEL = 0.02  # m: elevations this near are one
 LOWEST = 0.15  # of the height of what stands above a level: the least that breaks off
-FLATTEST, STEEP = radians(5.0), radians(60.0)  # of a crack through a tower, from the horizontal
+STEEP = radians(75.0)  # of a crack through a tower, from the horizontal: the steepest that is published
 VOUSSOIRS = 16  # of an arch whose joints are not drawn
 AT_SPRINGING = radians(0.5)  # by which its first and last joints lie inside it
 NAME = "found"  # of a mechanism while its multiplier is looked for
@@ -319,7 +319,9 @@ def _mass_at(solid: Solid, direction: Vector) -> tuple[float, tuple[float, float
 def weakest_crack(part: Part, directions: Sequence[Vector], drawing: Drawing, *, low: float, high: float) -> Found:
     """Find elevation and inclination of the crack above which a tower or spire falls at the least multiplier.
 
-    The direction is that in which it is weakest on a level crack; towards it the crack is looked for.
+    The direction is that in which it is weakest on a level crack; towards it the crack is looked for. A crack begins on
+    the line up from the edge of the foot, between the two elevations [m]: one below would leave through the foot, and
+    what it parts would still stand on what carries the foot.
     """
     stacks = []
     for direction in directions:
@@ -330,11 +332,12 @@ def weakest_crack(part: Part, directions: Sequence[Vector], drawing: Drawing, *,
         except AssessError as error:
             return Found(None, direction, why_not=_why(error))
     _, towards, stack = min(stacks, key=lambda each: each[0])
-    middle = part.solid.vertices.mean(axis=0)
+    middle, across = part.solid.vertices.mean(axis=0), np.array(towards)
+    edge = middle + across * float(((part.solid.vertices - middle) @ across).max())
 
     def plane_at(at: tuple[float, ...]) -> Plane:
-        along = np.array(towards) * sin(at[1])
-        return inclined_plane((middle[0], middle[1], at[0]), (along[0], along[1], cos(at[1])), where="crack")
+        along = across * sin(at[1])
+        return inclined_plane((edge[0], edge[1], at[0]), (along[0], along[1], cos(at[1])), where="crack")
 
     least = find_least(
         lambda at: _value(lambda: stack.above(plane_at(at))),
@@ -345,7 +348,7 @@ def weakest_crack(part: Part, directions: Sequence[Vector], drawing: Drawing, *,
     )
     if least.value == inf:
         return Found(None, towards, why_not="no crack parts it")
-    point = (float(middle[0]), float(middle[1]), least.at[0])
+    point = (float(edge[0]), float(edge[1]), least.at[0])
     definition = SingleBlock(blocks=((part.name,),), direction=towards, sides="one", cut=CutAngle(point, least.at[1]))
     parameters = {"crack": Quantity(least.at[0], "length"), "angle": Quantity(least.at[1], "angle", 3)}
     others = tuple(Alternative(value, direction, {}) for value, direction, _ in stacks if direction != towards)

@@ -181,7 +181,8 @@ def _curved_wall(body: DrawnBody, shape: Shape, faces: Sequence[_Face]) -> Piece
     thin = WALL[0] <= thickness <= min(WALL[1], THIN * shape.width) and shape.height > 2.0 * thickness
     if not thin or area[upright].sum() < MOSTLY_UPRIGHT * area.sum():
         return None
-    widths = [(face.region.area, face.region.bounds[2] - face.region.bounds[0]) for face in faces]
+    apart = [part for face in faces for part in shapely.get_parts(face.region)]  # its two ends lie in one plane
+    widths = [(part.area, part.bounds[2] - part.bounds[0]) for part in apart]
     if widths and np.average([w for _, w in widths], weights=[a for a, _ in widths]) > max(FACET, SLENDER * thickness):
         return None
     middle = shapely.get_coordinates(shapely.MultiPoint(vertices[:, :2]).convex_hull.centroid)[0]

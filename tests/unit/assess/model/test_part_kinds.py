@@ -134,13 +134,18 @@ def test_floors_are_found_in_a_house_of_one_body(tmp_path):
     assert [part.thickness for part in structure.parts] == pytest.approx([0.5] * 4 + [0.25] * 2, rel=0.01)
 
 
-def test_wall_that_bends_is_one_wall(tmp_path):
+@pytest.mark.parametrize("radius", [3.0, 4.0])
+def test_wall_that_bends_is_one_wall(tmp_path, radius):
     structure = read(
-        tmp_path, {"apse": bent_wall(3.0, 0.6, height=6.0), "nave": prism((-3.0, -8.0, -2.4, 0.0), 0.0, 6.0)}, angle=0.0
+        tmp_path,
+        {"apse": bent_wall(radius, 0.6, height=6.0), "nave": prism((-radius, -8.0, 0.6 - radius, 0.0), 0.0, 6.0)},
+        angle=0.0,
     )
     apse = structure.part("apse")
     assert apse.kind == "wall"
-    assert apse.thickness == pytest.approx(2.0 * apse.volume / (np.pi * (3.0 + 2.4) * 6.0 + 2 * 0.6 * 6.0), rel=0.01)
+    assert apse.thickness == pytest.approx(
+        2.0 * apse.volume / (np.pi * (2.0 * radius - 0.6) * 6.0 + 2 * 0.6 * 6.0), rel=0.01
+    )
     assert apse.normal == pytest.approx((0.0, 1.0, 0.0), abs=1e-6)
 
 

@@ -394,6 +394,8 @@ def _study_of_mechanisms(
         for name, section in chosen.items()
     }
     own = files.spectrum
+    chains = (each for each in content.mechanisms.values() if isinstance(each, sections.ChainSection))
+    in_blocks = {body for each in chains for block in each.blocks for body in block}
     question = question_of(content, site_pga=own.pga if own else 0.0, scale=own.factor if own else 1.0)
     return Study(
         spectrum=files.spectrum,
@@ -419,6 +421,7 @@ def _study_of_mechanisms(
         options=options_of(content),
         mechanisms=tuple(each.mechanism for each in built.values()),
         scenes={each.mechanism.name: each.scene for each in built.values() if each.scene is not None},
+        beside=tuple(solid for name, solid in files.solids.items() if solid is not None and name not in in_blocks),
         amplified={name: amplify(amplification_method_of(chosen[name]), one) for name, one in in_place.items()},
         equations={name: _equation_of(section, content) for name, section in chosen.items()},
         inputs=(),

@@ -9,6 +9,7 @@ from assess.oscillator import BranchName
 from assess.results.mechanism import (
     AmplificationFactor,
     AmplificationResult,
+    BodyEdges,
     BranchCurve,
     BranchMoment,
     CapacityCurve,
@@ -74,6 +75,7 @@ __all__ = [
     "SCHEMA_VERSION",
     "AmplificationFactor",
     "AmplificationResult",
+    "BodyEdges",
     "BranchCurve",
     "BranchMoment",
     "BranchName",

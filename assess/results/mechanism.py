@@ -198,6 +198,14 @@ class View(ShortRepr):
 
 
 @dataclass(frozen=True, repr=False)
+class BodyEdges(ShortRepr):
+    """A body of which no mechanism moves any part: its sharp edges in space, each by its two ends [m]."""
+
+    name: str
+    edges: tuple[tuple[Place, Place], ...]
+
+
+@dataclass(frozen=True, repr=False)
 class HingeAxis(ShortRepr):
     """The axis of rotation at a hinge: its two ends [m]."""
 

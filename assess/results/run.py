@@ -8,7 +8,7 @@ from typing import Literal
 from assess.codes.check import Outcome, Role
 from assess.codes.verdict import Decision, Verdict
 from assess.messages.message import Message, Term
-from assess.results.mechanism import CriticalResult, MechanismResult
+from assess.results.mechanism import BodyEdges, CriticalResult, MechanismResult
 from assess.results.provenance import NO_MATTER, Floats, Input, Program, ReportMatter, ResolvedValue
 from assess.results.verification import AnnexResult
 from assess.short_repr import ShortRepr
@@ -25,6 +25,7 @@ class Results(ShortRepr):
     falling : mechanisms that fall under their own loads, which have no more than their place in the verdict
     uncertainty : None where the project gives no uncertain numbers, and in results of older versions
     verification : the annex of verification that the run names; None where there is none
+    beside : the bodies of the project that belong to no mechanism, such as floors and roofs, for drawing
     """
 
     schema_version: int
@@ -47,6 +48,7 @@ class Results(ShortRepr):
     uncertainty: UncertaintyResult | None = None
     verification: AnnexResult | None = None
     falling: tuple[FallingMechanism, ...] = ()
+    beside: tuple[BodyEdges, ...] = ()
 
 
 @dataclass(frozen=True, repr=False)

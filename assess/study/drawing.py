@@ -19,7 +19,7 @@ from assess.loads.load import Force, Load, Point, PointMass
 from assess.mechanisms.chain import Chain, hinge_names, mirror_point, move, trace_point
 from assess.mechanisms.mechanism import Mechanism
 from assess.oscillator import Branch, Oscillator
-from assess.results import DisplacedDrawing, Drawing, DrawnLoad, HingeAxis, NamedPoint, Place, Ring, View
+from assess.results import BodyEdges, DisplacedDrawing, Drawing, DrawnLoad, HingeAxis, NamedPoint, Place, Ring, View
 from spectra.arrays import FloatArray, IntArray
 
 BlockOutline = tuple[Ring, int]  # an outline and its block
@@ -88,6 +88,26 @@ def view_in_space(mechanism: Mechanism, scene: Scene) -> View:
         size=rounded_points(size[None], decimals)[0],
         given=sum(len(triangles) for _, triangles, _ in surfaces),
     )
+
+
+SHARP = 0.77  # cosine of the angle between two faces, 40 degrees, from which on their common edge is drawn
+EDGE_TRIANGLES = 1000  # of a body of which the edges alone are drawn
+
+
+def edges_in_space(solid: Solid) -> BodyEdges:
+    """Return the sharp edges of a body."""
+    vertices, triangles = simplify(solid.vertices, solid.triangles, limit=EDGE_TRIANGLES)
+    corners = vertices[triangles]
+    normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    normals /= np.linalg.norm(normals, axis=1, keepdims=True)
+    ends = np.sort(np.concatenate([triangles[:, [k, (k + 1) % 3]] for k in range(3)]), axis=1)
+    edges, index, count = np.unique(ends, axis=0, return_inverse=True, return_counts=True)
+    added = np.zeros((len(edges), 3))
+    np.add.at(added, index.ravel(), np.tile(normals, (3, 1)))
+    cosine = (np.sum(added**2, axis=1) - 2.0) / 2.0  # |a + b|^2 = 2 + 2 a . b
+    drawn = vertices[edges[(count != 2) | (cosine < SHARP)]]
+    decimals = COORDINATE_FIGURES - 1 - floor(log10(float(np.ptp(vertices, axis=0).max())))
+    return BodyEdges(solid.name, tuple((a, b) for a, b in (rounded_points(edge, decimals) for edge in drawn)))
 
 
 def rounded_points(points: FloatArray, decimals: int) -> tuple[Place, ...]:

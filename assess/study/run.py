@@ -49,6 +49,7 @@ from assess.study.assessment import (
 )
 from assess.study.checks import decide, mark_result
 from assess.study.controls import control_warnings, equilibrium_controls, multiplier_control
+from assess.study.drawing import edges_in_space
 from assess.study.ground_motion import ground_motion, record_result, spectrum_result, with_primary_pulses
 from assess.study.histories import (
     RockingCase,
@@ -213,6 +214,7 @@ def _run_state(
         sweeps=sweep_results(sweeps, controlling),
         verdict=verdict,
         falling=study.falling,
+        beside=tuple(map(edges_in_space, study.beside)),
         ground_motion=ground_motion(study, spectrum, motions),
         sensitivity=sensitivities(study, spectrum, motions, results, jobs=jobs, progress=progress),
         stamp=stamp("run", program, study.inputs),

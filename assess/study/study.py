@@ -14,6 +14,7 @@ from assess.codes.question import Question, VerdictFacts, find_limit_states, met
 from assess.dynamics.packing import Equation
 from assess.errors import ProjectError
 from assess.geometry.cut import Scene
+from assess.geometry.solid import Solid
 from assess.mechanisms.mechanism import Mechanism
 from assess.messages.message import Message
 from assess.results import (
@@ -87,7 +88,7 @@ class Study:
     equations : the equation of motion of each mechanism's histories, by name
     amplified : how the motion of the histories reaches each mechanism, by name
     fitting : how the records are scaled
-    scenes : the bodies in space of each mechanism that has geometry, by name
+    scenes : the bodies in space of each mechanism that has geometry, by name; beside : those of no mechanism
     sweeps : parametric studies; a case has none
     question : what decides
     facts : what a pass of each mechanism needs and is not given, and its conditions, by name
@@ -146,6 +147,7 @@ class Study:
     sampling: Sampling | None = None
     annex: AnnexResult | None = None
     falling: tuple[FallingMechanism, ...] = ()
+    beside: tuple[Solid, ...] = ()
     replaceables: tuple[Replaceable, ...] = ()
     replaced: Callable[[Sequence[Replaceable]], Study] | None = None
 
@@ -360,7 +362,7 @@ def without_scenes(study: Study) -> Study:
         replace(sweep, cases=tuple(replace(case, study=replace(case.study, scenes={})) for case in sweep.cases))
         for sweep in study.sweeps
     ]
-    return replace(study, scenes={}, sweeps=tuple(sweeps))
+    return replace(study, scenes={}, beside=(), sweeps=tuple(sweeps))
 
 
 def may_follow_motion(question: Question) -> bool:

@@ -50,6 +50,7 @@ KEY_PLAN_SIZE = PictureSize(wide=WIDTH, tall=3.6, left=0.8, around=0.2)
 SHARP_ANGLE = radians(40)  # angle between faces from which on their common edge is drawn
 LEGEND_HEIGHT = 0.24  # height [in]
 HINGE_COLOUR = "#101820"
+BESIDE = "#3b6ea5"  # of the edges of bodies of no mechanism
 CRACK_DASHES = (0, (2, 1.5))
 
 HATCHINGS: Mapping[WallOutcome, Hatching] = {
@@ -65,11 +66,14 @@ VERDICT_WORDS: Mapping[WallOutcome, Phrase] = {
 
 def draw_key_plan(building: BuildingScene, locale: Locale) -> Figure:
     """Draw all bodies."""
-    camera = fit_camera(building.direction, _scene_points(building, building.moving_parts), KEY_PLAN_SIZE)
+    points = np.concatenate([_scene_points(building, building.moving_parts), building.beside.reshape(-1, 3)])
+    camera = fit_camera(building.direction, points, KEY_PLAN_SIZE)
     with report_style():
         figure, axes = scene_sheet(camera, WIDTH, locale, below=LEGEND_HEIGHT)
         _paint_building(axes, building, camera, dict(enumerate(building.moving_parts)))
         occluders, owner = project_faces(building.surface, building.owner, camera)
+        for edge in building.beside:
+            _draw_line(axes, camera.project(edge), occluders, colour=BESIDE, width=0.6, dash="-")
         tags = []
         for place, part in enumerate(building.moving_parts):
             _draw_lines(axes, part, camera, occluders)
@@ -83,13 +87,17 @@ def draw_key_plan(building: BuildingScene, locale: Locale) -> Figure:
 
 def key_plan_caption(building: BuildingScene) -> Text:
     """Return what the key plan shows."""
-    shows = say(
-        "Key plan: the bodies in one view, the moving part of each mechanism with its number and in the colour of its "
-        "verdict, with its axes of rotation and cracks."
-    )
-    if not building.apart:
-        return shows
-    return Paragraph((shows, say("The bodies are drawn apart: the project gives them no common position.")))
+    shows: list[Phrase] = [
+        say(
+            "Key plan: the bodies in one view, the moving part of each mechanism with its number and in the colour of "
+            "its verdict, with its axes of rotation and cracks."
+        )
+    ]
+    if len(building.beside):
+        shows.append(say("Blue lines: the edges of bodies that belong to no mechanism, such as floors."))
+    if building.apart:
+        shows.append(say("The bodies are drawn apart: the project gives them no common position."))
+    return Paragraph(tuple(shows))
 
 
 def model_of_key_plan(building: BuildingScene) -> SpatialModel:
@@ -98,7 +106,10 @@ def model_of_key_plan(building: BuildingScene) -> SpatialModel:
         owner: FIXED if owner < 0 else VERDICT[building.moving_parts[owner].outcome]
         for owner in np.unique(building.owner).tolist()
     }
-    wires = tuple(wire for part in building.moving_parts for wire in _wires_of_part(part))
+    wires = (
+        *(wire for part in building.moving_parts for wire in _wires_of_part(part)),
+        *(Wire(rounded_points(edge), BESIDE) for edge in building.beside),
+    )
     return scene_model(building.surface, building.owner, colours, wires, SHARP_ANGLE, building.direction)
 
 
@@ -164,6 +175,7 @@ class BuildingScene:
     group : of bodies that each triangle [m] belongs to
     apart : whether bodies that the project places one in the other are drawn side by side
     direction : horizontal, of motion, towards which the picture looks best [3]
+    beside : edges of bodies of no mechanism, by their two ends [k, 2, 3] [m]; none where bodies are drawn apart
     """
 
     surface: TriangleSurface
@@ -172,6 +184,7 @@ class BuildingScene:
     moving_parts: tuple[MovingPart, ...]
     apart: bool
     direction: FloatArray
+    beside: FloatArray
 
     @property
     def mechanisms(self) -> frozenset[str]:
@@ -201,9 +214,10 @@ def building_of(results: Results) -> BuildingScene | None:
             moving_parts.append(_moving_part(results, alike, number, triangles, step))
         owners.append(owner)
     group = np.repeat(np.arange(len(groups)), [len(owner) for owner in owners])
-    return BuildingScene(
-        _join_surfaces(surfaces, steps), np.concatenate(owners), group, tuple(moving_parts), apart, direction
-    )
+    edges = [] if apart else [edge for body in results.beside for edge in body.edges]
+    beside = np.array(edges, dtype=np.float64).reshape(-1, 2, 3)
+    joined = _join_surfaces(surfaces, steps)
+    return BuildingScene(joined, np.concatenate(owners), group, tuple(moving_parts), apart, direction, beside)
 
 
 def building_of_mechanism(building: BuildingScene, place: int) -> BuildingScene:
@@ -357,6 +371,8 @@ def _legend(figure: Figure, axes: Axes, building: BuildingScene, locale: Locale)
         colours.append((FIXED, say("does not move")))
     patches = [Patch(facecolor=ink, edgecolor=INK, linewidth=0.5, label=locale.text(word)) for ink, word in colours]
     lines = axes.plot([], [], color=HINGE_COLOUR, linewidth=1.8, label=locale.text(say("axis of rotation")))
+    if len(building.beside):
+        lines += axes.plot([], [], color=BESIDE, linewidth=0.6, label=locale.text(say("body of no mechanism")))
     if any(part.cracks for part in building.moving_parts):
         lines += axes.plot([], [], color=INK, linewidth=0.7, linestyle=CRACK_DASHES, label=locale.text(say("crack")))
     figure.legend(handles=[*patches, *lines], loc="lower center", ncols=6, borderaxespad=0.1)

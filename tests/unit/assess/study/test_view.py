@@ -17,7 +17,7 @@ from assess.geometry.solid import box, polyhedron
 from assess.mechanisms.single_block import single_block
 from assess.project.build import build
 from assess.project.project_file import load
-from assess.study.drawing import VIEW_TRIANGLES, view_in_space
+from assess.study.drawing import VIEW_TRIANGLES, edges_in_space, view_in_space
 from assess.study.mechanism_results import parameters
 from tests.support.projects import block, project_toml, published, wall
 
@@ -134,3 +134,23 @@ def test_a_scan_is_simplified_for_the_results_only():
     assert mesh(seen, block=0).volume == pytest.approx(sphere.volume, rel=0.02)
     assert mesh(seen, block=-1).volume == pytest.approx(1.0, rel=1e-3)
     assert len(json.dumps([seen.vertices, seen.triangles])) < 200_000
+
+
+def test_the_edges_of_a_body_of_no_mechanism_are_those_of_its_solid():
+    """A slab has twelve, no diagonals, whatever its faces are made of; an ICO sphere of fine faces has none."""
+    slab = box(thickness=4.0, length=3.0, height=0.2, base=(1.0, 2.0, 3.0), density=1000.0, name="slab")
+    found = edges_in_space(slab)
+    lengths = sorted(float(np.ptp(np.array(edge), axis=0).sum()) for edge in found.edges)
+    assert (found.name, lengths) == ("slab", pytest.approx([0.2] * 4 + [3.0] * 4 + [4.0] * 4))
+    fine = trimesh.creation.box((4.0, 3.0, 0.2)).subdivide().subdivide()
+    whole = edges_in_space(polyhedron(fine.vertices, fine.faces, density=1000.0, name="fine"))
+    assert sum(float(np.ptp(np.array(edge), axis=0).sum()) for edge in whole.edges) == pytest.approx(28.8)
+    sphere = trimesh.creation.icosphere(subdivisions=3)
+    assert edges_in_space(polyhedron(sphere.vertices, sphere.faces, density=1.0, name="ball")).edges == ()
+
+
+def test_what_no_mechanism_moves_stands_beside_them(tmp_path):
+    bodies = {"wall": wall(), "slab": wall(0.2, 3.0, 0.3, base=[2.0, 0.0, 4.0])}
+    path = tmp_path / "project.toml"
+    path.write_text(project_toml(site=None, bodies=bodies, mechanisms={"whole": block()}))
+    assert [each.name for each in build(load(path)).beside] == ["slab"]

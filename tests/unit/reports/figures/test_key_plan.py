@@ -11,7 +11,7 @@ import trimesh
 from matplotlib.colors import to_rgb
 
 from assess.codes.verdict import Decision
-from assess.results import MechanismResult, Results, View
+from assess.results import BodyEdges, MechanismResult, Results, View
 from assess.results.mechanism import HingeAxis
 from assess.results.provenance import ResolvedValue
 from reports.figures import key_plan
@@ -110,6 +110,22 @@ def test_walls_at_their_places_stay_there(results: Results) -> None:
     assert not found.apart
     assert found.surface.vertices[:, 0].max() == pytest.approx(5.3)
     assert "drawn apart" not in Locale().text(key_plan.key_plan_caption(found))
+
+
+def test_bodies_of_no_mechanism_are_lines_where_all_stand_at_their_places(results: Results) -> None:
+    slab = BodyEdges("slab", (((0.0, 0.0, 3.0), (4.0, 0.0, 3.0)), ((4.0, 0.0, 3.0), (4.0, 9.0, 3.0))))
+    walls = [(wall(), "north"), (wall((5.0, 0.0, 0.0)), "south")]
+    found = building_of(replace(built(results, walls), beside=(slab,)))
+    assert found is not None
+    assert found.beside.tolist() == [[list(end) for end in edge] for edge in slab.edges]
+    lines = [wire for wire in key_plan.model_of_key_plan(found).wires if wire.colour == key_plan.BESIDE]
+    assert [wire.points for wire in lines] == list(slab.edges)
+    figure = key_plan.draw_key_plan(found, Locale())
+    assert key_plan.BESIDE in {line.get_color() for line in figure.axes[0].lines}
+    assert "belong to no mechanism" in Locale().text(key_plan.key_plan_caption(found))
+    apart = building_of(replace(built(results, [(wall(), "north"), (wall(height=5.0), "south")]), beside=(slab,)))
+    assert apart is not None
+    assert not apart.beside.size
 
 
 def test_results_without_geometry_have_no_key_plan(results: Results) -> None:

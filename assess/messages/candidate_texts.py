@@ -21,6 +21,7 @@ CANDIDATE_TEXTS: Mapping[str, str] = {
     "reason-spans": "held at z = {low} and at z = {high}, free between",
     "reason-bay": "bay of {span} between {one} and {other}, with masonry beyond both to thrust against",
     "reason-cap": "stands free above z = {z}",
+    "reason-apse": "bends in plan over {length}; it may break outwards above a crack of any height and inclination",
     "reason-shaft": "free-standing, {height} high; a crack may run at any height and inclination",
     "reason-arch": "arch that spans {span}",
     "reason-portal": "{over} stands on {one} and {other}, which may sway",

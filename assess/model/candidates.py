@@ -13,6 +13,7 @@ from itertools import pairwise
 from typing import TYPE_CHECKING, Literal
 
 import numpy as np
+import shapely
 
 from assess.geometry.contact import find_contact
 from assess.loads.load import OverburdenLoad
@@ -35,7 +36,7 @@ from assess.model.least_multipliers import (
     weakest_turn,
     weakest_wedges,
 )
-from assess.model.structure import Part, PartKind, Structure
+from assess.model.structure import IN_LINE, Part, PartKind, Structure
 from assess.short_repr import ShortRepr
 from spectra.gravity import g
 
@@ -172,11 +173,12 @@ class MechanismClass:
 
 @dataclass(frozen=True)
 class Seed:
-    """Parts that can move in one way: why, and what finds their least multiplier."""
+    """Parts that can move in one way: why, what finds their least multiplier, and what of a church they are."""
 
     parts: tuple[Part, ...]
     reason: Message
     find: Callable[[], Found]
+    of_church: str = ""
 
 
 def find_candidates(structure: Structure) -> Candidates:
@@ -206,7 +208,7 @@ def _candidate(row: MechanismClass, seed: Seed, drawing: Drawing, *, taken: set[
         carries=tuple(load.body for load in drawing.loads_on(seed.parts, above=low)),
         held_by=tuple(dict.fromkeys(tie.name for part in seed.parts for tie in structure.ties_of(part.name))),
         found=found,
-        examines=row.examines,
+        examines={**row.examines, "church": seed.of_church} if seed.of_church else row.examines,
     )
 
 
@@ -242,7 +244,7 @@ def _overturning(drawing: Drawing, *, storeys: Literal["one", "several"]) -> Ite
             high = min([*levels[number + 1 : number + 2], low + 0.85 * (top - low)])
             if ways:
                 find = partial(_weakest_way, parts, tuple(ways), drawing, low=low, high=high)
-                yield Seed(parts, _why_free(stack, parts, low, drawing), find)
+                yield Seed(parts, _why_free(stack, parts, low, drawing), find, _part_of_church(stack, low, drawing))
 
 
 def _with_wedges(drawing: Drawing) -> Iterator[Seed]:
@@ -261,6 +263,7 @@ def _with_wedges(drawing: Drawing) -> Iterator[Seed]:
             (*parts, *behind),
             reason,
             partial(weakest_wedges, parts, stack[0].normal, drawing, behind, elevation=low),
+            _part_of_church(stack, low, drawing),
         )
 
 
@@ -282,7 +285,10 @@ def _corners(drawing: Drawing) -> Iterator[Seed]:
             parts = tuple(part for part in (*stack, *other) if part.kind in ("wall", "pier"))
             sides = tuple(tuple(part for part in each if part.kind in ("wall", "pier")) for each in (stack, other))
             reason = note("reason-corner", one=stack[0].name, other=other[0].name)
-            yield Seed(parts, reason, partial(weakest_corner, (sides[0], sides[1]), drawing))
+            cell = _stands_on_tower(stack, drawing) and _stands_on_tower(other, drawing)
+            yield Seed(
+                parts, reason, partial(weakest_corner, (sides[0], sides[1]), drawing), "bell-cell" if cell else ""
+            )
 
 
 def _bending(drawing: Drawing) -> Iterator[Seed]:
@@ -331,6 +337,8 @@ def _gables(drawing: Drawing) -> Iterator[Seed]:
     """Find the gables: parts of their own, and what walls have above all that meet them."""
     yield from _caps(drawing, kinds=("gable",))
     for wall in drawing.structure.of_kind("wall"):
+        if _bends(wall):
+            continue
         meeting = [cross.part.top for cross in drawing.structure.cross_walls(wall.name)]
         eaves = max(meeting, default=wall.top) if wall.eaves is None else wall.eaves
         ways = tuple(_ways((wall,)))
@@ -367,6 +375,38 @@ def _portals(drawing: Drawing, *, on_tower: bool) -> Iterator[Seed]:
         top = _standing_above((over,), over.base, drawing)
         reason = note("reason-portal", over=over.name, one=piers[0].name, other=piers[1].name)
         yield Seed((*piers, *top), reason, partial(weakest_portal, (piers[0], piers[1]), top, drawing))
+
+
+def _bell_cells(drawing: Drawing) -> Iterator[Seed]:
+    """Find the bell cells: a portal on a tower, or two of its walls that carry all walls above them, drawn bonded."""
+    yield from _portals(drawing, on_tower=True)
+    structure = drawing.structure
+    for tower in structure.of_kind("tower"):
+        piers = [part for part in structure.standing_on(tower.name) if part.kind in ("pier", "wall")]
+        if len(piers) != 2 or abs(float(np.dot(piers[0].normal, piers[1].normal))) < IN_LINE:
+            continue
+        over = {part.name: part for part in structure.standing_on(piers[0].name)}
+        new = list(over.values())
+        while new:
+            bonded = [(each, part) for part in new for each in structure.contacts_of(part.name)]
+            near = {each.other(part.name) for each, part in bonded if each.relation == "bonded-to"}
+            new = [structure.part(name) for name in sorted(near - {*over, *(pier.name for pier in piers)})]
+            over |= {part.name: part for part in new}
+        first, other = ({part.name for part in structure.standing_on(pier.name)} for pier in piers)
+        if over and first <= set(over) and other and other <= set(over):
+            top = tuple(over.values())
+            names = ", ".join(over)
+            reason = note("reason-portal", over=names, one=piers[0].name, other=piers[1].name)
+            yield Seed((*piers, *top), reason, partial(weakest_portal, (piers[0], piers[1]), top, drawing))
+
+
+def _apses(drawing: Drawing) -> Iterator[Seed]:
+    """Find the walls that bend in plan, which break outwards above an inclined crack."""
+    for wall in drawing.structure.of_kind("wall"):
+        if _bends(wall):
+            low, high = wall.base, wall.base + 0.6 * wall.height
+            find = partial(weakest_crack, wall, (wall.normal,), drawing, low=low, high=high)
+            yield Seed((wall,), note("reason-apse", length=Quantity(wall.length, "length", 3)), find)
 
 
 CLASSES: tuple[MechanismClass, ...] = (
@@ -411,7 +451,8 @@ CLASSES: tuple[MechanismClass, ...] = (
     ),
     MechanismClass("arch", Term("arch on four hinges"), {"church": "triumphal-arch"}, _arches),
     MechanismClass("portal", Term("sway of a portal"), {"church": "porch"}, partial(_portals, on_tower=False)),
-    MechanismClass("belfry", Term("sway of a belfry"), {"church": "bell-cell"}, partial(_portals, on_tower=True)),
+    MechanismClass("belfry", Term("sway of a belfry"), {"church": "bell-cell"}, _bell_cells),
+    MechanismClass("apse", Term("fall of an apse above an inclined crack"), {"church": "apse"}, _apses),
     MechanismClass(
         "tower", Term("fall above an inclined crack"), {"church": "bell-tower"}, partial(_shafts, kinds=("tower",))
     ),
@@ -443,6 +484,45 @@ def _ways(parts: Sequence[Part]) -> Iterator[Vector]:
     if not lead.is_plate:
         yield lead.along
         yield _opposite(lead.along)
+
+
+def _part_of_church(stack: Sequence[Part], low: float, drawing: Drawing) -> str:
+    """Return the entry of the list of churches that walls which turn above a level answer; empty where none is plain.
+
+    The façade is the outer wall with a pitched top; what faces away from it, and a wall that bends, is the apse.
+    """
+    lead = next((part for part in stack if part.outward), stack[0])
+    if _stands_on_tower(stack, drawing):
+        return "bell-cell"
+    if any(_bends(part) for part in stack):
+        return "apse"
+    fronts = [part for part in drawing.structure.of_kind("wall", "gable") if part.eaves is not None and part.outward]
+    if not lead.outward or not fronts:
+        return ""
+    if any(part in stack for part in fronts):
+        return "facade" if low <= min(part.base for part in stack) + NEAR_LEVEL else "facade-top"
+    same_way = [float(np.dot(lead.normal, front.normal)) for front in fronts]
+    if min(same_way) < -IN_LINE:
+        return "apse"
+    return "nave-transverse" if max(map(abs, same_way)) < ACROSS else ""
+
+
+BENT = 1.15  # of thickness, length and height: a wall with more volume bends in plan
+ACROSS = 0.34  # cosine: walls whose normals are more than 70 degrees apart are across one another
+
+
+def _bends(part: Part) -> bool:
+    return part.kind == "wall" and part.volume > BENT * part.thickness * part.length * part.height
+
+
+def _stands_on_tower(stack: Sequence[Part], drawing: Drawing) -> bool:
+    """Return whether all of some walls rise over a tower."""
+    for tower in drawing.structure.of_kind("tower"):
+        plan = shapely.MultiPoint(tower.solid.vertices[:, :2]).convex_hull
+        over = [shapely.Point(part.solid.centroid[:2]).within(plan) for part in stack]
+        if all(over) and min(part.base for part in stack) >= tower.top - NEAR_LEVEL:
+            return True
+    return False
 
 
 def _opposite(way: Vector) -> Vector:

@@ -244,7 +244,7 @@ def _shaft_in_place(part: Part, shape: Shape, element: Element, place: _Place) -
     side = shape.plan**0.5
     if side >= TOWER_SIDE and part.height >= TOWER_RATIO * side:
         return "tower"
-    if shape.tapers and place.alone:
+    if shape.tapers and place.free:
         return "pinnacle"
     if class_of(element) in ("IfcColumn", "IfcWall") or not place.on_top:
         return "chimney" if place.above_roof and class_of(element) != "IfcColumn" else "pier"
@@ -258,7 +258,7 @@ class _Place:
 
     Attributes
     ----------
-    alone : whether it touches nothing
+    free : whether it touches nothing, or is elevated and carries nothing
     elevated : whether it rests on another part, above the ground
     floats : whether it rests on nothing above the ground
     on_top : whether it is elevated, most of its base rests, and it carries nothing
@@ -273,8 +273,8 @@ class _Place:
         carries = any(each.second == part.name and each.relation in ("bears-on", "stands-on") for each in contacts)
         area = sum(each.area for each in rests)
         above_ground = part.base > structure.lowest + ABOVE_GROUND
-        self.alone = not contacts
         self.elevated = above_ground and bool(rests)
+        self.free = not contacts or (self.elevated and not carries)
         self.floats = above_ground and not rests
         self.on_top = self.elevated and not carries and area >= SUPPORTED * shape.plan
         others = [structure.part(each.other(part.name)) for each in contacts]

@@ -66,6 +66,7 @@ FOUND: list[tuple[str, str, Mapping[str, Solid]]] = [
     ("tower", "it", {"it": prism((0.0, 0.0, 4.0, 4.0), 0.0, 15.0)}),
     ("chimney", "it", {**BELOW, "it": prism((1.0, 2.35, 1.6, 2.85), 4.0, 1.6)}),
     ("pinnacle", "it", {**BELOW, "it": pyramid((1.0, 2.35, 1.5, 2.85), 4.0, 1.5)}),
+    ("pinnacle", "it", {**BELOW, "it": pyramid((-2.4, -2.4, 2.4, 2.4), 4.0, 6.0)}),  # a spire on the rims of two walls
     ("tie", "it", {**BELOW, "it": prism((0.0, -2.9, 0.03, 2.9), 3.5, 0.03)}),
 ]  # fmt: skip
 ABSENT: list[tuple[str, str, Mapping[str, Solid]]] = [

@@ -6,7 +6,7 @@ cannot show: walls that meet are not bonded, ties do not pull, and a roof pushes
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial, reduce
 from itertools import pairwise
@@ -48,6 +48,7 @@ TIE = 1.1  # multipliers up to this many times the least are as weak, as far as 
 LOW_STOREY = 1.0  # m: less between two levels is no storey
 LOW_GABLE = 0.5  # m: less above the walls that meet a wall is no gable
 HELD = 0.4  # m: a floor this near the top of a wall holds it there
+MOSTLY = 0.49  # of its foot, by area: what stands so far on parts that move goes with them
 UPRIGHT: tuple[PartKind, ...] = ("wall", "pier", "spandrel", "gable", "parapet", "tower", "chimney", "pinnacle", "arch")
 """Kinds of parts each of which must have a mechanism, or is named."""
 
@@ -542,15 +543,26 @@ def _levels(stack: Sequence[Part], drawing: Drawing) -> tuple[float, ...]:
 
 
 def _standing_above(stack: Sequence[Part], level: float, drawing: Drawing) -> tuple[Part, ...]:
-    """Return the parts of a stack above a level, and what stands on them."""
+    """Return the parts of a stack above a level, and what stands on them with at least half of its foot.
+
+    A gable that only ends on the corner of a façade stays where it is: taken along, it would widen the base.
+    """
     moved = {part.name: part for part in stack if part.top > level + NEAR_LEVEL}
     new = list(moved.values())
     while new:
         on_top = [each for part in new for each in drawing.structure.standing_on(part.name)]
         new = [each for each in {part.name: part for part in on_top}.values() if each.name not in moved]
         new = [each for each in new if each.kind in ("gable", "parapet", "chimney", "pinnacle") or each in stack]
+        new = [each for each in new if each in stack or _share_on(each, moved, drawing) >= MOSTLY]
         moved |= {part.name: part for part in new}
     return tuple(sorted(moved.values(), key=lambda part: (part.base, part.name)))
+
+
+def _share_on(part: Part, carriers: Collection[str], drawing: Drawing) -> float:
+    """Return how much of what a part stands on belongs to some others, by area [-]."""
+    feet = [each for each in drawing.structure.contacts_of(part.name) if each.first == part.name]
+    areas = {each.second: each.area for each in feet if each.relation == "stands-on"}
+    return sum(area for name, area in areas.items() if name in carriers) / sum(areas.values())
 
 
 def _walls_behind(stack: Sequence[Part], drawing: Drawing) -> tuple[Part, ...]:

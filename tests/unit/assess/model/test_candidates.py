@@ -90,6 +90,18 @@ def test_a_gable_and_a_chimney_turn_on_what_they_stand_on(found: Candidates) -> 
     assert len(one(found, "chimney", "Chimney").ties) == 3  # as weak in all four directions
 
 
+def test_a_gable_that_ends_on_a_corner_of_a_facade_stays_where_it_is() -> None:
+    """A façade 3 m high and 0.5 m thick turns at 0.5/3, though the gable of the side wall ends on its corner."""
+    front = part_of("Front", block((0, 6), (0, 0.5), (0, 3)), normal=(0, -1), outward=True)
+    side = part_of("Side", block((0, 0.5), (0.5, 6), (0, 3)), normal=(-1, 0), outward=True)
+    gable = part_of("Gable", block((0, 0.5), (0, 6), (3, 5)), "gable", normal=(-1, 0), outward=True)
+    parts = (front, side, gable)
+    found = find_candidates(Structure(parts=parts, contacts=touching(parts)))
+    assert one(found, "overturning", "Front").parts == ("Front",)
+    assert one(found, "overturning", "Front").multiplier == pytest.approx(0.5 / 3.0, rel=1e-6)
+    assert one(found, "overturning", "Side").parts == ("Side", "Gable")
+
+
 def test_what_a_wall_has_above_those_that_meet_it_is_a_gable() -> None:
     end = profile([(-3, 0), (3, 0), (3, 3), (0, 5), (-3, 3)], length=0.5, density=STONE, name="end")
     wall = part_of("End", end, normal=(0, 1), outward=True)

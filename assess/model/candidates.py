@@ -537,7 +537,7 @@ def _levels(stack: Sequence[Part], drawing: Drawing) -> tuple[float, ...]:
     floors = [each for part in stack for each in drawing.bearing_elevations(part)]
     found: list[float] = []
     for level in distinct_levels([*feet, *floors]):
-        if level <= top - LOW_STOREY and (not found or level >= found[-1] + LOW_STOREY):
+        if level <= top - LOW_STOREY + NEAR_LEVEL and (not found or level >= found[-1] + LOW_STOREY - NEAR_LEVEL):
             found.append(level)
     return tuple(found)
 

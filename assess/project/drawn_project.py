@@ -66,7 +66,7 @@ def draw_project(
     stated = [each for each in candidates if is_stated(each)]
     meshes = {_mesh_path(names[part.name]): part.solid for part in structure.parts if not _is_element(part, structure)}
     lines = [
-        f"# Drawn from {', '.join(structure.files)} by `assess new --from`.",
+        *_comment(f"Drawn from {', '.join(structure.files)} by `assess new --from`."),
         "# What only a survey can tell is to be filled in at the end; until then, what needs it is not answered.",
         "",
         f"title = {_text(title)}",
@@ -295,9 +295,9 @@ def _survey(structure: Structure, stated: Sequence[Candidate]) -> Iterator[str]:
 
 
 def _comment(text: str, width: int = 116) -> Iterator[str]:
-    """Yield a text as lines of comment."""
+    """Yield a text as lines of comment, without what TOML allows in none: names of models hold anything."""
     line = ""
-    for word in text.split():
+    for word in "".join(letter if letter.isprintable() else " " for letter in text).split():
         if line and len(line) + len(word) + 1 > width:
             yield f"# {line}"
             line = "  " * text.startswith("- ")
@@ -306,8 +306,8 @@ def _comment(text: str, width: int = 116) -> Iterator[str]:
 
 
 def _text(text: str) -> str:
-    """Write a text as TOML does, which quotes as JSON does."""
-    return json.dumps(text, ensure_ascii=False)
+    """Write a text as TOML does, which quotes as JSON does, and DEL too."""
+    return json.dumps(text, ensure_ascii=False).replace("\x7f", "\\u007f")
 
 
 def _table(values: Mapping[str, Any]) -> str:

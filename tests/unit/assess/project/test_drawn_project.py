@@ -1,5 +1,7 @@
 """Projects drawn from a model: they state what was found, run once filled in, and are written whole or not at all."""
 
+import tomllib
+from dataclasses import replace
 from math import cos, pi, radians, sin
 
 import pytest
@@ -161,3 +163,11 @@ def test_arches_portals_and_inclined_cracks_are_stated(tmp_path) -> None:
     assert {"arch-arch", "pier-0-0-portal", "tower-tower"} <= set(found)
     assert multipliers(tmp_path) == pytest.approx(found, rel=5e-3)
     assert 'building_type = "church"' in drawn.text
+
+
+def test_names_of_models_hold_anything(drawn) -> None:
+    _, structure, candidates = drawn
+    renamed = replace(structure, files=('a"\n[site]\nx = \x01\x7f',))
+    text = draw_project(renamed, candidates, title='a"\x7f\n[site]').text
+    assert tomllib.loads(text)["title"] == 'a"\x7f\n[site]'
+    assert "site" not in tomllib.loads(text)

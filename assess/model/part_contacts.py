@@ -127,13 +127,21 @@ def _covering(covering: Part, carrier: Part, solids: Mapping[str, Solid]) -> Ite
     bears = find_contact(wall, slab, tolerance=REACH) if below else None
     carries = find_contact(slab, wall, tolerance=REACH) if above else None
     borne, carried = (each.area if each is not None and each.bearing else 0.0 for each in (bears, carries))
-    if bears is not None and borne >= max(carried, LEAST_SEAT * _shared_length(carrier, slab)) > 0.0:
+    seat = LEAST_SEAT * _shared_length(carrier, slab)
+    on_edge = covering.kind == "roof" and borne >= LEAST_AREA and _shared_plan(covering, carrier) >= seat
+    if bears is not None and seat > 0.0 and borne >= carried and (borne >= seat or on_edge):
         yield _contact(covering, carrier, "bears-on", bears, gap=0.0)
         return
     if carries is not None and carried >= LEAST_AREA:
         yield _contact(carrier, covering, "stands-on", carries, gap=0.0)
         return
     yield from _facing(covering, carrier, solids)
+
+
+def _shared_plan(covering: Part, carrier: Part) -> float:
+    """Return the area that a roof and what may carry it share in plan [m2]; a slope may bear on an edge alone."""
+    plans = [shapely.MultiPoint(part.solid.vertices[:, :2]).convex_hull for part in (covering, carrier)]
+    return float(shapely.intersection(plans[0], plans[1]).area)
 
 
 def _shared_length(carrier: Part, slab: Solid) -> float:

@@ -104,10 +104,15 @@ def structure_of_models(
     )
 
 
+LISTED_FAULTS = 2  # of a file in which nothing is masonry: most of its parts have the same one
+
+
 def _nothing(file: str, left_out: Sequence[LeftOut]) -> str:
     """Return the text of an error where nothing is masonry."""
-    reasons = "; ".join(f"{each.name}: {each.reason}" for each in left_out[:MAX_LISTED])
-    return f"{file}: nothing in it is read as masonry ({reasons}); check the unit, the axis that is up and the names"
+    reasons = "; ".join(f"{each.name}: {each.reason}" for each in left_out[:LISTED_FAULTS])
+    reasons += f"; and {len(left_out) - LISTED_FAULTS} more" if len(left_out) > LISTED_FAULTS else ""
+    cure = "check the unit (--unit), the axis that is up (--up) and the names"
+    return f"{file}: nothing in it is read as masonry ({reasons}); {cure}"
 
 
 @dataclass(frozen=True)

@@ -5,8 +5,10 @@ from __future__ import annotations
 import pytest
 
 from assess.errors import GeometryError
-from assess.geometry.solid import box
+from assess.geometry.solid import box, profile
+from assess.model.part_contacts import find_contacts
 from assess.model.structure import TABLES, Part, PartContact, Structure
+from tests.support.buildings import TIMBER, block, part_of
 
 X, Y, UP = (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)
 
@@ -91,3 +93,15 @@ def test_table_holds_numbers_in_si(house):
     assert (row.thickness_m, row.base_m, row.mass_kg) == pytest.approx((0.4, 3.0, 0.4 * 6.0 * 3.0 * 1800.0))
     with pytest.raises(GeometryError, match="known are parts, contacts, storeys, left_out"):
         house.table("walls")
+
+
+def test_a_roof_that_slopes_bears_on_the_edge_of_a_wall() -> None:
+    """Rafters at 1 in 2 over the outer edge of a wall bear on it; a slab that ends 2 cm over it does not."""
+    wall = part_of("Wall", block((0, 0.5), (-3, 3), (0, 3)), outward=True, normal=(-1, 0))
+    slope = [(-0.5, 2.75), (3.5, 4.75), (3.5, 5.0), (-0.5, 3.0)]
+    roof = part_of("Roof", profile(slope, length=6.0, density=TIMBER, name="roof"), "roof")
+    (found,) = find_contacts((wall, roof)).contacts
+    assert (found.first, found.relation, found.second) == ("Roof", "bears-on", "Wall")
+    assert found.centroid[0] < 0.05
+    slab = part_of("Slab", block((0.48, 4), (-3, 3), (3.0, 3.2)), "roof")
+    assert not any(each.relation == "bears-on" for each in find_contacts((wall, slab)).contacts)

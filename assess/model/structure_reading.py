@@ -99,7 +99,12 @@ def structure_of_models(
         contacts=tuple(replace(each, first=names[each.first], second=names[each.second]) for each in contacts),
         storeys=storeys,
         left_out=tuple(left_out),
-        warnings=(*_splits(drafts), *_layers(order, names, by_name), *_assumptions(order)),
+        warnings=(
+            *_splits(drafts),
+            *_layers(order, names, by_name),
+            *_unborne(order, names, contacts),
+            *_assumptions(order),
+        ),
         files=tuple(files),
     )
 
@@ -242,6 +247,15 @@ def _layers(parts: Sequence[Part], names: Mapping[str, str], drafts: Mapping[str
         return []
     listed = first_names(built, MAX_LISTED)
     return [warning("layers-of-finish", number=whole_number(len(built)), names=listed)]
+
+
+def _unborne(parts: Sequence[Part], names: Mapping[str, str], contacts: Sequence[PartContact]) -> list[Message]:
+    """Warn of floors, roofs and vaults that bear on nothing, whose weight no mechanism has."""
+    borne = {each.first for each in contacts if each.relation == "bears-on"}
+    loose = [names[part.name] for part in parts if part.kind in COVERINGS and part.name not in borne]
+    if not loose:
+        return []
+    return [warning("bears-on-nothing", number=whole_number(len(loose)), names=first_names(loose, MAX_LISTED))]
 
 
 def _assumptions(parts: Sequence[Part]) -> list[Message]:

@@ -67,6 +67,7 @@ def draw_project(
     meshes = {_mesh_path(names[part.name]): part.solid for part in structure.parts if not _is_element(part, structure)}
     lines = [
         *_comment(f"Drawn from {', '.join(structure.files)} by `assess new --from`."),
+        *(line for each in structure.warnings for line in _comment(f"- Warning: {each}.")),
         "# What only a survey can tell is to be filled in at the end; until then, what needs it is not answered.",
         "",
         f"title = {_text(title)}",

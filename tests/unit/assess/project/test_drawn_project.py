@@ -40,6 +40,24 @@ def test_a_project_states_what_was_found(drawn) -> None:
     assert {"front-1-overturning-of-storeys", "gable-gable", "chimney-chimney", "front-2-bending"} <= set(found)
 
 
+def test_what_reading_the_model_warned_of_stands_at_the_top(drawn) -> None:
+    folder, structure, _ = drawn
+    head = (folder / "project.toml").read_text(encoding="utf-8").split("title =")[0]
+    assert structure.warnings
+    assert all(str(each).split(":")[0] in head for each in structure.warnings)
+
+
+def test_a_roof_that_hovers_over_its_walls_is_named(tmp_path) -> None:
+    parts = [
+        part_of("Wall", block((0, 0.5), (0, 6), (0, 3))),
+        part_of("Roof", block((0, 4), (0, 6), (3.1, 3.3)), "roof", normal=(0, 1)),
+    ]
+    (tmp_path / "house.obj").write_text(obj_of(parts))
+    structure, _ = write_project([tmp_path / "house.obj"], tmp_path / "new")
+    (found,) = [str(each) for each in structure.warnings if "bear on no wall" in str(each)]
+    assert "1 (Roof)" in found
+
+
 def test_bodies_are_elements_of_the_model(drawn) -> None:
     folder, _, _ = drawn
     text = (folder / "project.toml").read_text(encoding="utf-8")

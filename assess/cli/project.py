@@ -157,11 +157,14 @@ def mechanisms(
     print(mechanisms_text(found, margins), end="")
     if output is not None:
         from assess.outputs.writing import make_folder, replace_file
+        from reports.render.table_text import csv_lines
 
         with make_folder(output):
             file = output / "mechanisms.csv"
             with replace_file(file, command="assess mechanisms", is_replaceable=_is_table_of_mechanisms) as made:
-                found.table(margins).to_csv(made, index=False, lineterminator="\n")
+                table = found.table(margins).astype(object)
+                rows = table.where(table.notna(), "").values.tolist()
+                made.write_text(csv_lines([list(table.columns), *rows]), encoding="utf-8")
         print(file)
     if write:
         added = add_mechanisms(loaded, found.new)

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import re
+import shutil
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any, get_args
 
 import numpy as np
 import pytest
+import trimesh
 import typer
 
 from assess.cli import main
@@ -35,6 +37,8 @@ USES: dict[str, Sequence[tuple[str, ...]]] = {
     "envelope": [("{project}",)],
     "fragility": [("{project}",)],
     "batch": [("{portfolio}", "-o", "{out}-batch", "--rows-only")],
+    "mechanisms": [("{walls}",)],
+    "new": [("{out}-drawn", "--from", "{mesh}")],
     "diff": [("{results}", "{results}")],
     "verify": [("housner_1963", "--quick", "-o", "{out}-annex")],
     "records list": RECORDS,
@@ -99,9 +103,13 @@ def files(tmp_path_factory: pytest.TempPathFactory) -> dict[str, str]:
     (root / "walls.toml").write_text(PROJECT)
     (root / "portfolio" / "one").mkdir(parents=True)
     (root / "portfolio" / "one" / "project.toml").write_text(PROJECT)
+    trimesh.creation.box((4.0, 0.5, 3.0)).export(root / "wall.stl")
+    boxes = {"wall": {"material": "m", "box": {"thickness": 0.5, "length": 4.0, "height": 3.0}}}
+    (root / "boxes.toml").write_text(tables_toml(materials={"m": {"density": 1800}}, bodies=boxes))
     with pytest.raises(SystemExit):
         main(["envelope", str(root / "walls.toml"), "-o", str(root / "results"), "--jobs", "1"])
     paths = {"at2": "n.AT2", "east": "e.AT2", "bare": "bare.txt", "folder": "motions", "target": "target.csv"}
+    paths |= {"mesh": "wall.stl", "walls": "boxes.toml"}
     more = {"project": "walls.toml", "results": "results/envelopes.json", "portfolio": "portfolio", "out": "out"}
     return {key: str(root / path) for key, path in (paths | more).items()}
 
@@ -114,6 +122,7 @@ def test_hostile_numbers(
         codes = set()
         for use in USES[command]:
             Path(f"{files['out']}.csv").unlink(missing_ok=True)  # what is there is not written over
+            shutil.rmtree(f"{files['out']}-drawn", ignore_errors=True)
             typed = [*(part.format(**files) for part in use), option, *[value] * count]
             code, line = ended_with(capsys, *command.split(), *typed)
             assert code in (0, 2), (typed, line)

@@ -19,7 +19,7 @@ that of both its corners together.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -82,6 +82,21 @@ def arch_of(load: BodyLoad, body: Solid, *, along: FloatArray) -> Arch | None:
         for sign, size, given in measures
     ]
     return Arch(axis, span, rise, own, source)
+
+
+def leans_one_way(load: BodyLoad, body: Solid, *, direction: Sequence[float] | None) -> bool:
+    """Return whether a roof slopes one way only, along a motion: it pushes where nothing holds its upper end.
+
+    Parameters
+    ----------
+    load, body : the load that it is, and its solid
+    direction : of the motion, horizontal [3]; None where it is not stated, and any counts
+    """
+    falls = roof_slope(body)
+    if load.role != "roof" or falls.axis is None or falls.both_ways or falls.one_sided <= SINGLE_SLOPE:
+        return False
+    along = None if direction is None else np.array(direction) / np.linalg.norm(direction)
+    return along is None or abs(float(falls.axis @ along)) >= SPANS_ACROSS
 
 
 def body_mass(load: BodyLoad, body: Solid | None, *, mass: float) -> tuple[float, Term | Message]:

@@ -290,6 +290,8 @@ TEXTS: Mapping[str, str] = {
     "vouches for them; name one in [report.sources]: {keys}",
     "not-sought": "a pass is valid only for the mechanism as stated, as no weaker one is sought and no source vouches "
     "for it; name one in [report.sources]: {keys}",
+    "slope-as-beam": "a pass is valid only if a ridge beam or a wall carries the upper end of {what}, which slopes one "
+    "way: else it pushes, and has a thrust",
     "thrust-is-tied": "a pass is valid only if ties or tie-beams carry the thrust of {what} up to collapse",
     "falls-at-rest": "it falls under its own loads, uplift multiplier {multiplier}: {reason}",
     "falls-at-rest-unknown": "it falls under its own loads: {reason}",

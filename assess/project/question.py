@@ -21,6 +21,7 @@ from assess.codes.question import SOURCES, Action, Missing, Question, VerdictFac
 from assess.codes.sliding import ASCE43_05_SLIDING, SLIDING
 from assess.errors import ProjectError, locate_errors
 from assess.geometry.solid import Solid
+from assess.loads.roofs_and_vaults import leans_one_way
 from assess.messages.message import Message, Quantity, Severity, Value, message, whole_number
 from assess.project import sections
 from assess.project.key_errors import value_text
@@ -156,7 +157,7 @@ def facts_of(
                 *(_missing_masonry(content, name) if Premise.SOUND_MASONRY in premises else ()),
                 *_missing_wholes(content, name, solids),
             ),
-            (*holds, *_conditions(content, name)),
+            (*holds, *_conditions(content, name, solids)),
         )
         for name in names
     }
@@ -387,16 +388,25 @@ def _masonry(content: sections.Content, name: str) -> Mapping[str, str | None]:
     return found
 
 
-def _conditions(content: sections.Content, name: str) -> tuple[Message, ...]:
-    """Return what is not examined below a cut, and the thrusts that ties are stated to take."""
+def _conditions(content: sections.Content, name: str, solids: Mapping[str, Solid | None]) -> tuple[Message, ...]:
+    """Return what is not examined below a cut, the thrusts that ties are stated to take, and those of lone slopes."""
     section = content.mechanisms[name]
     loads = section.loads if isinstance(section, sections.ChainSection) else ()
     tied = (load.body for load in loads if load.kind == "body" and load.tied)
+    stated = getattr(section, "direction", None)
+    towards = None if stated is None or isinstance(stated, str) else stated
+    free = [each for each in loads if each.kind == "body" and each.thrust is None and not each.tied]
+    slopes = dict.fromkeys(
+        load.body
+        for load in free
+        if (solid := solids.get(load.body)) is not None and leans_one_way(load, solid, direction=towards)
+    )
     return (
         *_unexamined_below_cut(content, name),
         *_not_drawn(content, name),
         *_not_sought(content, name),
         *(message("thrust-is-tied", {"what": body}, severity=Severity.WARNING) for body in tied),
+        *(message("slope-as-beam", {"what": body}, severity=Severity.WARNING) for body in slopes),
     )
 
 

@@ -10,6 +10,7 @@ import pytest
 
 from assess.codes.question import SOURCES, Missing, merge_missing, methods_of, toml_lines
 from assess.geometry.mesh import load_solid
+from assess.geometry.solid import profile
 from assess.project.build import build
 from assess.project.project_file import load
 from assess.project.question import facts_of, lowered_pga_conditions, question_of
@@ -129,6 +130,29 @@ def test_a_thrust_that_ties_are_said_to_take_is_a_condition(tmp_path):
     load = 'loads = [{ kind = "body", body = "roof", role = "roof", tied = true, at = [0.0, 6.0], bearing = true }]'
     conditions = facts(tmp_path, more=load)[1]
     assert [(each.key, each.values) for each in conditions] == [("thrust-is-tied", {"what": "roof"})]
+
+
+@pytest.mark.parametrize(
+    ("more", "rise", "told"),
+    [
+        ("", 2.0, ["slope-as-beam"]),
+        ("", 0.0, []),  # flat
+        ('thrust = "1 kN"', 2.0, []),
+        ("tied = true", 2.0, ["thrust-is-tied"]),
+    ],
+)
+def test_a_slope_by_itself_passes_on_the_condition_that_its_upper_end_is_carried(tmp_path, more, rise, told):
+    """Of a couple of rafters without a ridge beam, drawn as two slabs, each looks like a beam."""
+    keys_of_load = ", ".join(each for each in ('kind = "body", body = "roof", role = "roof"', more) if each)
+    of = content(tmp_path, more=f"loads = [{{ {keys_of_load} }}]")
+    outline = [(0.0, 0.0), (4.0, rise), (4.0, rise + 0.2), (0.0, 0.2)]
+    slab = profile(outline, length=5.0, density=500.0, name="roof")
+    question = question_of(of, site_pga=1.0)
+    for direction, expected in (((1, 0, 0), told), ((0, 1, 0), [key for key in told if key != "slope-as-beam"])):
+        section = of.mechanisms["wall"].model_copy(update={"direction": direction})
+        turned = of.model_copy(update={"mechanisms": {**of.mechanisms, "wall": section}})
+        conditions = facts_of(turned, question, ("wall",), solids={"roof": slab})["wall"][1]
+        assert [each.key for each in conditions if "slope" in each.key or "thrust" in each.key] == expected
 
 
 def test_the_methods_that_may_decide_run_whatever_the_analysis_lists(tmp_path):

@@ -56,7 +56,6 @@ KINDS_BY_CLASS: Mapping[str, PartKind] = {
 }
 """The kind that a class stands for; shape and place may make a wall a gable or a parapet."""
 FRAME_CLASSES = ("IfcBeam", "IfcMember")
-READ_CLASSES = (*KINDS_BY_CLASS, *FRAME_CLASSES, "IfcBuildingElementPart", "IfcBuiltElement", "IfcBuildingElement")
 
 FINISH = re.compile(
     r"plaster|render(ing)?\b|stucco|intonac|\bputz|verputz|enduit|revoco|enlucido|insulat|isolant|isolier|d[äa]mm|"

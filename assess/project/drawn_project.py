@@ -22,7 +22,7 @@ from assess.geometry.formats.mesh_file import Up
 from assess.geometry.solid import Solid
 from assess.loads.load import BodyLoad, OverburdenLoad
 from assess.mechanisms.four_hinge import FourHinge, RadialJoints
-from assess.mechanisms.mechanism import BlockMechanism, CutAngle, Vector
+from assess.mechanisms.mechanism import BlockMechanism, CutAngle
 from assess.mechanisms.two_block import TwoBlock
 from assess.model.candidates import BuildingType, Candidate, Candidates
 from assess.model.structure import COVERINGS, Part, PartKind, Structure
@@ -213,10 +213,6 @@ def _runners_up(candidate: Candidate) -> str:
         for each in candidate.ties
     ]
     return f"; as weak: {', '.join(ties)}" if ties else ""
-
-
-def _direction(way: Vector) -> str:
-    return _value([round(each, 9) + 0.0 for each in way])
 
 
 def _not_examined(candidates: Candidates, stated: Sequence[Candidate], building_type: BuildingType) -> Iterator[str]:

@@ -146,7 +146,14 @@ class _Trials:
     @cached_property
     def as_typed(self) -> Callable[[_Depth], Outcomes]:
         """Return the outcome of each mechanism as typed, by the depth; those that are not built are left out."""
-        return cache(lambda depth: self._all(self._names, partial(_alone, self.study), depth))
+        return cache(self._as_typed)
+
+    def _as_typed(self, depth: _Depth) -> Outcomes:
+        build = partial(_alone, self.study)
+        if not depth.rising:
+            return self._all(self._names, build, depth)
+        at_site = self.as_typed(depth._replace(rising=False))
+        return at_site | self._all([name for name, found in at_site.items() if self._rises(found)], build, depth)
 
     def without(self, value: Replaceable) -> Outcomes:
         """Return the outcome without a value of each mechanism that it bears on; empty if one cannot be built so."""
@@ -180,11 +187,10 @@ class _Trials:
             if value is standing:
                 continue
             there = self._replaced(others, value, names, depth)
-            same = each_way[0].same
             if there and (
-                _any_worse(there, than=found, same=same)
+                _any_worse(there, than=found, same=each_way[0].same)
                 if worst is None
-                else is_worse(_least(there), than=_least(found), same=same)
+                else is_worse(_least(there), than=_least(found), same=each_way[0].same)
             ):
                 worst, found = value, there
         return worst, found
@@ -213,10 +219,7 @@ class _Trials:
 
     def _one(self, name: str, build: Callable[[str], Study], depth: _Depth) -> MechanismOutcome | None:
         """Return the outcome of a mechanism; at rising PGA only where it passes as typed at the site's."""
-        rising = depth.rising and self.study.scan
-        if rising:
-            typed = self.as_typed(_Depth(depth.by_all, rising=False)).get(name)
-            rising = typed is not None and typed.outcome == Decision.PASS
+        rising = depth.rising and self._rises(self.as_typed(depth._replace(rising=False)).get(name))
         return _outcome(
             name,
             build,
@@ -226,6 +229,10 @@ class _Trials:
             by_all=depth.by_all,
             rising=rising,
         )
+
+    def _rises(self, typed: MechanismOutcome | None) -> bool:
+        """Return whether histories of a mechanism rise in PGA, by its outcome as typed at the site's."""
+        return self.study.scan and typed is not None and typed.outcome == Decision.PASS
 
 
 def _any_worse(outcomes: Outcomes, *, than: Outcomes, same: float) -> bool:

@@ -8,6 +8,7 @@ not run again by the next, so that with a test go those of its file, and of the 
 
 from __future__ import annotations
 
+import ast
 import json
 import os
 import re
@@ -130,13 +131,10 @@ class Covering:
         return found
 
     def _of_kernel(self, kernel: str) -> set[str]:
-        found = set[str]()
-        for path in importers(f"{kernel.partition('kernel')[0]}kernel"):
+        found, folder = set[str](), f"{kernel.partition('kernel')[0]}kernel"
+        for path in importers(folder):
             text = (ROOT / path).read_text(encoding="utf-8")
-            names = re.findall(r"^from \S*kernel\S* import (?:\(([^)]*)\)|(.*))$", text, re.MULTILINE)
-            words = {name.split(" as ")[-1].strip() for pair in names for part in pair for name in part.split(",")} - {
-                ""
-            }
+            words = imported(text, folder.replace("/", "."))
             for line, tests in self._lines(path).items():
                 here = text.splitlines()[line - 1 : line]
                 if any(re.search(rf"\b{word}\b", each) for each in here for word in words):
@@ -160,6 +158,13 @@ class Covering:
 def is_kernel(path: str) -> bool:
     """Whether a file is compiled."""
     return path.endswith("/kernel.py") or "/kernel/" in path
+
+
+def imported(text: str, package: str) -> set[str]:
+    """The names that a source imports from a package or module, or from what is in it, under those it gives them."""
+    froms = (node for node in ast.walk(ast.parse(text)) if isinstance(node, ast.ImportFrom))
+    here = (node for node in froms if node.module and f"{node.module}.".startswith(f"{package}."))
+    return {each.asname or each.name for node in here for each in node.names}
 
 
 def importers(path: str) -> Iterator[str]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import replace
 from itertools import count
 from pathlib import Path
@@ -40,8 +40,8 @@ from reports.chapters import (
 from reports.document import Document, Section
 from reports.figures.key_plan import building_of
 from reports.language.locale import ENGLISH, Locale
-from reports.language.texts import say
-from reports.mechanisms import file_stem
+from reports.language.texts import Phrase, Text, say
+from reports.mechanisms import file_stem, numbered_title
 from reports.project_values import project_text
 from reports.render.html import write_html
 from reports.render.pdf import write_pdf
@@ -140,6 +140,29 @@ def write_pages(document: Document, folder: Path, *, name: str, jobs: int = 0) -
 
 
 Detail = Literal["main", "full"]
+WORKSHEETS: tuple[tuple[Phrase, tuple[str, ...]], ...] = (
+    (say("Verdict"), ("verdict", "checklist", "answers", "lacking")),
+    (say("Checks"), ("verdicts",)),
+    (say("Comparison"), ("levels", "pga-at-capacity", "rotations", "comparison")),
+    (say("Mechanisms"), ("page-parameters", "parameters", "loads", "interfaces", "hinge-forces")),
+    (say("Fragility"), ("fragility", "curves", "islands", "measures", "rates")),
+    (say("Curves"), ("capacity-curves", "pga-rotation-curves")),
+    (say("Histories"), ("suites", "responses", "histories", "amplification")),
+    (say("Records"), ("suite-records", "suite-rules", "requirements", "selection", "equivalent-periods", "processing",
+                      "spectra")),
+    (say("Envelopes"), ("envelopes", "critical-bands", "primary-pulses")),
+    (
+        say("Sensitivity"),
+        ("controls", "controls-in-full", "influences", "sensitivity", "uncertainty", "uncertainty-inputs",
+         "uncertainty-means", "uncertainty-influences", "uncertainty-samples"),
+    ),
+    (
+        say("Inputs"),
+        ("site", "hazard", "calculated", "actions", "methods", "rules", "assumed", "materials", "sources", "values",
+         "values-set", "inputs", "warnings", "revisions"),
+    ),
+)  # fmt: skip
+"""The worksheets, with the tables on each; with the two that all workbooks have, at most 12 of a run."""
 
 
 def assessment(results: Results, *, detail: Detail | None = None) -> Document:
@@ -153,6 +176,8 @@ def assessment(results: Results, *, detail: Detail | None = None) -> Document:
         facts=front_matter.facts(results),
         sections=_numbered([*_main_sections(results), *(_annex_sections(results) if is_full(results, detail) else ())]),
         data=tuple(data_tables.tables(results)),
+        worksheets=WORKSHEETS,
+        parts=_parts((each.name, numbered_title(results, each.name)) for each in results.mechanisms),
         running=front_matter.running_head(results),
         logo=front_matter.logo(results),
         stamp=results.stamp,
@@ -190,6 +215,7 @@ def fragility_report(results: FragilityResults) -> Document:
         subject=say("Fragility of masonry by rocking dynamics"),
         sections=_numbered([*fragility.sections(results), *inputs]),
         data=tuple(fragility_tables.data_tables(results)),
+        parts=_parts((each.name, fragility_tables.numbered_name(results, each)) for each in results.mechanisms),
     )
 
 
@@ -330,6 +356,11 @@ def _annex_sections(results: Results) -> Iterator[Section]:
     yield from annex_envelopes.sections(results)
     yield from suite.sections(results)
     yield from annex_inputs.sections(results)
+
+
+def _parts(mechanisms: Iterable[tuple[str, Text]]) -> tuple[tuple[str, Text], ...]:
+    """Return how the names of the tables of each mechanism begin, with its title. mechanisms: (name, title) of each."""
+    return tuple((file_stem(name, place), title) for place, (name, title) in enumerate(mechanisms, start=1))
 
 
 def _numbered(sections: list[Section]) -> tuple[Section, ...]:

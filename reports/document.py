@@ -14,7 +14,7 @@ from urllib.parse import quote
 
 from assess.codes.calculation_sheet import Step
 from reports.language.locale import Locale
-from reports.language.texts import Kind, Text, Verbatim
+from reports.language.texts import Kind, Phrase, Text, Verbatim
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure as Drawn
@@ -288,6 +288,9 @@ class Document:
     running : in the head of each page, besides the title: reference, revision, status
     sections : in order; the first is the first page, the contents come after the second
     data : tables for the spreadsheet and the CSV files only
+    worksheets : of the spreadsheet: the name of each and the tables that stand on it; others have sheets of their own
+    parts : beginnings of the names of tables that each of several things has, with what the thing is called: on a
+        worksheet these tables are one
     program : name and version of the program that made it; stamp : of the results that it tells, "" for none
     date : of the report as the project gives it, "" for none
     locale : in which it is to be written
@@ -301,6 +304,8 @@ class Document:
     facts: tuple[tuple[Text, Text], ...]
     sections: tuple[Section, ...]
     data: tuple[Table, ...] = ()
+    worksheets: tuple[tuple[Phrase, tuple[str, ...]], ...] = ()
+    parts: tuple[tuple[str, Text], ...] = ()
     running: tuple[Text, ...] = ()
     logo: Photograph | None = None
     stamp: str = ""

@@ -1,11 +1,11 @@
-"""Tables as an Excel workbook: a contents sheet, one sheet per table, and all calculation sheets on one."""
+"""Tables as an Excel workbook: a contents sheet, one sheet a subject, and all calculation sheets on one."""
 
 from __future__ import annotations
 
 import datetime
 import re
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from itertools import accumulate
 from math import isfinite
 from pathlib import Path
@@ -14,10 +14,10 @@ from xlsxwriter import Workbook
 from xlsxwriter.format import Format
 from xlsxwriter.worksheet import Worksheet
 
-from reports.document import Column, Document, Link, OutcomeCell, Sheet, Table
+from reports.document import Column, Document, Link, OutcomeCell, Table
 from reports.figures.style import BANNER, FAIL, INK, MUTED, PASS
 from reports.language.locale import Locale, decimals, numeral, truncate, visible
-from reports.language.texts import Kind, say
+from reports.language.texts import Kind, Text, Verbatim, say
 from reports.render.table_text import (
     NOTHING,
     PlainCell,
@@ -30,11 +30,13 @@ from reports.render.table_text import (
 from spectra.formulas import is_formula
 
 CONTENTS, SHEETS = say("contents"), say("calculation sheets")
+MECHANISM, NONE = Column(say("Mechanism")), Verbatim("")
 _HEADS = (Column(say("Sheet")), Column(say("In the report")), Column(say("What it holds")))
 _LONGEST_TEXT, _LONGEST_NAME, _LONGEST_PROPERTY = 32_000, 31, 255
 _RESERVED = "history"  # a name that Excel keeps for itself
 _NARROWEST, _WIDEST = 9, 60  # columns [characters]
 _LONG = 500  # rows; numbers of longer tables have no format, but where people look for a row
+_MOST_TITLES = 4  # of tables in one that the contents list one by one
 _MOST_LINKS, _LONGEST_LINK = 60_000, 2_000  # of a sheet, of which Excel opens no more; characters
 _CREATED = datetime.datetime(2000, 1, 1)  # fixed: the same results give the same workbook
 
@@ -52,8 +54,25 @@ _OUTCOMES: dict[str, CellFormat] = {
 }
 _HEAD: CellFormat = {**_BOLD, "bg_color": "#E3E8ED", "bottom": 1, "bottom_color": "#6B7680", "text_wrap": 1}
 _WRAPPED: CellFormat = {"text_wrap": 1, "valign": "top"}
-_ListedSheet = tuple[str, int, Kind, Table | Sheet]
-"""A line of the contents: the name of a worksheet, the row there, what it shows."""
+
+
+@dataclass(frozen=True)
+class _Block:
+    """What stands on a worksheet: tables in one, or a calculation sheet.
+
+    table, rows : with its cells as plain values
+    of : the blocks of the report that it shows
+    """
+
+    table: Table
+    rows: PlainRows
+    of: tuple[tuple[Kind, str], ...]
+
+
+_Part = tuple[Text | None, Table, PlainRows]
+"""A table of one of several parts, and what that is called; None for a table of the whole."""
+_Worksheet = tuple[str, tuple[_Block, ...]]
+"""The name of a worksheet and what stands on it, one below the other."""
 
 
 @dataclass(frozen=True)
@@ -97,26 +116,73 @@ def write_xlsx(document: Document, path: Path, plain: PlainTables | None = None)
     """
     locale, found = document.writer, plain or plain_tables(document)
     contents, last = locale.text(CONTENTS), locale.text(SHEETS)
-    names = worksheet_names([table.name for table in document.tables], taken=(contents, last))
-    starts = list(accumulate((len(each.steps) + 3 for each in document.sheets), initial=0))  # one row stays empty
+    listed = _worksheets(document, found, taken=(contents, last))
+    sheets = tuple(_Block(table, rows, (("Sheet", table.name),)) for table, rows in found.sheets)
     with Workbook(str(path), {"in_memory": True}) as made:
         book = _Book(made, locale)
         made.set_properties(_properties(document))
-        listed: list[_ListedSheet] = [
-            *((name, 1, "Table", table) for name, table in zip(names, document.tables, strict=True)),
-            *((last, start + 1, "Sheet", each) for start, each in zip(starts, document.sheets, strict=False)),
-        ]
-        _contents(made.add_worksheet(contents), document, listed, book)
-        for (table, rows), name in zip(found.tables, names, strict=True):
+        _contents(made.add_worksheet(contents), document, [*listed, (last, sheets)], book)
+        for name, blocks in listed:
             sheet = made.add_worksheet(name)
-            _write_table_sheet(sheet, table, rows, book)
-            if table.sifted:
+            _write_blocks(sheet, blocks, book)
+            if blocks[0].table.sifted:
                 sheet.activate()  # what people look for a row in
         sheet = made.add_worksheet(last)
-        for start, (table, rows) in zip(starts, found.sheets, strict=False):
-            _table(sheet, table, rows, start, book)
+        for start, block in zip(_starts(sheets), sheets, strict=True):
+            _table(sheet, block.table, block.rows, start, book)
         _finish(sheet, (14, 50, 34, 40, 50, 14, 12, 14, 12), head=None)
     return path
+
+
+def _worksheets(document: Document, plain: PlainTables, *, taken: Iterable[str]) -> list[_Worksheet]:
+    """Return the worksheets with their tables, those of several parts joined, the longest table last."""
+    locale = document.writer
+    subjects = {table: locale.text(subject) for subject, tables in document.worksheets for table in tables}
+    found: dict[str, dict[tuple[str, ...], list[_Part]]] = {each: {} for each in subjects.values()}
+    for table, rows in plain.tables:
+        stem, part = next((each for each in document.parts if table.name.startswith(f"{each[0]}-")), ("", None))
+        kind = table.name.removeprefix(f"{stem}-") if stem else table.name
+        heads = (locale.heading(column.label, column.dimension) for column in table.columns)
+        of_subject = found.setdefault(subjects.get(kind, table.name), {})
+        of_subject.setdefault((kind if part else table.name, *heads), []).append((part, table, rows))
+    joined = [
+        (subject, sorted((_join(parts, locale) for parts in alike.values()), key=_length))
+        for subject, alike in found.items()
+        if alike
+    ]
+    names = worksheet_names([name for name, _ in joined], taken=taken)
+    return [(name, tuple(blocks)) for name, (_, blocks) in zip(names, joined, strict=True)]
+
+
+def _join(tables: Sequence[_Part], locale: Locale) -> _Block:
+    """Return tables of the same columns as one, the part that each is of in the first column."""
+    shown: tuple[tuple[Kind, str], ...] = tuple(("Table", table.name) for _, table, _ in tables)
+    part, first, rows = tables[0]
+    if part is None:  # two tables of the whole have two names
+        return _Block(first, rows, shown)
+    parts = [each or NONE for each, table, _ in tables for _ in table.rows]
+    cells = [row for _, table, _ in tables for row in table.rows]
+    before = accumulate((len(table.rows) for _, table, _ in tables), initial=0)
+    muted = frozenset(
+        start + place for start, (_, table, _) in zip(before, tables, strict=False) for place in table.muted
+    )
+    joined = replace(
+        first,
+        columns=(MECHANISM, *first.columns),
+        rows=tuple((part, *row) for part, row in zip(parts, cells, strict=True)),
+        muted=muted,
+    )
+    plain = [row for _, _, rows in tables for row in rows]
+    return _Block(joined, tuple((locale.text(part), *row) for part, row in zip(parts, plain, strict=True)), shown)
+
+
+def _length(block: _Block) -> int:
+    return len(block.table.rows)
+
+
+def _starts(blocks: Sequence[_Block]) -> list[int]:
+    """Return the row in which each block begins; one row stays empty between them."""
+    return list(accumulate((len(each.table.rows) + 3 for each in blocks), initial=0))[:-1]
 
 
 def worksheet_names(names: list[str], *, taken: Iterable[str] = ("contents", "calculation sheets")) -> list[str]:
@@ -152,28 +218,37 @@ def _properties(document: Document) -> dict[str, object]:
     return {"created": _CREATED, **{key: truncate(visible(text), _LONGEST_PROPERTY) for key, text in texts.items()}}
 
 
-def _contents(sheet: Worksheet, document: Document, listed: Iterable[_ListedSheet], book: _Book) -> None:
+def _contents(sheet: Worksheet, document: Document, listed: Iterable[_Worksheet], book: _Book) -> None:
     locale = book.locale
     book.write(sheet, 0, 0, locale.text(document.title), _TITLE)
     book.write(sheet, 1, 0, f"{locale.text(document.subject)}; {locale.text(program_and_stamp(document))}", _GREY)
     _head(sheet, 3, _HEADS, [False] * 3, book)
-    for place, (name, row, kind, block) in enumerate(listed, start=4):
-        sheet.write_url(place, 0, f"internal:'{name}'!A{row}", book.format(_LINK), name)
-        numbered = (kind, block.name) in locale.titles
-        book.write(sheet, place, 1, locale.title(kind, block.name) if numbered else NOTHING, {})
-        book.write(sheet, place, 2, locale.text(block.caption), {})
+    lines = [
+        (name, start, block) for name, blocks in listed for start, block in zip(_starts(blocks), blocks, strict=True)
+    ]
+    for place, (name, start, block) in enumerate(lines, start=4):
+        sheet.write_url(place, 0, f"internal:'{name}'!A{start + 1}", book.format(_LINK), name)
+        numbered = [locale.title(kind, each) for kind, each in block.of if (kind, each) in locale.titles]
+        shown = ", ".join(numbered) if len(numbered) < _MOST_TITLES else f"{numbered[0]} … {numbered[-1]}"
+        book.write(sheet, place, 1, shown or NOTHING, {})
+        book.write(sheet, place, 2, locale.text(block.table.caption), {})
     sheet.freeze_panes(4, 0)
     _finish(sheet, (34, 14, 100), head=3)
 
 
-def _write_table_sheet(sheet: Worksheet, table: Table, rows: PlainRows, book: _Book) -> None:
-    """Write a table on its own sheet, its head in sight and ready to be filtered."""
-    _table(sheet, table, rows, 0, book)
-    sheet.freeze_panes(2, 1 if len(table.columns) > 2 else 0)
-    if table.rows:
-        sheet.autofilter(1, 0, len(table.rows) + 1, len(table.columns) - 1)
-    few = rows[:200]
-    _finish(sheet, [_width(column, [row[at] for row in few], book) for at, column in enumerate(table.columns)], head=1)
+def _write_blocks(sheet: Worksheet, blocks: Sequence[_Block], book: _Book) -> None:
+    """Write tables on a sheet, ready to be filtered where there is one, and then with its head in sight."""
+    widths = dict[int, int]()
+    for start, block in zip(_starts(blocks), blocks, strict=True):
+        table, few = block.table, block.rows[:200]
+        _table(sheet, table, block.rows, start, book)
+        for at, column in enumerate(table.columns):
+            widths[at] = max(widths.get(at, 0), _width(column, [row[at] for row in few], book))
+    if table.rows:  # an Excel sheet has one filter: of the longest table, which is the last
+        sheet.autofilter(start + 1, 0, start + len(table.rows) + 1, len(table.columns) - 1)
+    if len(blocks) == 1:
+        sheet.freeze_panes(2, 1 if len(table.columns) > 2 else 0)
+    _finish(sheet, [widths[at] for at in sorted(widths)], head=1 if len(blocks) == 1 else None)
 
 
 def _table(sheet: Worksheet, table: Table, rows: PlainRows, start: int, book: _Book) -> None:

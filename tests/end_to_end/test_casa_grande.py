@@ -9,6 +9,7 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
+from openpyxl import load_workbook
 from pypdf import PdfReader
 
 from assess.codes.procedures import PROCEDURES
@@ -90,6 +91,9 @@ def test_every_output_is_there(outputs):
     assert (outputs / "report.pdf").stat().st_size > 100_000
     for pattern in ("results.json", "report.html", "tables.xlsx", "tables/*.csv", "figures/*.svg"):
         assert list(outputs.glob(pattern))
+    sheets = load_workbook(outputs / "tables.xlsx", read_only=True).sheetnames
+    assert len(sheets) <= 12
+    assert "Mechanisms" in sheets
 
 
 def test_eight_mechanisms_and_two_on_joints_each_with_all_six_procedures_at_the_sites_pga_and_three_levels(results):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -35,6 +36,24 @@ def test_a_sheet_for_each_table_with_its_numbers(tmp_path: Path, locale: Locale)
             numbers = [(a, b) for a, b in zip(read, plain, strict=True) if isinstance(b, float)]
             assert all(a == pytest.approx(b, rel=1e-15) for a, b in numbers)
             assert len(numbers) == sum(column.dimension != "" for column in table.columns)
+
+
+def test_tables_of_several_mechanisms_are_one_on_the_sheet_of_their_subject(tmp_path: Path) -> None:
+    tables = one_column("01-a-loads", 1.5), one_column("02-b-loads", 2.5, 3.5), one_column("site", 0.1)
+    whole = one_column("all", *map(float, range(4)))
+    document = replace(
+        with_table(*tables, whole, one_column("alone", 9.0)),
+        worksheets=((say("Mechanisms"), ("loads", "site", "all")), (say("Curves"), ("curves",))),
+        parts=(("01-a", Verbatim("M1 A")), ("02-b", Verbatim("M2 B"))),
+    )
+    book = load_workbook(write_xlsx(document, tmp_path / "t.xlsx"))
+    assert book.sheetnames == ["contents", "Mechanisms", "alone", "calculation sheets"]
+    rows = [row for row in book["Mechanisms"].values if any(cell is not None for cell in row)]
+    assert rows[:2] == [("h", None), (0.1, None)]
+    assert rows[2:6] == [("Mechanism", "h"), ("M1 A", 1.5), ("M2 B", 2.5), ("M2 B", 3.5)]
+    assert book["Mechanisms"].auto_filter.ref == "A12:A16"  # the longest table is the last
+    listed = [row for row in book["contents"].values if row[0] == "Mechanisms"]
+    assert [row[1] for row in listed] == ["Table\xa03", "Table\xa01, Table\xa02", "Table\xa04"]
 
 
 def test_outcomes_are_text_in_their_colours_and_numbers_have_the_figures_of_their_column(tmp_path: Path) -> None:
@@ -97,7 +116,7 @@ def test_sheet_names_are_valid_and_unique() -> None:
 
 @pytest.mark.parametrize("name", ["\U0001f3db" * 40, "x" + "\U0001f3db" * 40, "History"])
 def test_names_of_sheets_are_those_that_excel_takes(tmp_path: Path, name: str) -> None:
-    document = with_table(one_column(name, Verbatim("a")), one_column(name, Verbatim("b")))
+    document = with_table(one_column(name, Verbatim("a")), one_column(f"{name}2", Verbatim("b")))
     names = load_workbook(write_xlsx(document, tmp_path / "t.xlsx")).sheetnames
     assert all(len(each.encode("utf-16-le")) <= 2 * 31 and each.lower() != "history" for each in names)
     assert len({each.lower() for each in names}) == 4

@@ -27,7 +27,7 @@ from assess.declaration import (
     Safe,
     Several,
 )
-from spectra import asce7, ec8, ntc, nzs1170_5
+from spectra import asce7, ec8, ntc, nzs1170_5, ts1170_5
 from spectra.errors import SpectrumError
 from spectra.spectrum import Spectrum
 from spectra.table import read_table, table_spectrum
@@ -230,6 +230,62 @@ class Nzs1170Spectrum(DesignSpectrum):
         return {"subsoil": self.subsoil, "z": self.z, "r": r, "near_fault_distance": self.near_fault_distance}
 
 
+NOT_READ = "the clauses of TS 1170.5 on near faults were not read; they are not built in"
+
+
+@dataclass(frozen=True, kw_only=True)
+class Ts1170Spectrum(DesignSpectrum):
+    """Elastic site spectrum of TS 1170.5:2025, from the four values of its tables, typed."""
+
+    form = "ts1170.5"
+    other_keys: ClassVar = {
+        "near_fault_distance": NOT_READ,
+        **dict.fromkeys(("site_class", "return_period"), "goes with file and location; remove it, or the four values"),
+    }
+    code: Annotated[Literal["ts1170.5"], THE_CODE]
+    """"ts1170.5\""""
+    pga_site: HazardAcceleration
+    """PGA of Table 3.1 or 3.2, like "0.18 g"; or give file, location, site_class and return_period"""
+    s_as: HazardAcceleration
+    """S_a,s of the table, the plateau, like "0.38 g\""""
+    t_c: CornerTime
+    """T_c of the table, where the plateau ends, like "0.52 s\""""
+    t_d: CornerTime
+    """T_d of the table, where the fall steepens, like "2.8 s\""""
+
+    def horizontal(self, *, pga: float | None = None) -> Spectrum:
+        """Return the spectrum of 3.1.2."""
+        return ts1170_5.site_spectrum(pga=self.pga_site, s_as=self.s_as, t_c=self.t_c, t_d=self.t_d)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Ts1170TableSpectrum(DesignSpectrum):
+    """Elastic site spectrum of TS 1170.5:2025, from its published table as a file."""
+
+    form = "table of ts1170.5"
+    own_keys = ("file", "location")
+    other_keys: ClassVar = {
+        "near_fault_distance": NOT_READ,
+        **dict.fromkeys(("pga_site", "s_as", "t_c", "t_d"), "stands in the file; remove it here, or the file"),
+    }
+    code: Annotated[Literal["ts1170.5"], THE_CODE]
+    """"ts1170.5\""""
+    file: Annotated[str | Path, IsInputFile(), Evidence("defines", "either", "as stated")]
+    """CSV of Table 3.1 or 3.2 as GNS Science publishes it"""
+    location: Annotated[str, Evidence("defines", "either", "as stated")]
+    """settlement, like "Kaitaia", or grid point, like "-41.3~174.8\""""
+    site_class: Annotated[Literal["I", "II", "III", "IV", "V", "VI", "VII"], GROUND]
+    """site class "I" to "VI\""""
+    return_period: Annotated[PositiveYears, Evidence("defines", "down", "that of the basis")]
+    """return period of a row: 25, 50, 100, 250, 500, 1000 or 2500 years"""
+
+    def horizontal(self, *, pga: float | None = None) -> Spectrum:
+        """Return the spectrum of 3.1.2."""
+        return ts1170_5.tabulated_spectrum(
+            Path(self.file), location=self.location, site_class=self.site_class, return_period=self.return_period
+        )
+
+
 @dataclass(frozen=True, kw_only=True)
 class NtcSpectrum(DesignSpectrum):
     """Elastic spectrum of NTC 2008 or 2018 from the hazard at one return period."""
@@ -404,6 +460,7 @@ SPECTRA: Mapping[str, tuple[type[DesignSpectrum], ...]] = {
     **dict.fromkeys(asce7.EDITIONS, (Asce7Spectrum, Asce7MappedSpectrum)),
     "ec8": (Ec8Spectrum,),
     "nzs1170.5": (Nzs1170Spectrum,),
+    "ts1170.5": (Ts1170Spectrum, Ts1170TableSpectrum),
     **dict.fromkeys(ntc.CLAUSES, (NtcSpectrum, NtcHazardSpectrum)),
     "table": (TableSpectrum,),
 }

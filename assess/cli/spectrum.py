@@ -34,7 +34,7 @@ def spectrum(
         _key_option(
             "code",
             "CODE",
-            "asce7-05, ibc2009, asce7-10, asce7-16, ec8, nzs1170.5, ntc2008, ntc2018, table.",
+            "asce7-05, ibc2009, asce7-10, asce7-16, ec8, nzs1170.5, ts1170.5, ntc2008, ntc2018, table.",
             _complete_codes,
         ),
     ] = None,
@@ -43,7 +43,7 @@ def spectrum(
     ] = None,
     s_1: Annotated[str | None, _key_option("s-1", "ACC", "asce7: mapped acceleration at 1 s.")] = None,
     site_class: Annotated[
-        str | None, _key_option("site-class", "CLASS", "asce7: A to E.", complete_words(*"ABCDE"))
+        str | None, _key_option("site-class", "CLASS", "asce7: A to E; ts1170.5: I to VI.", complete_words(*"ABCDE"))
     ] = None,
     s_ds: Annotated[
         str | None, _key_option("s-ds", "ACC", "asce7: design acceleration at short periods, instead of a mapped one.")
@@ -65,10 +65,17 @@ def spectrum(
     z: Annotated[str | None, _key_option("z", "NUMBER", "nzs1170.5: hazard factor.")] = None,
     r: Annotated[str | None, _key_option("r", "NUMBER", "nzs1170.5: return period factor.")] = None,
     return_period: Annotated[
-        str | None, _key_option("return-period", "YEARS", "nzs1170.5: return period, instead of --r.")
+        str | None, _key_option("return-period", "YEARS", "nzs1170.5, ts1170.5: return period, instead of --r.")
     ] = None,
     near_fault_distance: Annotated[
         str | None, _key_option("near-fault-distance", "LENGTH", "nzs1170.5: distance to the nearest major fault.")
+    ] = None,
+    pga_site: Annotated[str | None, _key_option("pga-site", "ACC", "ts1170.5: PGA of its table.")] = None,
+    s_as: Annotated[str | None, _key_option("s-as", "ACC", "ts1170.5: S_a,s of its table, the plateau.")] = None,
+    t_c: Annotated[str | None, _key_option("t-c", "TIME", "ts1170.5: T_c of its table.")] = None,
+    t_d: Annotated[str | None, _key_option("t-d", "TIME", "ts1170.5: T_d of its table.")] = None,
+    location: Annotated[
+        str | None, _key_option("location", "NAME", "ts1170.5: settlement or grid point of --file.")
     ] = None,
     f_0: Annotated[str | None, _key_option("f-0", "NUMBER", "ntc: maximum spectral amplification on rock.")] = None,
     t_c_star: Annotated[str | None, _key_option("t-c-star", "TIME", "ntc: T_C* on rock.")] = None,
@@ -79,7 +86,7 @@ def spectrum(
         _key_option("relief-position", "NUMBER", "ntc: 1 at the top of the relief (default), 0 at its foot."),
     ] = None,
     file: Annotated[
-        str | None, _key_option("file", "CSV", "table: periods and accelerations, with units in the header.")
+        str | None, _key_option("file", "FILE", "table: CSV of periods and accelerations; ts1170.5: its table.")
     ] = None,
     damping: Annotated[
         str | None,

@@ -382,6 +382,7 @@ USES: Mapping[str, Term] = {
     "asce7-16": Term("spectrum of ASCE 7-16"),
     "ec8": Term("spectrum of EN 1998-1"),
     "nzs1170.5": Term("spectrum of NZS 1170.5"),
+    "ts1170.5": Term("spectrum of TS 1170.5"),
     "ntc2008": Term("spectrum of NTC 2008"),
     "ntc2018": Term("spectrum of NTC 2018"),
     "hazard over return periods": Term("the hazard of a site at the return period of a limit state"),

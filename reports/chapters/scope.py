@@ -165,6 +165,7 @@ SPECTRUM_WORKS: Mapping[str, Verbatim] = {
     ),
     "ec8": PROCEDURE_WORKS["ec8"],
     "nzs1170.5": Verbatim("NZS 1170.5:2004. Structural design actions, part 5: Earthquake actions – New Zealand."),
+    "ts1170.5": Verbatim("SNZ TS 1170.5:2025. Structural design actions, part 5: Earthquake actions – New Zealand."),
     "ntc2008": PROCEDURE_WORKS["dmi2008"],
     "ntc2018": PROCEDURE_WORKS["ntc2018"],
 }

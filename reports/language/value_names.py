@@ -177,6 +177,9 @@ PARAMETER_NAMES: Mapping[str, tuple[Phrase, str]] = {
     "near_fault_distance": (say("D, to the nearest major fault"), "length"),
     "c_0": (say("C(0), spectrum at zero period"), ""),
     "vertical_ratio": (say("vertical over horizontal"), ""),
+    # TS 1170.5
+    "location": (say("place in the table"), ""),
+    "s_as": (say("S_a,s, the level branch"), ACCELERATION),
     # any
     "scale": (say("ordinates scaled by"), ""),
     # tables

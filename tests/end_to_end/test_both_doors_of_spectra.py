@@ -19,6 +19,7 @@ DESIGN = {"code": "asce7-16", "s_ds": 5.0, "s_d1": 2.0, "t_l": 6.0}
 MAPPED = {"code": "asce7-16", "s_s": 6.0, "s_1": 1.5, "site_class": "C", "t_l": 6.0}
 EC8 = {"code": "ec8", "a_g": 2.5, "ground_type": "B"}
 NZS = {"code": "nzs1170.5", "subsoil": "D", "z": 0.4, "r": 1.3}
+TS = {"code": "ts1170.5", "pga_site": 1.8, "s_as": 3.8, "t_c": 0.52, "t_d": 2.8}
 NTC = {"code": "ntc2018", "a_g": 1.5, "f_0": 2.4, "t_c_star": 0.3, "soil": "A"}
 ROW = {"return_period": 30.0, "a_g": 0.5, "f_0": 2.4, "t_c_star": 0.3}
 LAST = ROW | {"return_period": 2475.0, "a_g": 3.0}
@@ -62,6 +63,7 @@ FAULTS: list[tuple[dict[str, Any], dict[str, Any], str, str]] = [
 OUTSIDE_ITS_CLAUSE: list[tuple[dict[str, Any], dict[str, Any], str]] = [
     (MAPPED, {"site_class": "F"}, "site_class = F: ASCE 7-16 §11.4.8 asks for a site response analysis"),
     (EC8, {"ground_type": "S1"}, "EN 1998-1, 3.1.2(4)P asks for a special study"),
+    (TS, {"t_d": 0.5}, "0.1 s < T_c < T_d is needed"),
     (NTC, {"f_0": 2.0}, "f_0 = 2; NTC 2018 §3.2.3.2 has at least 2.2"),
     (HAZARD, {"hazard": [LAST, ROW]}, "the return periods of its rows do not rise"),
 ]
@@ -98,7 +100,7 @@ def test_a_spectrum_outside_its_clause_is_refused_by_both(sound, fault, said, tm
     assert all(said in refusal for refusal in refusals(sound | fault, tmp_path))
 
 
-@pytest.mark.parametrize("sound", [DESIGN, MAPPED, EC8, NZS, NTC, HAZARD])
+@pytest.mark.parametrize("sound", [DESIGN, MAPPED, EC8, NZS, TS, NTC, HAZARD])
 def test_what_is_right_is_taken_by_both(sound, tmp_path):
     assert refusals(sound, tmp_path) == ("", "")
 

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from scipy.constants import g
 
-from spectra import asce7, ec8, ntc, nzs1170_5
+from spectra import asce7, ec8, ntc, nzs1170_5, ts1170_5
 from spectra.asce7 import EDITIONS
 from spectra.design_spectra import SPECTRA
 from spectra.errors import SpectrumError
@@ -21,6 +21,7 @@ DESIGN: dict[str, Any] = {"s_ds": 0.5 * g, "s_d1": 0.2 * g, "t_l": 6.0}
 MAPPED: dict[str, Any] = {"s_s": 0.6 * g, "s_1": 0.15 * g, "site_class": "C", "t_l": 6.0}
 EC8: dict[str, Any] = {"a_g": 0.25 * g, "ground_type": "C"}
 NZS: dict[str, Any] = {"subsoil": "D", "z": 0.4}
+TS: dict[str, Any] = {"s_as": 0.38 * g, "t_c": 0.52, "t_d": 2.8}
 ROCK: dict[str, Any] = {"a_g": 0.15 * g, "f_0": 2.4, "t_c_star": 0.3}
 ROWS: tuple[dict[str, float], ...] = (
     {"return_period": 30.0, "a_g": 0.05 * g, "f_0": 2.4, "t_c_star": 0.25},
@@ -52,6 +53,7 @@ CASES: list[tuple[str, dict[str, Any], Spectrum]] = [
         {**NZS, "return_period": 1000.0, "near_fault_distance": 5e3},
         nzs1170_5.site_spectrum(**NZS, r=1.3, near_fault_distance=5e3),
     ),
+    ("ts1170.5", {**TS, "pga_site": 0.18 * g}, ts1170_5.site_spectrum(**TS, pga=0.18 * g)),
     *(
         (
             code,

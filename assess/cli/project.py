@@ -76,6 +76,8 @@ def _draw(models: Sequence[Path], folder: Path, *, unit: str | None, up: Literal
     )
     for each in structure.left_out:
         print(escape_text(f"left out: {each.name}: {each.reason}"))
+    for gap in candidates.gaps:
+        print(escape_text(f"not looked for: {gap}"))
     for message in candidates.without.values():
         print(escape_text(f"without a mechanism: {message}"))
 
@@ -167,7 +169,7 @@ def mechanisms(
                 made.write_text(csv_lines([list(table.columns), *rows]), encoding="utf-8")
         print(file)
     if write:
-        added = add_mechanisms(loaded, found.new)
+        added = add_mechanisms(loaded, found)
         print(f"{loaded.path}: {len(added)} mechanisms added" if added else f"{loaded.path}: nothing to add")
 
 

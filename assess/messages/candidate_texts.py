@@ -18,13 +18,22 @@ CANDIDATE_TEXTS: Mapping[str, str] = {
     "reason-ties": "{ties} may hold it and is left out",
     "reason-wedges": "a wedge of {walls} may come with it, cracked at up to 30 degrees from the vertical",
     "reason-corner": "outer corner of {one} and {other}, whose bond is not known",
-    "reason-spans": "held at z = {low} and at z = {high}, free between",
+    "reason-spans": "taken as held at z = {low} and at z = {high} by what bears there, which only a survey can "
+    "confirm; free between",
     "reason-bay": "bay of {span} between {one} and {other}, with masonry beyond both to thrust against",
     "reason-cap": "stands free above z = {z}",
     "reason-apse": "bends in plan over {length}; it may break outwards above a crack of any height and inclination",
     "reason-shaft": "free-standing, {height} high; a crack may run at any height and inclination",
     "reason-arch": "arch that spans {span}",
     "reason-portal": "{over} stands on {one} and {other}, which may sway",
+    # what is possible and not looked for
+    "gap-stopped": "above z = {z} {walls} would stop it where it turns as a whole; what turns beside them is not "
+    "looked for",
+    "gap-unpressed": "held at z = {low} and z = {high}, and nothing that presses on it is drawn",
+    "gap-bell-cell": "{number} piers stand on it; the sway of more than two is not looked for",
+    "gap-tower-corners": "the corners of its shaft are not looked for",
+    "gap-facade-top": "it may be the façade, and nothing is found that turns above its foot",
+    "gap-which-arch": "the drawing does not tell which arch is the triumphal arch",
     # parts without a mechanism
     "no-mechanism": "{part}: no mechanism found; nothing is free to turn, and no two levels hold it with a load above",
     "no-mechanism-built": "{part}: its mechanisms have no multiplier: {why}",

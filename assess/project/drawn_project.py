@@ -24,14 +24,13 @@ from assess.loads.load import BodyLoad, OverburdenLoad
 from assess.mechanisms.four_hinge import FourHinge, RadialJoints
 from assess.mechanisms.mechanism import BlockMechanism, CutAngle
 from assess.mechanisms.two_block import TwoBlock
-from assess.model.candidates import BuildingType, Candidate, Candidates
-from assess.model.structure import COVERINGS, Part, PartKind, Structure
+from assess.model.candidates import BuildingType, Candidate, Candidates, OpenEntry
+from assess.model.churches import is_church
+from assess.model.structure import COVERINGS, Part, Structure
 from assess.model.structure_reading import read_structure
 from assess.outputs.writing import new_folder
 from assess.project.values import length_of_unit
 
-CHURCH_KINDS: tuple[PartKind, ...] = ("tower", "vault", "arch", "pinnacle")
-"""Kinds of parts that a house seldom has, which tell whose list of mechanisms the report goes through."""
 MESHES, PROJECT = "meshes", "project.toml"
 
 
@@ -62,7 +61,7 @@ def draw_project(
     unit, up : of the model files, as project files write them; the files' own where None
     """
     names = _body_names(structure.parts)
-    building_type: BuildingType = "church" if structure.of_kind(*CHURCH_KINDS) else "house"
+    building_type: BuildingType = "church" if is_church(structure) else "house"
     stated = [each for each in candidates if is_stated(each)]
     meshes = {_mesh_path(names[part.name]): part.solid for part in structure.parts if not _is_element(part, structure)}
     lines = [
@@ -140,7 +139,10 @@ def _material(part: Part) -> str:
 
 
 def mechanism_lines(
-    candidate: Candidate, names: Mapping[str, str], building_type: BuildingType | None
+    candidate: Candidate,
+    names: Mapping[str, str],
+    building_type: BuildingType | None,
+    open_entries: Mapping[str, OpenEntry] | None = None,
 ) -> Iterator[str]:
     """Yield the lines of the tables of a mechanism, with why it can form as a comment.
 
@@ -149,6 +151,7 @@ def mechanism_lines(
     candidate : that a project file can state
     names : of the bodies, by the names of the parts
     building_type : whose list of mechanisms the report goes through; None where it goes through none
+    open_entries : of that list, which the file does not name as not examined, so that no table answers them
     """
     definition = candidate.definition
     assert definition is not None  # as it is stated
@@ -160,8 +163,12 @@ def mechanism_lines(
     blocks = [[names[body] for body in block] for block in definition.blocks]
     yield f"blocks = {_value([block if len(block) > 1 else block[0] for block in blocks])}"
     yield from (f"{key} = {_value(value)}" for key, value in _keys(definition))
-    if building_type is not None and building_type in candidate.examines:
-        yield f'examines = "{candidate.examines[building_type]}"'
+    entry = "" if building_type is None else candidate.examines.get(building_type, "")
+    if entry in (open_entries or {}):
+        yield from _comment(f"{entry}: not examined in full: {reason_of_entry((open_entries or {})[entry])}.")
+        yield "examines = []"
+    elif building_type is not None:
+        yield f"examines = {_value(entry or [])}"
     yield ""
     for load in definition.loads:
         assert isinstance(load, BodyLoad | OverburdenLoad)  # all that candidates have
@@ -216,22 +223,33 @@ def _runners_up(candidate: Candidate) -> str:
 
 
 def _not_examined(candidates: Candidates, stated: Sequence[Candidate], building_type: BuildingType) -> Iterator[str]:
-    """Yield what the list of the report says of mechanisms that are found and that no table here examines."""
-    examined = {each.examines.get(building_type) for each in stated}
-    found = {entry: names for entry, names in candidates.by_entry(building_type).items() if entry not in examined}
+    """Yield what the list of the report says of mechanisms that are possible and that no table here examines."""
+    found = candidates.open_entries(building_type, stated={each.name for each in stated})
     if not found:
         return
-    least = {each.name: each.multiplier for each in candidates}
     yield "[report.not_examined]"
-    for entry, names in found.items():
-        values = [value for name in names if (value := least[name]) is not None]
-        said = f", least static multiplier {min(values):.3g}" if values else ""
-        yield f"{entry} = {_text(f'found on the drawing ({len(names)}){said}; to be assessed apart')}"
+    for entry, each in found.items():
+        yield f"{entry} = {_text(reason_of_entry(each))}"
     yield ""
 
 
+LISTED_GAPS = 2  # of an entry; the comments at the end of the file list all of them
+
+
+def reason_of_entry(entry: OpenEntry) -> str:
+    """Say why an entry of the list of the report is not examined in full."""
+    said = []
+    if entry.found:
+        values = [each.multiplier for each in entry.found if each.multiplier is not None]
+        least = f", least static multiplier {min(values):.3g}" if values else ""
+        said.append(f"found on the drawing ({len(entry.found)}){least}; to be assessed apart")
+    said += map(str, entry.gaps[:LISTED_GAPS])
+    said += [f"and {len(entry.gaps) - LISTED_GAPS} more"] if len(entry.gaps) > LISTED_GAPS else []
+    return "; ".join(said)
+
+
 def _unstated(candidates: Candidates, stated: Sequence[Candidate]) -> Iterator[str]:
-    """Yield comments on what is found and has no table here, and on the parts without a mechanism."""
+    """Yield comments on what is found and has no table here, what is not looked for, and parts without a mechanism."""
     others = [each for each in candidates if each not in stated]
     if others:
         yield "# Found, to be assessed by formula or by a drawing of its own: no table of this file states it."
@@ -239,6 +257,10 @@ def _unstated(candidates: Candidates, stated: Sequence[Candidate]) -> Iterator[s
         number = f"least static multiplier {each.multiplier:.3g}" if each.multiplier is not None else each.found.why_not
         where = ", ".join(f"{name} {value}" for name, value in each.found.parameters.items())
         yield from _comment(f"- {each.title}: {number}{f' ({where})' if where else ''}.")
+    if candidates.gaps:
+        yield "# Possible, and not looked for:"
+    for gap in candidates.gaps:
+        yield from _comment(f"- {gap}.")
     if candidates.without:
         yield "# Without a mechanism:"
     for message in candidates.without.values():

@@ -2,25 +2,30 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from hashlib import sha256
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from assess.errors import OutputError, ProjectError
 from assess.geometry.formats.mesh_file import Element
+from assess.geometry.mesh import MeshesBySelection
 from assess.geometry.solid import scale_density
 from assess.loads.load import BodyLoad
 from assess.mechanisms.kinds import Definition
 from assess.mechanisms.mechanism import BlockMechanism
-from assess.model.candidates import Candidate, Candidates
+from assess.model.candidates import BuildingType, Candidate, Candidates, OpenEntry
 from assess.model.part_bodies import DrawnBody, DrawnModel
+from assess.model.part_kinds import TIE_WORDS
 from assess.model.structure import Structure
 from assess.model.structure_reading import structure_of_models
 from assess.outputs.writing import replace_file
 from assess.project.build import build_to_decide
 from assess.project.drawn_project import is_stated, mechanism_lines
 from assess.project.project_file import Project, load_tree, parse_toml
+from assess.project.sections import BodySection, MeshBody
 from assess.project.site_and_structure import bodies_of, definitions_of, models_of, solid_of
 from assess.study.run import find_outcome
 
@@ -56,6 +61,11 @@ class FoundMechanisms:
         known = [each for each in self.candidates if each.name not in self.in_file]
         return tuple(each for each in known if is_stated(each) and self.bodies.issuperset(each.parts))
 
+    def open_entries(self, building_type: BuildingType) -> Mapping[str, OpenEntry]:
+        """Return the entries of a list that stay open once the file has what is new."""
+        stated = {each.name for each in self.new} | set(self.in_file)
+        return self.candidates.open_entries(building_type, stated=stated)
+
     def table(self, margins: Mapping[str, float] | None = None) -> DataFrame:
         """Return a row for each mechanism, the weakest first, with that of the project that is the same.
 
@@ -74,7 +84,8 @@ class FoundMechanisms:
 def find_mechanisms(project: Project) -> FoundMechanisms:
     """Find the mechanisms that the bodies of a project can have.
 
-    Bodies that load a mechanism are what it says they are; others are what they look like and touch.
+    Bodies that load a mechanism are what it says they are; others are what their element of a model is, or else what
+    they look like and touch.
 
     Raises
     ------
@@ -91,11 +102,24 @@ def find_mechanisms(project: Project) -> FoundMechanisms:
         if body.solid is None or body.material is None:
             continue
         density = body.material.density
-        element = Element(kinds=(CLASS_OF_ROLE[roles[name]],) if name in roles else (), density=density)
+        if name in roles:
+            element = Element(kinds=(CLASS_OF_ROLE[roles[name]],), density=density)
+        else:
+            element = replace(_class_of(content.bodies[name], models), density=density)
         drawn.append(DrawnBody(name, scale_density(body.solid, 1.0 / density), element, project.path.name))
     structure = structure_of_models([DrawnModel(tuple(drawn), (), ())], files=[project.path.name])
     candidates = structure.mechanisms()
     return FoundMechanisms(structure, candidates, _in_file(candidates, definitions, structure), frozenset(solids))
+
+
+def _class_of(body: BodySection, models: MeshesBySelection) -> Element:
+    """Return what the model says of the element that a body is: its class, and whether it is called a tie."""
+    meshes = models[body.mesh, body.element].meshes if isinstance(body, MeshBody) else ()
+    if len(meshes) != 1:
+        return Element()
+    found = meshes[0].element
+    names = tuple(name for name in found.names if TIE_WORDS.search(name))
+    return Element(names=names, kinds=found.kinds, within=found.within, predefined=found.predefined)
 
 
 def _in_file(candidates: Candidates, definitions: Mapping[str, Definition], structure: Structure) -> dict[str, str]:
@@ -103,23 +127,26 @@ def _in_file(candidates: Candidates, definitions: Mapping[str, Definition], stru
     found = {}
     for each in candidates:
         for name, stated in definitions.items():
-            if each.definition is not None and _is_same(each.definition, stated, structure):
+            if _is_same(each, stated, structure):
                 found[each.name] = name
                 break
     return found
 
 
-def _is_same(one: BlockMechanism, other: Definition, structure: Structure) -> bool:
-    if not isinstance(other, BlockMechanism) or other.kind != one.kind or other.direction == "sweep":
+def _is_same(candidate: Candidate, other: Definition, structure: Structure) -> bool:
+    """Return whether a mechanism of a project is a candidate, in its direction or in one in which it is as weak."""
+    one = candidate.definition
+    if one is None or not isinstance(other, BlockMechanism) or other.kind != one.kind or other.direction == "sweep":
         return False
     if set(one.bodies) != set(other.bodies):
         return False
-    ways = 1.0 if other.direction is None else float(one.along @ other.along)
+    ways = [one.towards, *(each.direction for each in candidate.ties)]
+    same_way = other.direction is None or max(float(np.array(way) @ other.along) for way in ways) >= SAME_WAY
     base = min(structure.part(body).base for body in one.bodies)
     cuts = [base if each.cut is None else each.cut for each in (one, other)]
     level = [each if isinstance(each, float) else None for each in cuts]
     near = level[0] is not None and level[1] is not None and abs(level[0] - level[1]) <= SAME_CUT
-    return ways >= SAME_WAY and (near or cuts[0] == cuts[1])
+    return same_way and (near or cuts[0] == cuts[1])
 
 
 def find_margins(project: Project, found: FoundMechanisms, *, jobs: int = 0) -> dict[str, float]:
@@ -138,7 +165,7 @@ def find_margins(project: Project, found: FoundMechanisms, *, jobs: int = 0) -> 
     AssessError : the project cannot be run, as one without a site
     """
     before = project.path.read_bytes()
-    after, names = _with_tables(project, found.new, before)
+    after, names = _with_tables(project, found, before)
     study = build_to_decide(load_tree(parse_toml(after.removeprefix("\ufeff")), project.path, sha256=""))
     verdict = find_outcome(study, jobs=jobs)
     margins = {each.mechanism: each.margin for each in verdict.mechanisms if each.margin is not None}
@@ -146,13 +173,15 @@ def find_margins(project: Project, found: FoundMechanisms, *, jobs: int = 0) -> 
     return {candidate: margins[name] for candidate, name in stated.items() if name in margins}
 
 
-def add_mechanisms(project: Project, candidates: Sequence[Candidate]) -> tuple[str, ...]:
-    """Add tables of mechanisms at the end of a project file, whose text stays as it is; return their names.
+def add_mechanisms(project: Project, found: FoundMechanisms) -> tuple[str, ...]:
+    """Add tables of what is new at the end of a project file, whose text stays as it is; return their names.
+
+    They answer no entry of the list of the report that stays open, unless the file names it as not examined.
 
     Parameters
     ----------
     project : as it was read
-    candidates : that it can state
+    found : on its bodies
 
     Raises
     ------
@@ -162,7 +191,7 @@ def add_mechanisms(project: Project, candidates: Sequence[Candidate]) -> tuple[s
     changed = f"{project.path}: has changed since it was read; nothing was written: run the command again"
     if sha256(before).hexdigest() != project.sha256:
         raise ProjectError(changed)
-    after, names = _with_tables(project, candidates, before)
+    after, names = _with_tables(project, found, before)
     try:
         load_tree(parse_toml(after.removeprefix("\ufeff")), project.path, sha256="")
     except ProjectError as error:
@@ -179,14 +208,17 @@ def add_mechanisms(project: Project, candidates: Sequence[Candidate]) -> tuple[s
     return names
 
 
-def _with_tables(project: Project, candidates: Sequence[Candidate], before: bytes) -> tuple[str, tuple[str, ...]]:
-    """Return the text of a project file with tables of candidates at its end, and their names."""
+def _with_tables(project: Project, found: FoundMechanisms, before: bytes) -> tuple[str, tuple[str, ...]]:
+    """Return the text of a project file with tables of what is new at its end, and their names."""
     taken, lines, names = set(project.content.mechanisms), [""], []
-    for each in candidates:
+    report = project.content.report
+    left_open = {} if report.building_type is None else found.open_entries(report.building_type)
+    unnamed = {entry: each for entry, each in left_open.items() if entry not in report.not_examined}
+    for each in found.new:
         name = next(one for one in (each.name, *(f"{each.name}-{i}" for i in range(2, 1000))) if one not in taken)
         taken.add(name)
         names.append(name)
         bodies = {body: body for body in project.content.bodies}
-        lines += mechanism_lines(replace(each, name=name), bodies, project.content.report.building_type)
+        lines += mechanism_lines(replace(each, name=name), bodies, report.building_type, unnamed)
     text = before.decode("utf-8")
     return text + "\n" * (not text.endswith("\n")) + "\n".join(lines), tuple(names)

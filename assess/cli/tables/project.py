@@ -84,6 +84,7 @@ def mechanisms_text(found: FoundMechanisms, margins: Mapping[str, float] | None 
     weakest = ", ".join(each.name for each in found.candidates.weakest)
     lines = [f"within 10 % of the least multiplier: {weakest}\n"] if weakest else []
     lines += [f"{each.name}: {escape_text(each.found.why_not)}\n" for each in found.candidates if each.found.why_not]
+    lines += [f"not looked for: {escape_text(str(gap))}\n" for gap in found.candidates.gaps]
     lines += [f"without a mechanism: {escape_text(str(why))}\n" for why in found.candidates.without.values()]
     lines += [f"left out: {escape_text(f'{each.name}: {each.reason}')}\n" for each in found.structure.left_out]
     name, least, *others = MECHANISM_HEADER

@@ -6,12 +6,14 @@ import pytest
 
 from assess.errors import ProjectError
 from assess.project.build import build_to_decide
+from assess.project.drawn_project import write_project
 from assess.project.found_mechanisms import add_mechanisms, find_margins, find_mechanisms
 from assess.project.project_file import load
 from assess.study.run import find_outcome
 from tests.support.buildings import house
 from tests.support.command import ended
 from tests.support.drawings import obj_of
+from tests.support.houses import House, Planted, prism, write_ifc
 
 HEAD = """\
 # my house
@@ -61,27 +63,52 @@ def test_what_the_project_states_is_known(file) -> None:
 def test_added_tables_leave_the_rest_as_it_is(file) -> None:
     before = file.read_text()
     loaded = load(file)
-    new = find_mechanisms(loaded).new
-    names = add_mechanisms(loaded, new)
+    names = add_mechanisms(loaded, find_mechanisms(loaded))
     assert file.read_text().startswith(before)
     again = load(file)
     assert set(again.content.mechanisms) == {"mine", *names}
     assert not find_mechanisms(again).new
 
 
+def test_what_an_ifc_model_says_of_its_elements_is_kept(tmp_path) -> None:
+    """A chimney that stands beside a house by itself looks as a pier does; nothing is added to a drawn project."""
+    parts = (*House(top="gables").parts(), Planted("stack", "chimney", 0.6, prism((12.0, 2.0, 12.6, 2.6), 0.0, 7.0)))
+    _, candidates = write_project([write_ifc(tmp_path / "house.ifc", parts)], tmp_path / "new")
+    loaded = load(tmp_path / "new")
+    found = find_mechanisms(loaded)
+    assert found.structure.part("stack").kind == "chimney"
+    assert {each.name for each in found.candidates} == {each.name for each in candidates}
+    assert not found.new
+    assert not add_mechanisms(loaded, found)
+
+
+def test_a_mechanism_stated_in_another_way_as_weak_is_the_same(tmp_path) -> None:
+    """A square chimney is as weak in four ways; which of them comes first is rounding."""
+    write_project([write_ifc(tmp_path / "house.ifc", House(top="gables", chimney=True).parts())], tmp_path / "new")
+    file = tmp_path / "new" / "project.toml"
+    head, table = file.read_text(encoding="utf-8").split("[mechanisms.chimney-chimney]")
+    found = find_mechanisms(load(file))
+    way = next(each.definition for each in found.candidates if each.name == "chimney-chimney").towards
+    given = f"direction = [{', '.join(f'{-x + 0.0:.10g}' for x in way)}]"
+    lines = [given if line.startswith("direction") else line for line in table.split("[mechanisms.")[0].split("\n")]
+    rest = "".join(f"[mechanisms.{each}" for each in table.split("[mechanisms.")[1:])
+    file.write_text(f"{head}[mechanisms.chimney-chimney]" + "\n".join(lines) + rest, encoding="utf-8")
+    assert find_mechanisms(load(file)).in_file["chimney-chimney"] == "chimney-chimney"
+
+
 def test_a_name_that_is_taken_gets_a_number(file) -> None:
     file.write_text(file.read_text().replace("mechanisms.mine", "mechanisms.back-1-overturning"))
     loaded = load(file)
-    assert "back-1-overturning-2" in add_mechanisms(loaded, find_mechanisms(loaded).new)
+    assert "back-1-overturning-2" in add_mechanisms(loaded, find_mechanisms(loaded))
 
 
 def test_a_file_that_changed_meanwhile_is_refused(file) -> None:
     loaded = load(file)
-    new = find_mechanisms(loaded).new
+    found = find_mechanisms(loaded)
     file.write_text(file.read_text() + "# changed\n")
     after = file.read_bytes()
     with pytest.raises(ProjectError, match="has changed since it was read; nothing was written"):
-        add_mechanisms(loaded, new)
+        add_mechanisms(loaded, found)
     assert file.read_bytes() == after
     assert sorted(each.name for each in file.parent.iterdir()) == ["house.obj", "project.toml"]
 
@@ -94,7 +121,7 @@ def test_tables_that_cannot_be_added_are_refused(file) -> None:
     before = file.read_bytes()
     loaded = load(file)
     with pytest.raises(ProjectError, match="cannot be added, and nothing was written"):
-        add_mechanisms(loaded, find_mechanisms(loaded).new)
+        add_mechanisms(loaded, find_mechanisms(loaded))
     assert file.read_bytes() == before
 
 
@@ -124,7 +151,7 @@ def test_by_the_basis_they_rank_by_the_pga_that_they_hold(file) -> None:
     assert list(table.margin.dropna()) == sorted(margins.values())
     assert margins["left-1-overturning"] < margins["front-1-overturning"]  # though its multiplier is higher
     assert "front-1-corner" not in margins
-    names = dict(zip(add_mechanisms(loaded, found.new), (each.name for each in found.new), strict=True))
+    names = dict(zip(add_mechanisms(loaded, found), (each.name for each in found.new), strict=True))
     verdict = find_outcome(build_to_decide(load(file)))
     again = {each.mechanism: each.margin for each in verdict.mechanisms}
     assert {candidate: again[name] for name, candidate in names.items() if again[name] is not None} == pytest.approx(

@@ -1,0 +1,258 @@
+"""The mechanisms of walls: overturning, with wedges, corners, bending, bays, gables and what stands free on top.
+
+Nothing is taken to hold that a drawing cannot show: walls that meet are not bonded, ties do not pull, and a roof pushes
+by its shape. What stands in the way of a mechanism is named, and the mechanism is listed as not examined.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from functools import partial
+from itertools import pairwise
+from typing import Literal
+
+import numpy as np
+
+from assess.geometry.contact import find_contact
+from assess.loads.load import OverburdenLoad
+from assess.mechanisms.mechanism import Vector
+from assess.mechanisms.partial_walls import horizontal_arch, thrust_held_beyond
+from assess.messages.message import Message, Quantity, note
+from assess.model.bodies import LEAST_STRENGTH
+from assess.model.least_multipliers import (
+    NEAR_LEVEL,
+    Alternative,
+    Drawing,
+    Found,
+    Parameters,
+    distinct_levels,
+    weakest_bend,
+    weakest_corner,
+    weakest_turn,
+    weakest_wedges,
+)
+from assess.model.moving_parts import (
+    HELD,
+    LOW_STOREY,
+    Seed,
+    Seeds,
+    Unexamined,
+    all_of,
+    bends,
+    held_levels,
+    levels_of,
+    stacks_of,
+    standing_above,
+    walls_behind,
+    ways_of,
+)
+from assess.model.structure import Part, PartKind
+from spectra.gravity import g
+
+LOW_GABLE = 0.5  # m: less above the walls that meet a wall is no gable
+
+
+def turning_walls(drawing: Drawing, *, storeys: Literal["one", "several"]) -> Seeds:
+    """Find the walls that turn outwards above a level: the top storey alone, or with those below it."""
+    for stack in stacks_of(drawing):
+        levels = levels_of(stack, drawing)
+        for number, low in enumerate(levels):
+            if (storeys == "one") != (number == len(levels) - 1):
+                continue
+            parts = standing_above(stack, low, drawing)
+            top = max(part.top for part in stack)
+            free, stopping = _free_ways(parts, ways_of(stack), drawing, above=low + LOW_STOREY / 2.0)
+            high = min([*levels[number + 1 : number + 2], low + 0.85 * (top - low)])
+            if free:
+                find = partial(_weakest_way, parts, free, drawing, low=low, high=high)
+                yield Seed(parts, _why_free(stack, parts, low, drawing), find)
+            else:
+                yield Unexamined(parts[0], note("gap-stopped", z=Quantity(low, "length"), walls=stopping))
+
+
+def _free_ways(
+    parts: Sequence[Part], ways: Sequence[Vector], drawing: Drawing, *, above: float
+) -> tuple[tuple[Vector, ...], str]:
+    """Return the ways in which nothing stops parts above an elevation [m], and the names of what stops the others."""
+    stopping = {way: drawing.stopped_by(parts, way, above=above) for way in ways}
+    names = dict.fromkeys(name for each in stopping.values() for name in each)
+    return tuple(way for way, each in stopping.items() if not each), ", ".join(names)
+
+
+def walls_with_wedges(drawing: Drawing) -> Seeds:
+    """Find the façades that can take a wedge of the walls behind them along."""
+    for stack in stacks_of(drawing):
+        behind = walls_behind(stack, drawing)
+        if not stack[0].outward or not behind:
+            continue
+        low = stack[0].base
+        parts = standing_above(stack, low, drawing)
+        if stopping := drawing.stopped_by(parts, stack[0].normal, above=low + LOW_STOREY / 2.0):
+            yield Unexamined(stack[0], note("gap-stopped", z=Quantity(low, "length"), walls=", ".join(stopping)))
+            continue
+        walls = ", ".join(part.name for part in behind)
+        reason = all_of([_why_free(stack, parts, low, drawing), note("reason-wedges", walls=walls)])
+        yield Seed(
+            (*parts, *behind),
+            reason,
+            partial(weakest_wedges, parts, stack[0].normal, drawing, behind, elevation=low),
+        )
+
+
+def corners(drawing: Drawing) -> Seeds:
+    """Find the outer corners of two façades; those of the shaft of a tower are not looked for."""
+    for tower in drawing.structure.of_kind("tower"):
+        yield Unexamined(tower, note("gap-tower-corners"))
+    stacks = {part.name: stack for stack in stacks_of(drawing) if stack[0].outward for part in stack}
+    seen: set[frozenset[str]] = set()
+    for name, stack in stacks.items():
+        wall = drawing.structure.part(name)
+        for cross in drawing.structure.cross_walls(name):
+            other = stacks.get(cross.part.name)
+            way = np.array(wall.along) * (1.0 if cross.end == "end" else -1.0)
+            if other is None or cross.end == "between" or float(np.array(cross.part.normal) @ way) < 0.7:
+                continue
+            pair = frozenset((stack[0].name, other[0].name))
+            if pair in seen:
+                continue
+            seen.add(pair)
+            parts = tuple(part for part in (*stack, *other) if part.kind in ("wall", "pier"))
+            sides = tuple(tuple(part for part in each if part.kind in ("wall", "pier")) for each in (stack, other))
+            reason = note("reason-corner", one=stack[0].name, other=other[0].name)
+            yield Seed(parts, reason, partial(weakest_corner, (sides[0], sides[1]), drawing))
+
+
+def spanning_walls(drawing: Drawing) -> Seeds:
+    """Find the walls that two levels hold, where something presses on them from above."""
+    for wall in drawing.structure.of_kind("wall", "pier"):
+        held = held_levels(wall, drawing)
+        for low, high in pairwise(distinct_levels([wall.base, *held])):
+            if high - low < LOW_STOREY:
+                continue
+            levels = {"low": Quantity(low, "length"), "high": Quantity(high, "length")}
+            load = _pressing(wall, high, drawing)
+            if load is None:
+                yield Unexamined(wall, note("gap-unpressed", **levels))
+                continue
+            find = partial(_weakest_bending, wall, ways_of((wall,)), drawing, low=low, high=high, load=load)
+            reason = note("reason-spans", **levels)
+            yield Seed((wall,), reason, find)
+
+
+def bays(drawing: Drawing) -> Seeds:
+    """Find the bays of walls between two cross walls with masonry beyond both: without it an arch has no thrust."""
+    for wall in drawing.structure.of_kind("wall"):
+        inner = [each for each in drawing.structure.cross_walls(wall.name) if each.end == "between"]
+        for one, other in pairwise(inner):
+            span = other.at - one.at - (one.part.thickness + other.part.thickness) / 2.0
+            if span < LOW_STOREY:
+                continue
+            beyond = (one.at - one.part.thickness / 2.0, wall.length - other.at - other.part.thickness / 2.0)
+            reason = note("reason-bay", span=Quantity(span, "length", 3), one=one.part.name, other=other.part.name)
+            yield Seed((wall,), reason, partial(_arch_of_bay, wall, span, beyond, drawing))
+
+
+def caps(drawing: Drawing, *, kinds: tuple[PartKind, ...]) -> Seeds:
+    """Find what stands free on top of other parts: gables, parapets, chimneys, pinnacles."""
+    for part in drawing.structure.of_kind(*kinds):
+        parts = standing_above((part,), part.base, drawing)
+        free, stopping = _free_ways(parts, ways_of((part,)), drawing, above=part.base + 0.1 * part.height)
+        if free:
+            high = part.base + 0.5 * part.height
+            find = partial(_weakest_way, parts, free, drawing, low=part.base, high=high)
+            yield Seed(parts, note("reason-cap", z=Quantity(part.base, "length")), find)
+        else:
+            yield Unexamined(part, note("gap-stopped", z=Quantity(part.base, "length"), walls=stopping))
+
+
+def gables(drawing: Drawing) -> Seeds:
+    """Find the gables: parts of their own, and what walls have above all that meet them."""
+    yield from caps(drawing, kinds=("gable",))
+    for wall in drawing.structure.of_kind("wall"):
+        if bends(wall):
+            continue
+        meeting = [cross.part.top for cross in drawing.structure.cross_walls(wall.name)]
+        eaves = max(meeting, default=wall.top) if wall.eaves is None else wall.eaves
+        if LOW_GABLE <= wall.top - eaves < wall.height:
+            high = eaves + 0.5 * (wall.top - eaves)
+            find = partial(_weakest_way, (wall,), ways_of((wall,)), drawing, low=eaves, high=high)
+            yield Seed((wall,), note("reason-cap", z=Quantity(eaves, "length")), find)
+
+
+def _pressing(wall: Part, level: float, drawing: Drawing) -> OverburdenLoad | None:
+    """Return what presses on a wall at a level: bodies on its top, or the weight above; None for nothing."""
+    structure = drawing.structure
+    contacts = [each for each in structure.contacts_of(wall.name) if each.second == wall.name]
+    if level >= wall.top - NEAR_LEVEL:
+        on_top = [each for each in contacts if each.relation in ("stands-on", "bears-on")]
+        names = dict.fromkeys(
+            each.first
+            for each in on_top
+            if each.elevation >= wall.top - HELD and find_contact(wall.solid, structure.part(each.first).solid)
+        )
+        return OverburdenLoad(bodies=tuple(names)) if names else None
+    above = [part for part in standing_above((wall,), wall.base, drawing) if part is not wall]
+    masonry = sum(part.mass for part in above) + wall.mass * (wall.top - level) / wall.height
+    return OverburdenLoad(force=g * masonry) if masonry > 0.0 else None
+
+
+def _weakest_way(
+    parts: tuple[Part, ...], ways: tuple[Vector, ...], drawing: Drawing, *, low: float, high: float
+) -> Found:
+    return _weakest([weakest_turn(parts, way, drawing, low=low, high=high) for way in ways])
+
+
+def _weakest_bending(
+    wall: Part, ways: tuple[Vector, ...], drawing: Drawing, *, low: float, high: float, load: OverburdenLoad
+) -> Found:
+    return _weakest([weakest_bend(wall, way, drawing, low=low, high=high, load=load) for way in ways])
+
+
+def _weakest(found: Sequence[Found]) -> Found:
+    """Return the weakest of several directions, with the others as runners-up."""
+    known = [each for each in found if each.multiplier is not None]
+    if not known:
+        return found[0]
+    best = min(known, key=lambda each: each.multiplier or 0.0)
+    beside = [
+        Alternative(each.multiplier or 0.0, each.direction, each.parameters) for each in known if each is not best
+    ]
+    others = sorted((*best.others, *beside), key=lambda each: each.multiplier)
+    return replace(best, others=tuple(others), evaluations=sum(each.evaluations for each in found))
+
+
+def _arch_of_bay(wall: Part, span: float, beyond: tuple[float, float], drawing: Drawing) -> Found:
+    """Return the arch of a bay between what its wall has beyond the cross walls, of the weakest masonry."""
+    area = g * wall.density * wall.thickness * wall.height
+    ends = [thrust_held_beyond(weight=area * each, length=each, lever=wall.height) for each in beyond]
+    arch = horizontal_arch(
+        weight=area * span,
+        span=span,
+        thickness=wall.thickness,
+        height=wall.height,
+        ends=(ends[0], ends[1]),
+        strength=LEAST_STRENGTH,
+    )
+    parameters: Parameters = {"thrust": Quantity(arch.thrust, "force"), "rise": Quantity(arch.rise, "length")}
+    return Found(arch.multiplier, wall.normal, parameters, None, evaluations=1)
+
+
+def _why_free(stack: Sequence[Part], parts: Sequence[Part], low: float, drawing: Drawing) -> Message:
+    """Say why walls can turn outwards: how long they are, what meets them, what bears on them, what may hold them."""
+    structure, lead = drawing.structure, stack[0]
+    key = "reason-facade" if any(part.outward for part in stack) else "reason-inner-wall"
+    said = [note(key, length=Quantity(lead.length, "length", 3), z=Quantity(low, "length"))]
+    meeting = dict.fromkeys(cross.part.name for part in parts for cross in structure.cross_walls(part.name))
+    said.append(note("reason-meets", walls=", ".join(meeting)) if meeting else note("reason-no-return"))
+    names = {part.name for part in parts}
+    bearing = {
+        contact.first: contact.elevation
+        for part in parts
+        for contact in structure.contacts_of(part.name)
+        if contact.relation == "bears-on" and contact.second in names and contact.elevation > low
+    }
+    said += [note("reason-bears", body=body, z=Quantity(z, "length", 3)) for body, z in bearing.items()]
+    ties = dict.fromkeys(tie.name for part in parts for tie in structure.ties_of(part.name))
+    said += [note("reason-ties", ties=", ".join(ties))] if ties else []
+    return all_of(said)

@@ -27,7 +27,7 @@ from assess.declaration import (
     Safe,
     Several,
 )
-from spectra import asce7, ec8, ntc, nzs1170_5, ts1170_5
+from spectra import asce7, asce7_22, ec8, ntc, nzs1170_5, ts1170_5
 from spectra.errors import SpectrumError
 from spectra.spectrum import Spectrum
 from spectra.table import read_table, table_spectrum
@@ -140,6 +140,28 @@ class Asce7MappedSpectrum(DesignSpectrum):
         return asce7.mapped_spectrum(
             s_s=self.s_s, s_1=self.s_1, site_class=self.site_class, t_l=self.t_l, code=self.code, hazard=self.hazard
         )
+
+
+@dataclass(frozen=True, kw_only=True)
+class Asce722Spectrum(DesignSpectrum):
+    """Multi-period spectrum of ASCE 7-22, from a reply of the web service of the USGS."""
+
+    form = "asce7-22"
+    other_keys = dict.fromkeys(
+        ("s_s", "s_1", "site_class", "s_ds", "s_d1", "t_l"),
+        "the reply in the file has the spectrum of the site; remove it (the two-period spectrum of ASCE 7-22, "
+        "11.4.5.2, was not read)",
+    )
+    code: Annotated[Literal["asce7-22"], THE_CODE]
+    """"asce7-22\""""
+    file: Annotated[str | Path, IsInputFile(), Evidence("defines", "either", "as stated")]
+    """reply of earthquake.usgs.gov/ws/designmaps/asce7-22.json, saved as JSON"""
+    hazard: Asce7Level = "design"
+    """"design", or "mce": the risk-targeted maximum considered earthquake of the reply"""
+
+    def horizontal(self, *, pga: float | None = None) -> Spectrum:
+        """Read the spectrum."""
+        return asce7_22.multi_period_spectrum(Path(self.file), hazard=self.hazard)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -458,6 +480,7 @@ class PointsSpectrum(DesignSpectrum):
 
 SPECTRA: Mapping[str, tuple[type[DesignSpectrum], ...]] = {
     **dict.fromkeys(asce7.EDITIONS, (Asce7Spectrum, Asce7MappedSpectrum)),
+    "asce7-22": (Asce722Spectrum,),
     "ec8": (Ec8Spectrum,),
     "nzs1170.5": (Nzs1170Spectrum,),
     "ts1170.5": (Ts1170Spectrum, Ts1170TableSpectrum),

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -22,7 +22,12 @@ DAMPING_RULE = (
 
 
 def table_spectrum(
-    period: ArrayLike, acceleration: ArrayLike, *, damping: float = 0.05, pga: float | None = None
+    period: ArrayLike,
+    acceleration: ArrayLike,
+    *,
+    damping: float = 0.05,
+    pga: float | None = None,
+    reduction: Callable[[float], float] = ec8_eta,
 ) -> Spectrum:
     """Return a spectrum linear between its points.
 
@@ -35,6 +40,7 @@ def table_spectrum(
     acceleration : at these periods [n] [m/s2]
     damping : of the table [-]
     pga : zero-period ordinate [m/s2], used only where the table has no entry at T = 0
+    reduction : factor on ordinates [-] of a damping ratio [-]
 
     Raises
     ------
@@ -48,7 +54,7 @@ def table_spectrum(
         parameters={"points": float(points.period.size), "period_max": T_max, "pga": float(points.acceleration[0])},
         damping=damping,
         damping_rule=DAMPING_RULE,
-        ordinates=lambda at, other_damping: points.ordinates(at, ec8_eta(other_damping) / ec8_eta(damping)),
+        ordinates=lambda at, other_damping: points.ordinates(at, reduction(other_damping) / reduction(damping)),
         clause="table given by the user",
         longest_period=T_max,
         warnings=plausibility_warnings(**{"S_a(0)": float(points.acceleration[0])}),

@@ -34,7 +34,7 @@ def spectrum(
         _key_option(
             "code",
             "CODE",
-            "asce7-05, ibc2009, asce7-10, asce7-16, ec8, nzs1170.5, ts1170.5, ntc2008, ntc2018, table.",
+            "asce7-05, ibc2009, asce7-10, asce7-16, asce7-22, ec8, nzs1170.5, ts1170.5, ntc2008, ntc2018, table.",
             _complete_codes,
         ),
     ] = None,
@@ -86,7 +86,10 @@ def spectrum(
         _key_option("relief-position", "NUMBER", "ntc: 1 at the top of the relief (default), 0 at its foot."),
     ] = None,
     file: Annotated[
-        str | None, _key_option("file", "FILE", "table: CSV of periods and accelerations; ts1170.5: its table.")
+        str | None,
+        _key_option(
+            "file", "FILE", "table: CSV of periods and accelerations; ts1170.5: its table; asce7-22: JSON of the USGS."
+        ),
     ] = None,
     damping: Annotated[
         str | None,

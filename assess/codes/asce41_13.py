@@ -44,6 +44,7 @@ CAVEAT = (
 CAVEAT_PARAPET = "the limits for parapets are from memory, not checked against the printed standard"
 KEY = "procedures.asce41-13.s_x1"
 PERIOD, DAMPING = 1.0, 0.05  # s, of S_X1
+DERIVED = "s_x1"  # parameter of a spectrum whose code derives S_X1 otherwise than as S_a(1 s)
 Position = Literal["one-storey", "first-storey", "top-storey", "other"]
 STRICTEST: Position = "top-storey"
 MILDEST: Position = "first-storey"
@@ -95,6 +96,9 @@ def s_x1_over_pga(context: Context, options: Asce41Options) -> float:
     pga = context.spectrum.pga
     if options.s_x1 is not None:
         return options.s_x1 / pga
+    derived = context.spectrum.parameters.get(DERIVED)
+    if isinstance(derived, float):
+        return derived * context.spectrum.factor / pga
     return float(context.spectrum.acceleration(PERIOD, damping=DAMPING)) / pga
 
 
@@ -271,13 +275,14 @@ def _in_row(check: Check, wall: Wall, context: Context, options: Asce41Options, 
     slenderness, s_x1 = wall.height / wall.thickness, ordinate * check.level_pga_g
     most, bound = permissible_slenderness(position, s_x1), permitted_s_x1(position, slenderness)
     answered = _answered(check, slenderness, most, PERMITTED[position])
-    factors = {"S_a(1 s)/PGA": (ordinate, "-"), "PGA": (check.level_pga_g, "g")}
+    ratio = "S_X1/PGA" if DERIVED in context.spectrum.parameters else "S_a(1 s)/PGA"
+    factors = {ratio: (ordinate, "-"), "PGA": (check.level_pga_g, "g")}
     return replace(
         answered,
         capacity_pga_g=None if bound is None else bound / ordinate,
         steps=(
             *_size_steps(wall),
-            step("S_X1", "spectrum at 1 s", CLAUSE, "S_a(1 s)/PGA PGA", s_x1, "g", given=factors),
+            step("S_X1", "spectrum at 1 s", CLAUSE, f"{ratio} PGA", s_x1, "g", given=factors),
             step("max h/t", PLACES[position], CLAUSE, "row of the wall, column of S_X1", most,
                  remark=_source(context, options), at={"S_X1": (s_x1, "g")}),
             _ratio_step(slenderness, most),

@@ -22,7 +22,7 @@ Reading = Literal["letter", "thesis"]
 InputAt = Literal["ground", "mechanism base", "missing"]
 Unbounded = Literal["", "overturned", "beyond the spectrum"]
 
-AMERICAN = ("asce7-05", "ibc2009", "asce7-10", "asce7-16")
+AMERICAN = ("asce7-05", "ibc2009", "asce7-10", "asce7-16", "asce7-22")
 EUROPEAN = ("ec8", "ntc2008", "ntc2018")
 NEW_ZEALAND = ("nzs1170.5",)
 TABLE_SPECTRUM = "table"  # the engineer's own spectrum, for any code

@@ -283,6 +283,8 @@ RECORD_TEXTS: Mapping[str, str] = {
     "mapped-exchanged": "S_1 = {s_1} is above S_S = {s_s}, which no map has; are they exchanged?",
     "site-factors-capped": "Z R = {z} × {r} = {product} is taken as {most}, the most that NZS 1170.5, 3.1.1 asks for; "
     "check z and r",
+    "reply-differs": "{name} of the reply is {value}, and by ASCE 7-22 §21.4 from its own spectrum {derived}, which is "
+    "used; was the reply edited?",
     "ts1170-near-fault": "the clauses of TS 1170.5 on near faults were not read and are not in the spectrum; where a "
     "major fault is within 20 km, check the ordinates above 1.5 s",
     "study-of-class-e": "ASCE 7-16 §11.4.8 asks for a ground motion hazard analysis for site class E with S_S >= 1.0 "

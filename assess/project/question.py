@@ -33,7 +33,14 @@ from assess.study.fragility_runs import measure
 from assess.study.study import FragilityQuestion, deciding_limit_states
 from records.reading import relative_path
 from spectra import ntc
-from spectra.design_spectra import LEAST_LIFE, Asce7MappedSpectrum, Asce7Spectrum, Ec8Spectrum, Nzs1170Spectrum
+from spectra.design_spectra import (
+    LEAST_LIFE,
+    Asce7MappedSpectrum,
+    Asce7Spectrum,
+    Asce722Spectrum,
+    Ec8Spectrum,
+    Nzs1170Spectrum,
+)
 from spectra.gravity import g
 from spectra.spectrum import Spectrum
 
@@ -237,7 +244,7 @@ def _dbe_by_asce7(content: sections.Content) -> Iterator[Message]:
     ASCE/SEI 43-05 has that from the uniform hazard at 4e-4 or 1e-4 a year; ASCE 7 takes two thirds of its own maximum.
     """
     way = None if content.site is None else content.site.spectrum.plain
-    if content.site is None or not isinstance(way, Asce7Spectrum | Asce7MappedSpectrum):
+    if content.site is None or not isinstance(way, Asce7Spectrum | Asce7MappedSpectrum | Asce722Spectrum):
         return
     if content.site.own_limit_state == DESIGN_BASIS:
         yield message("dbe-by-asce7", {"hazard": way.hazard}, severity=Severity.WARNING)

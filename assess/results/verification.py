@@ -380,6 +380,7 @@ USES: Mapping[str, Term] = {
     "asce7-05": Term("spectrum of ASCE 7-05"),
     "asce7-10": Term("spectrum of ASCE 7-10"),
     "asce7-16": Term("spectrum of ASCE 7-16"),
+    "asce7-22": Term("spectrum of ASCE 7-22"),
     "ec8": Term("spectrum of EN 1998-1"),
     "nzs1170.5": Term("spectrum of NZS 1170.5"),
     "ts1170.5": Term("spectrum of TS 1170.5"),

@@ -163,6 +163,9 @@ SPECTRUM_WORKS: Mapping[str, Verbatim] = {
     "asce7-16": Verbatim(
         "ASCE/SEI 7-16. Minimum design loads and associated criteria for buildings and other structures. 2016."
     ),
+    "asce7-22": Verbatim(
+        "ASCE/SEI 7-22. Minimum design loads and associated criteria for buildings and other structures. 2022."
+    ),
     "ec8": PROCEDURE_WORKS["ec8"],
     "nzs1170.5": Verbatim("NZS 1170.5:2004. Structural design actions, part 5: Earthquake actions – New Zealand."),
     "ts1170.5": Verbatim("SNZ TS 1170.5:2025. Structural design actions, part 5: Earthquake actions – New Zealand."),

@@ -137,6 +137,8 @@ PARAMETER_NAMES: Mapping[str, tuple[Phrase, str]] = {
     "s_m1": (say("S_M1, MCE on the site, 1 s"), ACCELERATION),
     "s_ds": (say("S_DS, design, at short periods"), ACCELERATION),
     "s_d1": (say("S_D1, design, at 1 s"), ACCELERATION),
+    "pga_m": (say("PGA_M, geometric mean, for liquefaction"), ACCELERATION),
+    "s_x1": (say("S_X1, at 1 s, of the hazard chosen"), ACCELERATION),
     "t_l": (say("T_L, long-period transition"), "time"),
     "t_0": (say("T_0, start of the level branch"), "time"),
     "t_s": (say("T_S, end of the level branch"), "time"),

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from scipy.constants import g
 
-from spectra import asce7, ec8, ntc, nzs1170_5, ts1170_5
+from spectra import asce7, asce7_22, ec8, ntc, nzs1170_5, ts1170_5
 from spectra.asce7 import EDITIONS
 from spectra.design_spectra import SPECTRA
 from spectra.errors import SpectrumError
@@ -21,6 +21,7 @@ DESIGN: dict[str, Any] = {"s_ds": 0.5 * g, "s_d1": 0.2 * g, "t_l": 6.0}
 MAPPED: dict[str, Any] = {"s_s": 0.6 * g, "s_1": 0.15 * g, "site_class": "C", "t_l": 6.0}
 EC8: dict[str, Any] = {"a_g": 0.25 * g, "ground_type": "C"}
 NZS: dict[str, Any] = {"subsoil": "D", "z": 0.4}
+REPLY = Path(asce7_22.__file__).parents[1] / "assess/verification/cases/asce7/usgs_reply.json"
 TS: dict[str, Any] = {"s_as": 0.38 * g, "t_c": 0.52, "t_d": 2.8}
 ROCK: dict[str, Any] = {"a_g": 0.15 * g, "f_0": 2.4, "t_c_star": 0.3}
 ROWS: tuple[dict[str, float], ...] = (
@@ -41,6 +42,7 @@ CASES: list[tuple[str, dict[str, Any], Spectrum]] = [
     *((code, DESIGN, asce7.design_spectrum(**DESIGN, code=code)) for code in EDITIONS),
     *((code, MAPPED, asce7.mapped_spectrum(**MAPPED, code=code)) for code in EDITIONS),
     ("asce7-16", {**MAPPED, "hazard": "mce"}, asce7.mapped_spectrum(**MAPPED, hazard="mce")),
+    ("asce7-22", {"file": REPLY}, asce7_22.multi_period_spectrum(REPLY)),
     ("ec8", EC8, ec8.elastic_spectrum(**EC8)),
     (
         "ec8",

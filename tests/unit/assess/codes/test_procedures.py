@@ -28,8 +28,10 @@ RUN_AT: dict[str, tuple[str, ...]] = {
     "ibc2009": (*ASCE43, *DMI2008, "asce41-13-ht"),
     "asce7-10": (*ASCE43, *DMI2008, "asce41-13-ht"),
     "asce7-16": (*ASCE43, *DMI2008, "asce41-13-ht"),
+    "asce7-22": (*ASCE43, *DMI2008, "asce41-13-ht"),
     "ec8": (*ASCE43, *DMI2008),
     "nzs1170.5": (*ASCE43, *DMI2008, "nzsee2017-face-loaded"),
+    "ts1170.5": (*ASCE43, *DMI2008),
     "ntc2008": (*ASCE43, *DMI2008, "dmi2008-history"),
     "ntc2018": (*ASCE43, *NTC2018),
 }

@@ -18,8 +18,17 @@ if TYPE_CHECKING:
     from assess.mechanisms.four_hinge import RadialJoints
     from assess.mechanisms.mechanism import CutAngle, CutPlane
     from assess.mechanisms.side_walls import SideWalls
+    from assess.mechanisms.wedged_block import Wedge
     from assess.model.bodies import Body, Material, box, mesh, profile
-    from assess.study.block import Block, equivalent_block, four_hinge, single_block, two_block
+    from assess.study.block import (
+        Block,
+        corner,
+        equivalent_block,
+        facade_with_wedges,
+        four_hinge,
+        single_block,
+        two_block,
+    )
     from assess.verbs import Run, answers, envelope, fragility, load, read_building, respond, run, write_report
     from records.reading import read_record
     from records.record import Record
@@ -43,11 +52,14 @@ __all__ = [
     "Shape",
     "SideWalls",
     "TieLoad",
+    "Wedge",
     "answers",
     "box",
     "building",
+    "corner",
     "envelope",
     "equivalent_block",
+    "facade_with_wedges",
     "four_hinge",
     "fragility",
     "g",
@@ -72,8 +84,17 @@ _HOMES = {
     "assess.mechanisms.four_hinge": ("RadialJoints",),
     "assess.mechanisms.mechanism": ("CutAngle", "CutPlane"),
     "assess.mechanisms.side_walls": ("SideWalls",),
+    "assess.mechanisms.wedged_block": ("Wedge",),
     "assess.model.bodies": ("Body", "Material", "box", "mesh", "profile"),
-    "assess.study.block": ("Block", "equivalent_block", "four_hinge", "single_block", "two_block"),
+    "assess.study.block": (
+        "Block",
+        "corner",
+        "equivalent_block",
+        "facade_with_wedges",
+        "four_hinge",
+        "single_block",
+        "two_block",
+    ),
     "assess.verbs": (
         "Run",
         "answers",

@@ -197,6 +197,7 @@ class Reason(StrEnum):
     ONE_SIDED = "one-sided"
     NO_REBOUND = "no-rebound"
     STOPS = "stops-at-impact"
+    HISTORIES_UNKNOWN = "histories-unknown"
     NOT_A_WALL = "not-a-wall"
     NOT_SPANNING = "not-spanning"
     NO_WALL_SIZE = "no-wall-size"

@@ -194,6 +194,7 @@ class Context:
     limit_state : that the site's single spectrum is declared for; None where it is not, or the site gives its hazard
     floor_spectrum : of the motion at the mechanism's base, at the site's PGA; None where none is given
     impossible, impossible_by_histories : why no answer can be given, and why none by histories; with the remedies
+    rocks : whether what its impacts leave is known; else only multiplier and curve are, which the kinematic checks ask
     not_lasting : why none by displacements and histories: it is held only by what is not shown to last; with the remedy
     suite_faults : by the code of a procedure, the rules for suites that the records miss, with the remedies
     amplification : the largest, over the records, of peak acceleration at the mechanism's base over that at the ground
@@ -229,6 +230,7 @@ class Context:
     floor_spectrum: Spectrum | None = None
     impossible: tuple[Message, ...] = ()
     impossible_by_histories: tuple[Message, ...] = ()
+    rocks: bool = True
     not_lasting: tuple[Message, ...] = ()
     suite_faults: Mapping[str, tuple[Message, ...]] = field(default_factory=dict)
     amplification: float = 1.0

@@ -210,7 +210,14 @@ def find_applicability(procedure: str, oscillator: Oscillator, context: Context)
     Applicability
     """
     application = Application(PROCEDURES[procedure], oscillator, context)
-    rules = (_clause_objection, _unheld_objection, _impossible_objection, _histories_objection, _height_objection)
+    rules = (
+        _clause_objection,
+        _rocking_objection,
+        _unheld_objection,
+        _impossible_objection,
+        _histories_objection,
+        _height_objection,
+    )
     objections = (rule(application) for rule in rules)
     found = [each for each in objections if each is not None]
     if not found or found[0].may == Allowed.NOT_APPLY:
@@ -406,6 +413,13 @@ def _clause_objection(application: Application) -> Applicability | None:
     if procedure.family == Family.ELEMENT and context.carries_floors:
         return Applicability(Allowed.NOT_ANSWER, reason_message(Reason.CARRIES_FLOORS))
     return None
+
+
+def _rocking_objection(application: Application) -> Applicability | None:
+    """Return the objection to all but multiplier and curve where what the impacts leave is not known."""
+    if application.context.rocks or application.procedure.family in (Family.LINEAR, Family.DISPLACEMENT):
+        return None
+    return Applicability(Allowed.NOT_ANSWER, reason_message(Reason.HISTORIES_UNKNOWN), void=True)
 
 
 def _impossible_objection(application: Application) -> Applicability | None:

@@ -47,6 +47,7 @@ class MechanismKind:
     support : how the masonry is held: free above its base, spanning between supports, or hinged to other blocks
     direction_sought : whether its weakest direction is found where none is given
     turns_on_base : whether it turns at the edges of its base or cut, by which alone directions are compared
+    rocks : whether it comes back and what its impacts leave is known; else no history of it is answered
     """
 
     definition: type[Any]
@@ -55,6 +56,7 @@ class MechanismKind:
     support: Literal["free", "spanning", "hinged"]
     direction_sought: bool = False
     turns_on_base: bool = False
+    rocks: bool = True
 
     @property
     def name(self) -> str:
@@ -116,6 +118,7 @@ def assemble(
         warnings=(*given, *pulling, *_impact_warnings(kept, back)),
         stopped=_least_stopped(kept, back),
         rebounds=kept.range,
+        rocks=kind.rocks,
     )
 
 

@@ -9,9 +9,10 @@ from assess.mechanisms.four_hinge import FOUR_HINGE
 from assess.mechanisms.mechanism import BlockMechanism
 from assess.mechanisms.single_block import EQUIVALENT_BLOCK, SINGLE_BLOCK, EquivalentBlock
 from assess.mechanisms.two_block import TWO_BLOCK
+from assess.mechanisms.wedged_block import WEDGED_KINDS
 
 MECHANISM_KINDS: Mapping[str, MechanismKind] = {
-    kind.name: kind for kind in (SINGLE_BLOCK, TWO_BLOCK, FOUR_HINGE, EQUIVALENT_BLOCK)
+    kind.name: kind for kind in (SINGLE_BLOCK, TWO_BLOCK, FOUR_HINGE, *WEDGED_KINDS.values(), EQUIVALENT_BLOCK)
 }
 
 Definition = BlockMechanism | EquivalentBlock

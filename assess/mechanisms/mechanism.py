@@ -196,6 +196,7 @@ class Mechanism:
     toothed : the block with the side walls toothed into it; None where there are none
     candidates : the directions among which the weakest was found, or with which a given one was compared
     weaker : the weakest free direction, where the given one has a multiplier more than 10 % above it; else None
+    rocks : whether it comes back and what its impacts leave is known; else no history of it is answered
     """
 
     name: str
@@ -220,6 +221,7 @@ class Mechanism:
     adjacent_bodies: tuple[str, ...] = ()
     messages: tuple[Message, ...] = ()
     toothed: ToothedBlock | None = None
+    rocks: bool = True
 
     def __repr__(self) -> str:
         return f"Mechanism({self.name!r}, {self.kind}, {self.sides}-sided, {self.positive.mass:.4g} kg)"

@@ -100,6 +100,7 @@ ABOUT_BASE = (Term("angular momentum about the new base hinge, Sorrentino et al.
 WITH_LOADS = Term("times momentum with the loads over momentum without")
 OF_SLENDER_BLOCK = Term("3.45 of a slender block, as none is published for a chain")
 GIVEN = (Term("given"),)
+NOT_KNOWN = (Term("what its impacts leave is not known; no history of it is answered"),)
 WORST_OF_THREE = Term("histories take the worst of 0.5, 1 and 1.5 times it")
 WORST_OF_FOUR = Term("histories take the worst of no rebound and 0.5, 1 and 1.5 times it")
 NOTABLE = 0.03  # a difference between two coefficients that is explained in a warning
@@ -151,6 +152,15 @@ def find_restitution(
     if kept.value < 0.0:
         return _stopped_at_impact(kept)
     return _with_warning(kept, impact, ending=ending, starting=starting)
+
+
+def unknown_rebound(ending: Chain) -> RestitutionCoefficient:
+    """Return no velocity after the impact of a mechanism of which no history is answered."""
+    return RestitutionCoefficient(0.0, NOT_KNOWN)
+
+
+FALLS_OUTWARDS = ImpactRules(two_sided={}, one_sided={"thesis": unknown_rebound})
+"""The rules of a mechanism that falls outwards, of which no history is answered."""
 
 
 def default_rule(ending: Chain, starting: Chain, *, rules: ImpactRules) -> RestitutionRule:

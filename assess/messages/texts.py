@@ -154,6 +154,8 @@ TEXTS: Mapping[str, str] = {
     "rocks to one side only",
     "stops-at-impact": "conservation of momentum gives a restitution of {restitution}: a mechanism this squat stops "
     "rocking at the first impact; for histories give restitution as a number in [0, 1]",
+    "histories-unknown": "histories of this class are not answered: what its impacts leave is not known; its "
+    "multiplier and its curve are, which the linear and the non-linear kinematic check of the Italian codes ask for",
     "not-a-wall": "{clause} applies to walls that stand free or span between floors; this mechanism is neither",
     "not-spanning": "{clause} applies to walls that span between supports; this wall stands free",
     "no-wall-size": "{clause} needs the height and thickness of the wall; this mechanism has no geometry",

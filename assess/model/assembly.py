@@ -23,6 +23,7 @@ from assess.mechanisms.kinds import MECHANISM_KINDS, Definition
 from assess.mechanisms.mechanism import BlockMechanism, Mechanism
 from assess.mechanisms.restitution import RestitutionChoice
 from assess.mechanisms.two_block import TwoBlock
+from assess.mechanisms.wedged_block import WedgedBlock
 from assess.messages.message import Message, Quantity, distinct, warning
 from assess.model.bodies import (
     Bodies,
@@ -37,6 +38,7 @@ from assess.model.bodies import (
 from assess.model.joint_planes import DOWN, UP, JointPlane, MotionPlane, Vector, faces_of, find_joint_plane
 from assess.model.loading import loads_of
 from assess.model.walls import Crack, blocks_at, crack_of, require_as_found
+from assess.model.wedges import wedged_piece
 
 
 @dataclass(frozen=True)
@@ -125,6 +127,8 @@ class PressedHinge:
 
 def _cut_into_blocks(name: str, definition: BlockMechanism, bodies: Bodies) -> tuple[Sequence[Piece], Crack | None]:
     """Cut the bodies into blocks; a wall of one body is cut at its crack, which is returned too."""
+    if isinstance(definition, WedgedBlock):
+        return (wedged_piece(name, definition, bodies),), None
     pieces = pieces_of(name, definition, bodies)
     if not isinstance(definition, TwoBlock) or len(pieces) == 2:
         return pieces, None

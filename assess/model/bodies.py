@@ -438,7 +438,7 @@ def _block_above_cut(
     name: str, block: Sequence[str], plane: Plane, direction: Sequence[float], bodies: Bodies
 ) -> Piece:
     """Return the part of a block above a cut."""
-    parts = divide(_solids_to_cut(name, block, bodies), plane, where=f'mechanism "{name}": cut')
+    parts = divide(solids_to_cut(name, block, bodies), plane, where=f'mechanism "{name}": cut')
     return replace(piece_above_cut(parts, direction), fixed=parts.below)
 
 
@@ -448,7 +448,7 @@ def _crosses_plane(block: Sequence[str], plane: Plane, bodies: Bodies) -> bool:
     return any(bool(((points - plane.point) @ plane.normal < 0.0).any()) for points in corners)
 
 
-def _solids_to_cut(name: str, block: Sequence[str], bodies: Bodies) -> tuple[Solid, ...]:
+def solids_to_cut(name: str, block: Sequence[str], bodies: Bodies) -> tuple[Solid, ...]:
     """Return the solids of a block; raise GeometryError for a body without geometry."""
     for body in block:
         if bodies[body].solid is None:

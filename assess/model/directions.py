@@ -42,10 +42,12 @@ from assess.mechanisms.mechanism import (
 )
 from assess.mechanisms.oscillators import collapse_branch
 from assess.mechanisms.restitution import Restitution
+from assess.mechanisms.wedged_block import Corner
 from assess.messages.message import Message, Quantity, Severity, Term, Value, format_key, message, warning
 from assess.model.assembly import Built, mechanism_of, on_rigid_hinges
 from assess.model.bodies import Bodies, cut_of, solids_of_block
 from assess.model.loading import loads_of
+from assess.model.wedges import outward_directions
 from assess.oscillator import displacement, multiplier
 from spectra.arrays import FloatArray
 
@@ -80,6 +82,8 @@ def mechanism_in_direction(name: str, definition: Definition, bodies: Bodies) ->
 
 
 def _built_in_direction(name: str, definition: Definition, bodies: Bodies) -> Built:
+    if isinstance(definition, Corner) and definition.direction is None:
+        return mechanism_of(name, _corner_towards_weakest(name, definition, bodies), bodies)
     if (
         not isinstance(definition, BlockMechanism)
         or not MECHANISM_KINDS[definition.kind].direction_sought
@@ -91,6 +95,19 @@ def _built_in_direction(name: str, definition: Definition, bodies: Bodies) -> Bu
     if definition.direction is None:
         return build_in_weakest_direction(search)
     return _build_in_given_direction(search)
+
+
+def _corner_towards_weakest(name: str, definition: Corner, bodies: Bodies) -> Corner:
+    """Return a corner in the weakest of the directions between the outward ones of its walls."""
+
+    def multiplier_of(towards: Corner) -> float:
+        try:
+            return uplift_multiplier(on_rigid_hinges(name, towards, bodies)[0].positive)
+        except FallingError as error:
+            return -inf if error.multiplier is None else error.multiplier
+
+    ways = outward_directions(name, definition, bodies)
+    return min((_turn_towards(definition, way) for way in ways), key=multiplier_of)
 
 
 def mechanism_as_given(name: str, definition: Definition, bodies: Bodies) -> Built:

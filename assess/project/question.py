@@ -22,6 +22,7 @@ from assess.codes.sliding import ASCE43_05_SLIDING, SLIDING
 from assess.errors import ProjectError, locate_errors
 from assess.geometry.solid import Solid
 from assess.loads.roofs_and_vaults import leans_one_way
+from assess.mechanisms.wedged_block import WEDGED_KINDS
 from assess.messages.message import Message, Quantity, Severity, Value, message, whole_number
 from assess.project import sections
 from assess.project.key_errors import value_text
@@ -446,13 +447,16 @@ def _not_drawn(content: sections.Content, name: str) -> Iterator[Message]:
 
 
 def _not_sought(content: sections.Content, name: str) -> Iterator[Message]:
-    """Yield the condition that four hinges form where they are stated: weaker ones are not sought, nor a direction."""
+    """Yield the condition that hinges or cracks form where they are stated: weaker ones are not sought."""
     section = content.mechanisms[name]
+    stated: list[str] = []
     if section.kind == "four-hinge":
         given = [key for key in ("hinges", "hinges_negative", "direction") if key in section.model_fields_set]
-        stated = [f"mechanisms.{name}.{key}" for key in given if getattr(section, key) != "minimum"]
-        if keys := [key for key in stated if not content.report.source_of(key)]:
-            yield message("not-sought", {"keys": ", ".join(keys)}, severity=Severity.WARNING)
+        stated = [key for key in given if getattr(section, key) != "minimum"]
+    elif section.kind in WEDGED_KINDS:
+        stated = [f"wedges.{number}" for number in range(len(section.wedges))]
+    if keys := [key for each in stated if not content.report.source_of(key := f"mechanisms.{name}.{each}")]:
+        yield message("not-sought", {"keys": ", ".join(keys)}, severity=Severity.WARNING)
 
 
 def procedures_of(content: sections.Content) -> tuple[str, ...]:

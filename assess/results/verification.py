@@ -276,7 +276,9 @@ CASES = Path(__file__).parents[1] / "verification" / "cases"
 
 OF_A_CASE = frozenset({"source", "solver", "quantities"})
 """Keys of which a case has one and a project file none."""
-KINDS = frozenset({"single-block", "two-block", "four-hinge", "arch", "equivalent-block"})
+KINDS = frozenset(
+    {"single-block", "two-block", "four-hinge", "arch", "facade-with-wedges", "corner", "equivalent-block"}
+)
 JOINTS = frozenset({"rigid", "crushing", "flexible", "semi-flexible", "flexible-thesis"})
 
 ORDINARY = KINDS - {"arch"} | JOINTS - {"flexible-thesis"} | {"box", "exact", "linearised", "free motion"}
@@ -331,6 +333,8 @@ USES: Mapping[str, Term] = {
     "two-block": Term("a wall held at base and top that opens at a crack between"),
     "four-hinge": Term("three blocks between two fixed hinges"),
     "arch": Term("an arch whose hinges are where it resists least"),
+    "facade-with-wedges": Term("a wall that overturns with wedges of the walls behind it"),
+    "corner": Term("a corner of two walls that turns outwards about its foot"),
     "equivalent-block": Term("a mechanism by its rocking parameters"),
     "one-sided": Term("rocking in one direction only, with rebound"),
     "free motion": Term("free rocking and its impacts"),

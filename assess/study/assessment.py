@@ -38,6 +38,7 @@ from assess.study.histories import (
     run_to_decide,
     vibrates,
     with_governing_trace,
+    without_runs,
 )
 from assess.study.mechanism_results import amplification_result, mechanism_result
 from assess.study.study import Progress, ScaledRecord, Study
@@ -293,7 +294,7 @@ def _in_state(
         there = replace(there, procedures=tuple(asked))
     case = rocking_case(there, mechanism, motions)
     context = context_of(there, spectrum, mechanism, case.base, motions)
-    histories = run(there, case, context)
+    histories = run(there, case, context) if mechanism.rocks else without_runs(there, spectrum, mechanism)
     checks = checks_of(there, case.oscillator, with_histories(context, histories))
     return MechanismCheck(checks, case, histories, there.amplified[mechanism.name])
 

@@ -14,7 +14,6 @@ from typing import Any, Literal
 from assess.codes.asce43_05 import VERTICAL_RATIO
 from assess.codes.check import Check
 from assess.codes.context import Building, Context
-from assess.codes.histories import SuiteResponse
 from assess.codes.italian_limit_states import FACTORS_BY_LEVEL
 from assess.codes.procedures import KNOWLEDGE_CODES, PROCEDURES, CodeOptions, uses_histories
 from assess.codes.question import Action, Question
@@ -31,7 +30,8 @@ from assess.mechanisms.restitution import Restitution, RestitutionChoice
 from assess.mechanisms.side_walls import SideWalls
 from assess.mechanisms.single_block import EquivalentBlock, SingleBlock
 from assess.mechanisms.two_block import TwoBlock
-from assess.messages.message import Message, locate
+from assess.mechanisms.wedged_block import Corner, FacadeWithWedges, Wedge, WedgedBlock
+from assess.messages.message import Message, locate, message
 from assess.model.bodies import Bodies, Body, solids_of
 from assess.model.check import check_definition, with_floats
 from assess.model.directions import mechanism_in_direction
@@ -43,8 +43,8 @@ from assess.study.histories import (
     RockingCase,
     RockingHistories,
     check_record,
-    further_levels,
     mechanism_histories,
+    without_runs,
 )
 from assess.study.mechanism_results import oscillator_result, rigid_branches
 from assess.study.study import Fitting, ScaledRecord, Study
@@ -127,8 +127,12 @@ class Block:
 
         Raises
         ------
-        MechanismError : the mechanism stands only by ties or forces that are not shown to last
+        MechanismError : the mechanism stands only by ties or forces that are not shown to last, or what its impacts
+            leave is not known
         """
+        if not self.mechanism.rocks:
+            text = message("histories-unknown", {}).text
+            raise MechanismError(f'mechanism "{self.name}": {text}')
         collapse = self.mechanism.variants.collapse
         if collapse is None:
             names = ", ".join(self.mechanism.variants.depends_on)
@@ -303,6 +307,64 @@ def four_hinge(
     return _make_block(name, definition, (*bodies, *_bodies("around", around)))
 
 
+def facade_with_wedges(
+    body: BodyOrBodies,
+    *,
+    wedges: Sequence[Wedge],
+    direction: Vector,
+    name: str = "facade",
+    cut: float | None = None,
+    loads: Sequence[LoadDefinition] = (),
+    interface: Interface | None = None,
+    hinge: Place | None = None,
+    around: Sequence[Body] = (),
+) -> Block:
+    """Return a wall that overturns with wedges of the walls behind it; no history of it is answered.
+
+    Parameters
+    ----------
+    body : the wall with those behind it
+    wedges : which of these bodies crack, and how
+    direction : horizontal (x, y, 0) in which it falls outwards
+    cut : elevation of its foot [m]; that of the wall where None
+    others : as for `single_block`
+
+    Raises
+    ------
+    MechanismError or GeometryError : it cannot fall as described; the text says why, and what to do
+    """
+    return _wedged_block(FacadeWithWedges, body, wedges, direction, name, cut, loads, interface, hinge, around)
+
+
+def corner(
+    body: BodyOrBodies,
+    *,
+    wedges: Sequence[Wedge],
+    direction: Vector | Literal["weakest"] = "weakest",
+    name: str = "corner",
+    cut: float | None = None,
+    loads: Sequence[LoadDefinition] = (),
+    interface: Interface | None = None,
+    hinge: Place | None = None,
+    around: Sequence[Body] = (),
+) -> Block:
+    """Return the corner of two walls, which turns outwards about its foot; no history of it is answered.
+
+    Parameters
+    ----------
+    body : the two walls, of one body or more each
+    wedges : the crack in each of them
+    direction : horizontal (x, y, 0), between the outward ones of both walls; "weakest" for the weakest of these
+    cut : elevation of its foot [m]; that of the walls where None
+    others : as for `single_block`
+
+    Raises
+    ------
+    MechanismError or GeometryError : it cannot fall as described; the text says why, and what to do
+    """
+    return _wedged_block(Corner, body, wedges, direction, name, cut, loads, interface, hinge, around)
+
+
 def equivalent_block(
     *,
     p: float,
@@ -416,6 +478,32 @@ def answers(
         heights={mechanism.name: height},
     )
     return _checks_of_block(study, mechanism, spectrum, threads=threads)
+
+
+def _wedged_block(
+    kind: type[WedgedBlock],
+    body: BodyOrBodies,
+    wedges: Sequence[Wedge],
+    direction: Direction,
+    name: str,
+    cut: float | None,
+    loads: Sequence[LoadDefinition],
+    interface: Interface | None,
+    hinge: Place | None,
+    around: Sequence[Body],
+) -> Block:
+    """Return a façade or a corner with its wedges."""
+    if not isinstance(wedges, tuple | list) or not all(isinstance(each, Wedge) for each in wedges):
+        raise MechanismError(f"wedges = {wedges!r:.60}: give a list of Wedge(walls=…, angle=…)")
+    bodies = _one_or_several(body)
+    definition = kind(
+        blocks=(tuple(each.name for each in bodies),),
+        wedges=tuple(wedges),
+        cut=cut,
+        hinges=None if hinge is None else (hinge,),
+        **_shared_fields(direction, None, loads, interface, None),
+    )
+    return _make_block(name, definition, (*bodies, *_bodies("around", around)))
 
 
 def _make_block(name: str, definition: Definition, bodies: Sequence[Body]) -> Block:
@@ -559,6 +647,4 @@ def _histories_of_block(
         return RockingHistories((), ())
     if motions:
         return mechanism_histories(study, spectrum, motions, mechanism, case, threads=threads)
-    levels, further = study.levels, further_levels(study, spectrum, mechanism)
-    empty = [SuiteResponse(level, (), "positive") for level in (*levels, *further)]
-    return RockingHistories((), tuple(empty[: len(levels)]), tuple(empty[len(levels) :]))
+    return without_runs(study, spectrum, mechanism)

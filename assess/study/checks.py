@@ -354,6 +354,7 @@ def _context_without_floor_spectrum(
         not_lasting=unsupported_messages(mechanism),
         suite_faults=study.suite_faults,
         impossible_by_histories=_reasons_against_histories(mechanism),
+        rocks=mechanism.rocks,
         amplification=max((each.factor for each in base), default=1.0),
         linearised=study.equations[mechanism.name] == "linearised",
         hinges=hinge_forces(mechanism),

@@ -121,7 +121,7 @@ def run_fragility(study: Study, *, jobs: int = 0, progress: Progress = no_progre
     with_runs = []
     for count, mechanism in enumerate(study.mechanisms):
         progress("rocking histories", count, len(study.mechanisms))
-        if mechanism.variants.collapse is not None:
+        if mechanism.rocks and mechanism.variants.collapse is not None:
             with_runs.append(run_records(study, mechanism, records, question, jobs=jobs))
     origins = origins_of(records)
     with ThreadPoolExecutor(jobs or available_cores()) as pool:

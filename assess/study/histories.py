@@ -255,6 +255,13 @@ class RockingHistories(ShortRepr):
     scan: tuple[SuiteResponse, ...] = ()
 
 
+def without_runs(study: Study, spectrum: Spectrum, mechanism: Mechanism) -> RockingHistories:
+    """Return suites of no records at every PGA that the procedures of a study ask for."""
+    levels, further = study.levels, further_levels(study, spectrum, mechanism)
+    empty = [SuiteResponse(level, (), "positive") for level in (*levels, *further)]
+    return RockingHistories((), tuple(empty[: len(levels)]), tuple(empty[len(levels) :]))
+
+
 def vibrates(oscillator: Oscillator) -> bool:
     """Return whether the oscillator vibrates about rest, on joints without a threshold of uplift."""
     return any(elastic_frequency(branch) is not None for branch in oscillator.branches)

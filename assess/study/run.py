@@ -411,14 +411,15 @@ def run_envelopes(study: Study, *, jobs: int = 0, progress: Progress = no_progre
 def envelope_cases(study: Study, controlling: Mapping[str, MechanismSweep]) -> tuple[EnvelopeCase, ...]:
     """Return the mechanisms whose envelopes are sought, swept ones in their controlling case.
 
-    Mechanisms that fall at rest without actions that are not shown to last are left out.
+    Mechanisms that fall at rest without actions that are not shown to last, and those of which no history is answered,
+    are left out.
     """
     cases = []
     for name in (mechanism.name for mechanism in study.mechanisms):
         swept = controlling.get(name)
         study_there, mechanism = _where_assessed(study, swept, name)
         oscillator = mechanism.variants.collapse
-        if oscillator is None:
+        if oscillator is None or not mechanism.rocks:
             continue
         factor = partial(pulse_factor, study_there.amplified[name].amplification)
         words = "" if swept is None else case_text(swept.sweep, swept.controlling_case, swept.mechanism)
@@ -606,6 +607,9 @@ def _controls_of(
 def _mechanism_controls(case: AssessedMechanism) -> tuple[Control, ...]:
     """Make every control of one mechanism."""
     mechanism, study = case.mechanism, case.study
+    of_multiplier = multiplier_control(mechanism, mechanism.oscillator)
+    if not mechanism.rocks:
+        return (*equilibrium_controls(mechanism, mechanism.oscillator), of_multiplier)
     equation = study.equations[mechanism.name]
     assert study.spectrum is not None  # histories were scaled to it
     governing = governing_history(
@@ -619,7 +623,7 @@ def _mechanism_controls(case: AssessedMechanism) -> tuple[Control, ...]:
     return (
         *equilibrium_controls(mechanism, mechanism.oscillator),
         energy_control(mechanism, governing, equation=equation),
-        multiplier_control(mechanism, mechanism.oscillator),
+        of_multiplier,
         convergence_control(mechanism, governing),
     )
 

@@ -10,9 +10,13 @@ KINDS: Mapping[str, Phrase] = {
     "single-block": say("A single block"),
     "two-block": say("A wall held at its top and bottom, cracked between them into two blocks,"),
     "four-hinge": say("A chain of three blocks with four hinges"),
+    "facade-with-wedges": say("A wall with wedges of the walls behind it"),
+    "corner": say("The corner of two walls"),
     "equivalent-block": say("An equivalent block, given by its rocking parameters instead of a geometry,"),
 }
 """What it is, as the subject of a sentence."""
+FALLING = frozenset({"facade-with-wedges", "corner"})
+"""Those that fall outwards, and of which no history is answered."""
 THEORY: Mapping[str, tuple[Phrase, Phrase]] = {
     "single-block": (
         say("I φ'' + M g R sin(α − φ) = −M R cos(α − φ) ü; an impact keeps the angular momentum about the new hinge."),
@@ -29,6 +33,14 @@ THEORY: Mapping[str, tuple[Phrase, Phrase]] = {
     "arch": (
         say("The four hinges at which the multiplier of the arch is least, then as three blocks."),
         say("Arches of rigid voussoirs without tension and without sliding."),
+    ),
+    "facade-with-wedges": (
+        say("One rigid block in front of the cracks, which turns about the outer edge of its foot, by virtual work."),
+        say("Multiplier and capacity curve, without friction along the cracks; histories are not answered."),
+    ),
+    "corner": (
+        say("One rigid block in front of two cracks, which turns about the outermost point of its foot."),
+        say("Multiplier and capacity curve, without friction along the cracks; histories are not answered."),
     ),
     "equivalent-block": (
         say(

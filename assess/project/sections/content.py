@@ -345,12 +345,20 @@ def _mechanisms_by_item(
     return found
 
 
+ITEM_OF_KIND = {
+    "two-block": "vertical-bending",
+    "facade-with-wedges": "compound-overturning",
+    "corner": "corner",
+}
+"""The item of the list of a house that a kind of mechanism is, whatever its bodies."""
+
+
 def _items_by_kind(building_type: BuildingType, mechanism: MechanismSection) -> tuple[str, ...]:
     """Return the item that the kind of a mechanism tells: of houses, for one wall above a level crack or its base."""
     if building_type != "house":
         return ()
-    if mechanism.kind == "two-block":
-        return ("vertical-bending",)
+    if mechanism.kind in ITEM_OF_KIND:
+        return (ITEM_OF_KIND[mechanism.kind],)
     inclined = mechanism.kind == "single-block" and isinstance(mechanism.cut, ProjectSection)
     if mechanism.kind == "single-block" and len(mechanism.blocks[0]) == 1 and not inclined:
         return ("simple-overturning",)

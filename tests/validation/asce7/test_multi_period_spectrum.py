@@ -11,7 +11,7 @@ import pytest
 from scipy.constants import g
 
 from assess.codes.asce41_13 import Asce41Options, s_x1_over_pga
-from assess.codes.check import Context
+from assess.codes.context import Context
 from spectra import asce7_22
 from spectra.asce7_22 import site_ordinates
 from spectra.errors import SpectrumError

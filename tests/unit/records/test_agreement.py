@@ -179,6 +179,10 @@ def test_a_motion_slower_or_faster_than_earthquakes_doubts_the_step() -> None:
     assert record_warning(recorded(motion, 0.02)) == ""  # cannot be told from the motion
     assert "slower than earthquakes; check the step" in record_warning(recorded(motion, 0.1))
     assert "faster than earthquakes; check the step" in record_warning(recorded(motion, 0.001))
+    assert record_warning(recorded(motion, 0.01, "ITACA cor.acc")) == ""
+    assert "faster than earthquakes" in record_warning(
+        recorded(motion, 0.0005, "MiniSEED")
+    )  # which no network resamples
     assert "finer than instruments" in record_warning(recorded(motion, 0.0005, "ITACA cor.acc"))
     assert record_warning(recorded(motion, 0.1, "CSV")) == ""  # which prints a time with every sample
 

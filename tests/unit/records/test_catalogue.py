@@ -18,7 +18,7 @@ from records import catalogue as catalogue_module
 from records.candidates import PERIODS, Candidate, candidate_table
 from records.catalogue import NAME, catalogue_candidates, index, open_catalogue, path_inside, store_flatfile
 from records.errors import RecordError
-from records.flatfile import read_flatfile
+from records.flatfile import match_flatfile, read_flatfile
 from records.formats.header import HeaderOverrides
 from records.reading import read_records
 from records.response import measures, response_spectrum
@@ -215,6 +215,17 @@ def test_a_row_of_another_width_than_the_header_is_passed_over_and_told(tmp_path
     found = read_flatfile(table)
     assert [one.nga for one in found.recordings] == ([100] if told else [101, 100])
     assert [(bad.row, bad.column, bad.value) for bad in found.bad] == ([(2, "columns", told)] if told else [])
+
+
+def test_columns_that_a_flatfile_lacks_are_listed(tmp_path: Path, folder: Path) -> None:
+    table = tmp_path / "flat.csv"
+    table.write_text("RSN,Earthquake Name,Station Name,File Name (Horizontal 1)\n100,Quake A,Here,a.AT2\n")
+    at2(folder / "a.AT2")
+    with open_catalogue(folder / NAME) as catalogue:
+        index(folder, catalogue)
+        found = match_flatfile(tuple(catalogue_candidates(catalogue)), read_flatfile(table))
+    assert found.warning is not None
+    assert found.warning.values["keys"] == "magnitude, distance, vs30"
 
 
 def test_hostile_names_are_names(folder: Path) -> None:

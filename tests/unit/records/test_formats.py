@@ -282,6 +282,7 @@ def test_south_and_west_of_geonet_are_negative(tmp_path: Path, printed: str, pla
             f"{N} time-acceleration pairs,",
             "uneven steps .* give the volume 2",
         ),
+        ("cosmos", f"{N} acceleration pts", f"{N} accel. raw pts", "raw data .* give the volume 1 or 2"),
         ("cosmos", f"{N} acceleration pts", "9 acceleration pts", "says 9 samples"),
         ("cosmos", f"{N} acceleration pts", f"{N} velocity pts", "no acceleration in the file"),
         ("cosmos", "approx    0 secs", "approx   99 secs", "the file says 99 s"),

@@ -81,6 +81,8 @@ def test_a_table_that_only_falls_keeps_its_zero_period() -> None:
         ([0.0, 0.2], [0.0, 2.0], "point 1: acceleration 0"),
         ([0.0], [1.0], "one point"),
         ([], [], "0 periods"),
+        (["a", 1.0], [1.0, 2.0], "as rows of numbers"),
+        ([None, {}], [1.0, 2.0], "as rows of numbers"),
         ([0.0, 1.0], [1.0], "2 periods and 1 accelerations"),
     ],
 )

@@ -13,10 +13,12 @@ from dataclasses import dataclass
 
 import numpy as np
 import pytest
+from numpy.polynomial import Polynomial
 from scipy.constants import g
 from scipy.integrate import solve_ivp
 
 from assess.dynamics.history import Peaks, peaks, product
+from assess.dynamics.kernel import ground
 from assess.oscillator import Oscillator
 from records.record import Record, make_record
 from tests.support.blocks import block, unlike_block
@@ -144,6 +146,16 @@ def test_linearised_equation_is_that_of_dop853(case: str) -> None:
         one(body, record, scale * (1 + 1e-12), "linearised"),
         rtol=LINEARISED,
     )
+
+
+def test_a_pulse_from_a_later_time_on_is_the_polynomial_of_that_time(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(ground, "ground_at", ground.ground_at.py_func)
+    powers = (0.7, -1.3, 0.4, 2.1, -0.6, 0.9)
+    shifted = Polynomial(powers)(Polynomial([0.35, 1.0])).coef
+    np.testing.assert_allclose(ground.shift.py_func(powers, 0.35), shifted, rtol=1e-13)
+    np.testing.assert_allclose(ground.shift.py_func(powers[:2], 0.35), [0.7 - 1.3 * 0.35, -1.3], rtol=1e-13)
 
 
 @needs_real_records

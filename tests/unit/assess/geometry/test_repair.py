@@ -31,6 +31,16 @@ def test_missing_triangles_of_a_ball_are_closed(share: float) -> None:
     assert "holes closed by planes" in str(told[0])
 
 
+@pytest.mark.parametrize("turned", [[2, 1, 0], [0, 2, 1], [1, 0, 2]])
+def test_two_triangles_back_to_back_within_a_body_are_dropped(turned: list[int]) -> None:
+    vertices, triangles = merge_vertices(WALL.vertices, WALL.triangles)
+    film = np.array([0, 1, len(vertices) - 1])
+    found, told = repair((vertices, np.vstack([triangles, film, film[turned]])), where="wall")
+    assert len(found[1]) == len(triangles)
+    assert volume(*found) == pytest.approx(1.25 * 3.0 * 8.5)
+    assert told[0].values["number"] == whole_number(2)
+
+
 def test_a_missing_foot_of_a_hollow_tower_is_a_ring() -> None:
     # Vertices of a ring tower, radii 2 and 1 m, 5 m high; triangles of its skins and top; triangles of its foot
     n = 24

@@ -467,6 +467,22 @@ def test_an_arch_on_stiff_joints_is_nearly_the_rigid_one(tmp_path):
     assert found.overturning_flexible < rigid.overturning
 
 
+def test_joints_more_than_a_right_angle_apart_keep_their_faces(tmp_path):
+    """An arch and its mirror image resist alike, though the second joint is turned from the first by 95 degrees."""
+    ring = [
+        (r * cos(radians(t)), r * sin(radians(t))) for r, way in ((2.5, 1), (2.0, -1)) for t in range(0, 181, 5)[::way]
+    ]
+    arch = ARCH[: ARCH.index("profile")] + f"profile = {[list(point) for point in ring]}\n"
+    found = []
+    for angles in ((180, 85, 40, 0), (180, 140, 95, 0)):
+        lines = [[[r * cos(radians(t)), r * sin(radians(t))] for r in (2.0, 2.5)] for t in angles]
+        joints = f'[mechanisms.arch]\nkind = "four-hinge"\nblocks = ["wall"]\nhinges = "minimum"\njoints = {lines}\n'
+        found.append(mechanism_of(tmp_path, arch, joints).oscillator)
+    first, mirrored = found
+    assert first.positive.linearised.multiplier == pytest.approx(mirrored.negative.linearised.multiplier, rel=1e-9)
+    assert first.negative.linearised.multiplier == pytest.approx(mirrored.positive.linearised.multiplier, rel=1e-9)
+
+
 def test_each_direction_of_an_arch_rests_on_joints_of_its_own(tmp_path):
     """It opens other joints each way, and a symmetric one alike."""
     both = mechanism_of(tmp_path, ARCH.replace('sides = "one"\n', ""), SOFT).oscillator

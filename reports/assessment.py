@@ -39,6 +39,7 @@ from reports.chapters import (
 )
 from reports.document import Document, Section
 from reports.figures.key_plan import building_of
+from reports.governing import by_own_code
 from reports.language.locale import ENGLISH, Locale
 from reports.language.texts import Phrase, Text, say
 from reports.mechanisms import file_stem, numbered_title
@@ -174,7 +175,9 @@ def assessment(results: Results, *, detail: Detail | None = None) -> Document:
         program=f"{results.program.name} {results.program.version}",
         paper="letter" if project_text(results, "report.paper").lower() == "letter" else "A4",
         facts=front_matter.facts(results),
-        sections=_numbered([*_main_sections(results), *(_annex_sections(results) if is_full(results, detail) else ())]),
+        sections=_numbered(
+            [*_main_sections(by_own_code(results)), *(_annex_sections(results) if is_full(results, detail) else ())]
+        ),
         data=tuple(data_tables.tables(results)),
         worksheets=WORKSHEETS,
         parts=_parts((each.name, numbered_title(results, each.name)) for each in results.mechanisms),

@@ -189,6 +189,14 @@ class Sheet:
 
 
 @dataclass(frozen=True)
+class Equations:
+    """Steps of a calculation in running text, each as symbol, formula and value. lead: what they lead to."""
+
+    lead: Text
+    steps: tuple[Step, ...]
+
+
+@dataclass(frozen=True)
 class Facts:
     """Labels and what they say, in two columns without a frame."""
 
@@ -228,6 +236,7 @@ Block = (
     | FigureRow
     | Photograph
     | Sheet
+    | Equations
     | Facts
     | WritingBox
     | Signatures

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from math import inf, isclose
 
+from assess.codes.bases import BASES
 from assess.codes.check import Check, Outcome
-from assess.codes.procedures import uses_histories
-from assess.codes.verdict import MechanismVerdict
+from assess.codes.procedures import PROCEDURES, uses_histories
+from assess.codes.verdict import Decision, MechanismVerdict
 from assess.results import ComparisonRow, HistoryResult, HistoryTrace, MechanismResult, Results
 
 DAMAGE = "SLD"
@@ -37,6 +39,29 @@ def worst_check(checks: tuple[Check, ...]) -> Check | None:
 def code_checks(checks: tuple[Check, ...]) -> tuple[Check, ...]:
     """Return the checks by the letter of a code: no readings of the thesis, none that only inform."""
     return tuple(check for check in checks if check.follows_code)
+
+
+def by_own_code(results: Results) -> Results:
+    """Return the results without procedures of other codes than the one that decides, as the signed pages show them.
+
+    They are kept where the project lists its procedures, where no code decides, and where the one that does leaves a
+    mechanism without an answer.
+    """
+    verdict, listed = results.verdict, results.project.get("analysis.procedures")
+    if verdict is None or verdict.basis not in BASES or (listed is not None and listed.given):
+        return results
+    if any(answer.outcome == Decision.INCOMPLETE for each in verdict.mechanisms for answer in each.answers):
+        return results
+    codes = {PROCEDURES[name].options for name in BASES[verdict.basis].methods} | {""}
+    others = {each.name for each in PROCEDURES.values() if each.options not in codes or each.reading == "thesis"}
+    return replace(
+        results,
+        mechanisms=tuple(
+            replace(each, checks=tuple(check for check in each.checks if check.procedure not in others))
+            for each in results.mechanisms
+        ),
+        comparison=tuple(row for row in results.comparison if row.procedure not in others),
+    )
 
 
 def answered_checks(checks: tuple[Check, ...]) -> tuple[Check, ...]:

@@ -14,7 +14,7 @@ from reports import document as doc
 from reports import governing
 from reports.chapters import cells
 from reports.chapters.kinds import KINDS
-from reports.chapters.mechanism_verdict import unanswered_methods, verdict_sentences, verdict_summary
+from reports.chapters.mechanism_verdict import governing_steps, unanswered_methods, verdict_sentences, verdict_summary
 from reports.figures import capacity, comparison, key_plan, sketch
 from reports.figures.key_plan import BuildingScene
 from reports.language.texts import (
@@ -61,6 +61,7 @@ def sections(
         branch_parameters_table(results, mechanism, name=f"{stem}-page-parameters"),
         *pairs[1:],
         *doc.nonempty(answers),
+        *governing_steps(results, mechanism),
         doc.Prose(tuple(_findings(results, mechanism))),
     ]
     if warnings:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from math import isclose
 
+from assess.codes.calculation_sheet import Step
 from assess.codes.check import NEEDED, Check, Family, Outcome
 from assess.codes.histories import margin_figures, ratio_figures
 from assess.codes.procedures import family_of
@@ -13,7 +14,7 @@ from assess.messages.message import DIMENSIONS
 from assess.results import MechanismResult, Results
 from reports import governing
 from reports.chapters import cells
-from reports.document import Facts
+from reports.document import Equations, Facts
 from reports.language.texts import Term, Text, count, listing, names, quantity, say
 from reports.mechanisms import procedure_title
 
@@ -89,6 +90,25 @@ def unanswered_methods(results: Results, mechanism: MechanismResult) -> Iterator
     for reason in {check.reason.text: check.reason for check in unanswered}.values():
         same = dict.fromkeys(check.procedure for check in unanswered if check.reason.text == reason.text)
         yield say("No answer by {methods}: {reason}.", methods=listing(map(procedure_title, same)), reason=reason)
+
+
+def governing_steps(results: Results, mechanism: MechanismResult) -> Iterator[Equations]:
+    """Yield the steps to the number that decides at each limit state, from which it can be redone.
+
+    Left out is what is read between two points of a curve, which the annex has, and what the index is turned into.
+    """
+    mechanism_verdict = governing.verdict_of(results, mechanism)
+    for answer in () if mechanism_verdict is None else mechanism_verdict.answers:
+        check = _governing_check(governing.checks_at_site(results, mechanism), answer)
+        if check is not None and check.verdict != Outcome.NOT_ANSWERED:
+            steps = tuple(step for step in check.steps if step.value is not None and not _between_points(step))
+            state = cells.state_text(answer.limit_state)
+            yield Equations(say("{method}, {state}:", method=procedure_title(check.procedure), state=state), steps)
+
+
+def _between_points(step: Step) -> bool:
+    """Return whether a formula has the points of a curve: numbered symbols, two at least."""
+    return sum(each.symbol[-2:-1] == "_" and each.symbol[-1:].isdigit() for each in step.inputs) > 1
 
 
 def _governing_check(checks: tuple[Check, ...], answer: Answer) -> Check | None:

@@ -25,6 +25,7 @@ from reports.document import (
     Cell,
     Column,
     Document,
+    Equations,
     Facts,
     Figure,
     FigureRow,
@@ -48,6 +49,7 @@ from reports.render.table_text import (
     SIGNATURE_HEADS,
     SheetRow,
     column_texts,
+    equations,
     is_numeric,
     program_and_stamp,
     sheet_rows,
@@ -184,6 +186,11 @@ class Elements:
     def _(self, block: Sheet) -> str:
         heads = [_head(self.text(text)) for text in SHEET_HEADS]
         return self._wide(block, "Sheet", "sheet", heads, map(_step, sheet_rows(block, self.locale)))
+
+    @element.register
+    def _(self, block: Equations) -> str:
+        each = [f"{_formula(left)} = {markup(result)}" for left, result in equations(block.steps, self.locale)]
+        return f'<p class="equations"><strong>{self.text(block.lead)}</strong> {"; ".join(each)}</p>'
 
     @element.register
     def _(self, block: Figure) -> str:

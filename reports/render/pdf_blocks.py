@@ -30,6 +30,7 @@ from reports.document import (
     BulletList,
     Cell,
     Column,
+    Equations,
     Facts,
     Figure,
     FigureRow,
@@ -50,6 +51,7 @@ from reports.render.table_text import (
     SIGNATURE_HEADS,
     SheetRow,
     column_texts,
+    equations,
     is_numeric,
     sheet_rows,
     verdict_word,
@@ -128,6 +130,12 @@ class BlockFlowables:
     @flowables.register
     def _(self, block: Sheet) -> list[Flowable]:
         return [self._caption("Sheet", block.name, block.caption), _sheet_grid(block, self.locale, self.width)]
+
+    @flowables.register
+    def _(self, block: Equations) -> list[Flowable]:
+        lead = f"<b>{markup(self.text(block.lead))}</b> "
+        each = [f"{formula(left)} = {markup(result)}" for left, result in equations(block.steps, self.locale)]
+        return [Paragraph(lead + "; ".join(each), STYLES["equations"])]
 
     @flowables.register
     def _(self, block: Figure) -> list[Flowable]:
@@ -349,6 +357,9 @@ STYLES: Mapping[str, ParagraphStyle] = {
     "contents": ParagraphStyle("contents", _ROOT, fontSize=8, leading=10.4),
     "caption": ParagraphStyle("caption", _CELL, spaceBefore=2, spaceAfter=3),
     "cell": _CELL,
+    "equations": ParagraphStyle(
+        "equations", _SMALL, leading=8.6, backColor=HexColor(PAPER), spaceBefore=3, spaceAfter=5
+    ),
     "formula": ParagraphStyle("formula", _CELL, leading=10.6),
     "head": ParagraphStyle("head", _CELL, fontName=BOLD),
     "number": ParagraphStyle("number", _CELL, alignment=TA_RIGHT),

@@ -124,6 +124,14 @@ def sheet_rows(sheet: Sheet, locale: Locale) -> Iterator[SheetRow]:
         )
 
 
+def equations(steps: Sequence[Step], locale: Locale) -> Iterator[tuple[str, str]]:
+    """Yield the left side and the result of each step: "T = 2 π √(d / a)" and "1.6 s"."""
+    for row in sheet_rows(Sheet("", Verbatim(""), tuple(steps)), locale):
+        repeated = row.formula == row.symbol
+        left = row.symbol if repeated or not row.formula else f"{row.symbol} = {row.formula}"
+        yield left, f"{row.result} ({row.beside})" if row.beside else row.result
+
+
 _SHEET_COLUMNS = (
     say("Symbol"),
     say("Description"),

@@ -3,12 +3,20 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from math import pi, sqrt
+
+import pytest
+from scipy.constants import g
 
 from assess.codes.check import Outcome, Reason, reason_message
-from assess.results import ComparisonRow, Results
+from assess.results import ComparisonRow, ResolvedValue, Results
 from reports import governing
 from reports.chapters import data_tables
 from reports.chapters.cells import BEYOND, OVERTURNED
+from reports.chapters.mechanism_verdict import governing_steps
+from reports.language.locale import Locale
+from reports.render.table_text import equations
+from tests.support.examples import example_results
 
 
 def test_overturning_stands_before_every_ratio(results: Results) -> None:
@@ -77,3 +85,34 @@ def test_a_method_that_does_not_apply_has_no_capacity(results: Results) -> None:
         replace(check, verdict=Outcome.NOT_APPLICABLE) if check.procedure == name else check for check in checks
     )
     assert name not in governing.capacities(silent)
+
+
+def test_signed_pages_show_other_codes_where_the_project_lists_its_procedures() -> None:
+    church = example_results("chiesa")  # lists none
+    every = {check.procedure for each in church.mechanisms for check in each.checks}
+    shown = governing.by_own_code(church)
+    assert {name for name in every if name.startswith("asce43")}
+    assert {check.procedure for each in shown.mechanisms for check in each.checks} == {
+        name for name in every if name.startswith("ntc2018")
+    }
+    listed = replace(church, project={**church.project, "analysis.procedures": ResolvedValue(tuple(every), True)})
+    assert governing.by_own_code(listed) is listed
+    assert governing.by_own_code(replace(church, verdict=None)).verdict is None
+
+
+def test_the_number_that_decides_is_redone_from_what_the_page_prints() -> None:
+    """By NTC 2018, C8.7.1.2.1.8: from d, a(d), FC and the ordinate alone, to the figures printed."""
+    church = example_results("chiesa")
+    for mechanism in church.mechanisms[:3]:
+        (line,) = governing_steps(church, mechanism)
+        shown = {left.split(" = ")[0]: result for left, result in equations(line.steps, Locale())}
+        value = {symbol: float(text.split()[0].split("\N{NO-BREAK SPACE}")[0]) for symbol, text in shown.items()}
+        assert value["a0*"] == pytest.approx(value["α0"] * g / (value["e*"] * value["FC"]), rel=2e-3)
+        assert value["a(d_SLV)"] == pytest.approx(value["λ"] * g / (value["e*"] * value["FC"]), rel=2e-3)
+        period = 1.68 * pi * sqrt(value["d_SLV"] / value["a(d_SLV)"])
+        assert value["T_SLV"] == pytest.approx(period, rel=2e-3)
+        demand = value["S_e(T)"] * (value["T"] / (2 * pi)) ** 2
+        assert value["S_De(T)"] == pytest.approx(demand, rel=2e-3)
+        assert value["D / d_SLV"] == pytest.approx(
+            max(value["S_De(T)"], value.get("d(T_SLV, Z)", 0.0)) / value["d_SLV"], rel=2e-3
+        )

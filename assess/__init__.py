@@ -26,6 +26,7 @@ if TYPE_CHECKING:
         equivalent_block,
         facade_with_wedges,
         four_hinge,
+        horizontal_arch,
         single_block,
         two_block,
     )
@@ -63,6 +64,7 @@ __all__ = [
     "four_hinge",
     "fragility",
     "g",
+    "horizontal_arch",
     "load",
     "mesh",
     "profile",
@@ -92,6 +94,7 @@ _HOMES = {
         "equivalent_block",
         "facade_with_wedges",
         "four_hinge",
+        "horizontal_arch",
         "single_block",
         "two_block",
     ),

@@ -224,7 +224,8 @@ def find_applicability(procedure: str, oscillator: Oscillator, context: Context)
         return found[0] if found else APPLICABLE
     first, *rest = found
     others = (reason for each in rest for reason in (each.reason, *each.others) if reason is not None)
-    return replace(first, safe=all(each.safe for each in found), others=(*first.others, *others))
+    safe, void = all(each.safe for each in found), any(each.void for each in found)
+    return replace(first, safe=safe, void=void, others=(*first.others, *others))
 
 
 def apply_procedure(

@@ -71,8 +71,8 @@ def staged_branch(stages: Stages, *, restitution: float, name: str) -> Branch:
     overturning = _first_downward_crossing(
         scanned.restoring, scan, lambda phi, node: float(work_at(phi, node).restoring[1])
     )
-    critical = overturning  # where no action has a moment
-    if chain.actions:
+    critical = overturning  # where no action has a moment, or weights do no work
+    if chain.actions and not chain.level:
         critical = _first_downward_crossing(scanned.weight, scan, lambda phi, node: float(work_at(phi, node).weight[1]))
     edge = (
         _first_downward_crossing(scanned.excitation, scan, lambda phi, node: float(work_at(phi, node).excitation[1]))

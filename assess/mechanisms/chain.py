@@ -76,6 +76,7 @@ class Chain:
     slides on the vertical. Three blocks have A, B, C and D, which is fixed as A is.
 
     joints : the joint under each hinge, None for a rigid hinge; empty if all are rigid
+    level : whether it moves in a level plane, seen from above (x, s): weights then do no work
     parts : the parts of the blocks, each with the number of its block, None for a part at rest; needed only for an
         impact between chains that divide the same masonry in different ways
     """
@@ -85,6 +86,7 @@ class Chain:
     loads: tuple[Load, ...] = ()
     parts: tuple[tuple[RigidBlock, int | None], ...] = ()
     joints: tuple[Joint | None, ...] = ()
+    level: bool = False
 
     def __repr__(self) -> str:
         hinges = ", ".join(
@@ -410,7 +412,7 @@ def virtual_work(chain: Chain, rotation: FloatArray) -> Work:
         excitation += mass * moved.dx
         participation += mass * moved.dx**2
         inertia += mass * (moved.dx**2 + moved.dz**2 if bearing else moved.dx**2)
-        lift += mass * moved.dz if bearing else 0.0
+        lift += mass * moved.dz if bearing and not chain.level else 0.0
     for load in chain.loads:
         if not isinstance(load, PointMass):
             moment += generalised_moment(load, trace_point(motion, block=load.block, at=load.at))

@@ -166,10 +166,11 @@ def _moment_arms(at: Point) -> FloatArray:
 
 def _loads(chain: Chain) -> list[tuple[int, Point, Point, float]]:
     """List all weights and loads: block, place, force at rest, and horizontal force for a multiplier of one [N]."""
-    acting = [(n, b.centroid, (0.0, -b.mass * g), b.mass * g) for n, b in enumerate(chain.blocks)]
+    down = 0.0 if chain.level else -g
+    acting = [(n, b.centroid, (0.0, down * b.mass), b.mass * g) for n, b in enumerate(chain.blocks)]
     for load in chain.loads:
         if isinstance(load, PointMass):
-            acting.append((load.block, load.at, (0.0, -load.mass * g * load.bearing), load.mass * g))
+            acting.append((load.block, load.at, (0.0, down * load.mass * load.bearing), load.mass * g))
         elif isinstance(load, Force):
             acting.append((load.block, load.at, load.force, 0.0))
         else:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from assess.mechanisms.arch_in_plan import HORIZONTAL_ARCH
 from assess.mechanisms.assembly import MechanismKind
 from assess.mechanisms.four_hinge import FOUR_HINGE
 from assess.mechanisms.mechanism import BlockMechanism
@@ -12,7 +13,8 @@ from assess.mechanisms.two_block import TWO_BLOCK
 from assess.mechanisms.wedged_block import WEDGED_KINDS
 
 MECHANISM_KINDS: Mapping[str, MechanismKind] = {
-    kind.name: kind for kind in (SINGLE_BLOCK, TWO_BLOCK, FOUR_HINGE, *WEDGED_KINDS.values(), EQUIVALENT_BLOCK)
+    kind.name: kind
+    for kind in (SINGLE_BLOCK, TWO_BLOCK, FOUR_HINGE, *WEDGED_KINDS.values(), HORIZONTAL_ARCH, EQUIVALENT_BLOCK)
 }
 
 Definition = BlockMechanism | EquivalentBlock

@@ -197,6 +197,7 @@ class Mechanism:
     candidates : the directions among which the weakest was found, or with which a given one was compared
     weaker : the weakest free direction, where the given one has a multiplier more than 10 % above it; else None
     rocks : whether it comes back and what its impacts leave is known; else no history of it is answered
+    panel_height : of a panel that bulges out in a level plane [m]; None of all others
     """
 
     name: str
@@ -222,6 +223,7 @@ class Mechanism:
     messages: tuple[Message, ...] = ()
     toothed: ToothedBlock | None = None
     rocks: bool = True
+    panel_height: float | None = None
 
     def __repr__(self) -> str:
         return f"Mechanism({self.name!r}, {self.kind}, {self.sides}-sided, {self.positive.mass:.4g} kg)"
@@ -263,7 +265,9 @@ class Mechanism:
 
     @property
     def rise(self) -> float:
-        """Height of the far support above the base hinge [m]; 0 where the far end is free."""
+        """Height of the far support above the base hinge, or of a panel [m]; 0 where the far end is free."""
+        if self.panel_height is not None:
+            return self.panel_height
         hinges = self.positive.hinges
         return hinges[-1][1] - hinges[0][1]
 
@@ -396,4 +400,5 @@ def _open_seats(mechanism: Mechanism) -> Iterator[OpenSeat]:
         for mass in (each for each in chain.loads if isinstance(each, PointMass) and each.bearing):
             if mass.seat is None:
                 rotation = scan_rotations(chain)
-                yield OpenSeat(mass.name, name, rotation - rest, travel_on_seat(chain, mass, rotation))
+                most = 2.0 if chain.level else 1.0  # the middle of a panel moves twice as far as its halves' centroids
+                yield OpenSeat(mass.name, name, rotation - rest, most * travel_on_seat(chain, mass, rotation))

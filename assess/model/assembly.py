@@ -15,6 +15,7 @@ from assess.interfaces.contact import Interface, JointLaw, contact, out_of_plane
 from assess.interfaces.section import ContactSection, Shape, annulus, circle, hollow_rectangle, polygon, rectangle
 from assess.loads.bearing import UPPER, overburden_name
 from assess.loads.load import Load, LoadDefinition, OverburdenLoad, Through
+from assess.mechanisms.arch_in_plan import HorizontalArch
 from assess.mechanisms.assembly import OUTSIDE, HingeBeside, MechanismPieces, add_joints, hinges_in_plane
 from assess.mechanisms.chain import Chain, Joint, hinge_names, top_loads
 from assess.mechanisms.flexible_chain import FlexibleChain, JointedChain
@@ -25,6 +26,7 @@ from assess.mechanisms.restitution import RestitutionChoice
 from assess.mechanisms.two_block import TwoBlock
 from assess.mechanisms.wedged_block import WedgedBlock
 from assess.messages.message import Message, Quantity, distinct, warning
+from assess.model.arch_panels import arch_of_panel
 from assess.model.bodies import (
     Bodies,
     Material,
@@ -55,6 +57,8 @@ def mechanism_of(name: str, definition: Definition, bodies: Bodies) -> Built:
         mechanism, _ = MECHANISM_KINDS[definition.kind].build(name, definition, (), loads=())
         return Built(mechanism, None)
     rigid, members = on_rigid_hinges(name, definition, bodies)
+    if isinstance(definition, HorizontalArch):
+        return Built(replace(rigid, direction=definition.towards), scene_of(members, definition.towards))
     jointed = _place_on_joints(rigid, definition, members, bodies, restitution=definition.restitution.choices)
     faces = faces_of(jointed, definition, members, bodies)
     return Built(replace(jointed, faces=faces, direction=definition.towards), scene_of(members, definition.towards))
@@ -62,6 +66,8 @@ def mechanism_of(name: str, definition: Definition, bodies: Bodies) -> Built:
 
 def on_rigid_hinges(name: str, definition: BlockMechanism, bodies: Bodies) -> MechanismPieces:
     """Build the mechanism on rigid hinges, before it is placed on its joints."""
+    if isinstance(definition, HorizontalArch):
+        return arch_of_panel(name, definition, bodies)
     try:
         pieces, crack = _cut_into_blocks(name, definition, bodies)
         load_set = loads_of(name, definition, pieces, bodies)

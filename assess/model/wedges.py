@@ -21,7 +21,7 @@ from spectra.arrays import FloatArray
 INWARDS = 1e-3  # cosine: a direction that turns no further inwards is along a wall
 SQUAT = 1.5  # times its thickness: a shorter wall may run either way
 BACKWARDS = 0.5  # cosine: a wall that runs back from a façade does so within 60 degrees of square to it
-BEHIND = " (2)"  # after the name of what stays behind a crack: it carries floors beside what moves
+BEHIND = " (2)"  # after the name of what stays behind a crack
 WAYS = 7  # between the outward directions of the walls of a corner
 
 
@@ -41,14 +41,14 @@ def wedged_piece(name: str, definition: WedgedBlock, bodies: Bodies) -> Piece:
     kept, fixed, rings = list[Solid](), list[Solid](), list[FloatArray]()
     foot = _foot_of(definition, standing)
     for solid in standing:
-        moving, below, rings_below = _front_of((solid,), level_plane(foot), where=f"{where}: cut")
+        moving, below, rings_below = front_of((solid,), level_plane(foot), where=f"{where}: cut")
         fixed += below
         rings += rings_below
         for wedge, (run, start) in zip(definition.wedges, cracks, strict=True):
             if solid.name in wedge.walls:
                 for plane in _planes_of(wedge, run, start, foot):
-                    moving, behind, section = _front_of(moving, plane, where=f"{where}: wedges")
-                    fixed += [replace(each, name=f"{each.name}{BEHIND}") for each in behind]
+                    moving, behind, section = front_of(moving, plane, where=f"{where}: wedges")
+                    fixed += left_behind(behind)
                     rings += section
         kept += moving
     if not kept:
@@ -125,7 +125,12 @@ def _planes_of(wedge: Wedge, run: FloatArray, start: float, foot: float) -> list
     return [crack, Plane(np.array([*((start + wedge.reach) * run), foot]), np.array([*-run, 0.0]))]
 
 
-def _front_of(
+def left_behind(solids: Sequence[Solid]) -> list[Solid]:
+    """Return what stays behind a crack under names of their own, as others that carry floors beside what moves."""
+    return [replace(solid, name=f"{solid.name}{BEHIND}") for solid in solids]
+
+
+def front_of(
     solids: Sequence[Solid], plane: Plane, *, where: str
 ) -> tuple[Sequence[Solid], Sequence[Solid], Sequence[FloatArray]]:
     """Return what lies in front of a plane, what lies behind it, and the rings of the section between."""

@@ -277,7 +277,16 @@ CASES = Path(__file__).parents[1] / "verification" / "cases"
 OF_A_CASE = frozenset({"source", "solver", "quantities"})
 """Keys of which a case has one and a project file none."""
 KINDS = frozenset(
-    {"single-block", "two-block", "four-hinge", "arch", "facade-with-wedges", "corner", "equivalent-block"}
+    {
+        "single-block",
+        "two-block",
+        "four-hinge",
+        "arch",
+        "facade-with-wedges",
+        "corner",
+        "horizontal-arch",
+        "equivalent-block",
+    }
 )
 JOINTS = frozenset({"rigid", "crushing", "flexible", "semi-flexible", "flexible-thesis"})
 
@@ -335,6 +344,7 @@ USES: Mapping[str, Term] = {
     "arch": Term("an arch whose hinges are where it resists least"),
     "facade-with-wedges": Term("a wall that overturns with wedges of the walls behind it"),
     "corner": Term("a corner of two walls that turns outwards about its foot"),
+    "horizontal-arch": Term("a panel that bulges out between cross walls as an arch in plan"),
     "equivalent-block": Term("a mechanism by its rocking parameters"),
     "one-sided": Term("rocking in one direction only, with rebound"),
     "free motion": Term("free rocking and its impacts"),

@@ -23,6 +23,7 @@ from assess.errors import MechanismError, ProcedureError
 from assess.geometry.cut import Scene
 from assess.interfaces.contact import Interface
 from assess.loads.load import LoadDefinition, Place
+from assess.mechanisms.arch_in_plan import HorizontalArch
 from assess.mechanisms.four_hinge import FourHinge, RadialJoints
 from assess.mechanisms.kinds import Definition
 from assess.mechanisms.mechanism import CutAngle, CutPlane, Mechanism, Sides, Vector
@@ -363,6 +364,47 @@ def corner(
     MechanismError or GeometryError : it cannot fall as described; the text says why, and what to do
     """
     return _wedged_block(Corner, body, wedges, direction, name, cut, loads, interface, hinge, around)
+
+
+def horizontal_arch(
+    body: BodyOrBodies,
+    *,
+    between: tuple[str, str],
+    direction: Vector,
+    around: Sequence[Body],
+    name: str = "panel",
+    ends: tuple[float, float] | None = None,
+    strength: float | None = None,
+    cut: float | None = None,
+    loads: Sequence[LoadDefinition] = (),
+) -> Block:
+    """Return a panel that bulges out between two cross walls as an arch in plan; no history of it is answered.
+
+    Parameters
+    ----------
+    body : the wall, or bodies that are one wall
+    between : names of the cross walls, which are among `around`
+    direction : horizontal (x, y, 0) in which it bulges out
+    around : the cross walls, and other bodies of the building
+    ends : thrust that each end holds [N]; where None, what the masonry of the wall beyond each cross wall does
+    strength : of the masonry along the wall [Pa]; 1 MPa where None
+    cut : the level from which it bulges out [m]; that of the wall's foot where None
+    name, loads : as for `single_block`, point masses and bodies alone
+
+    Raises
+    ------
+    MechanismError or GeometryError : it cannot fall as described; the text says why, and what to do
+    """
+    bodies = _one_or_several(body)
+    definition = HorizontalArch(
+        blocks=(tuple(each.name for each in bodies),),
+        between=between,
+        ends=ends,
+        strength=strength,
+        cut=cut,
+        **_shared_fields(direction, None, loads, None, None),
+    )
+    return _make_block(name, definition, (*bodies, *_bodies("around", around)))
 
 
 def equivalent_block(

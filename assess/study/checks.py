@@ -244,7 +244,8 @@ def wall_of(mechanism: Mechanism, *, on_masonry: bool = False) -> Wall | None:
 
 def carries_floors(mechanism: Mechanism) -> bool:
     """Return whether a floor, roof or vault presses on a mechanism or moves with it, bearing or not."""
-    return any(isinstance(load, PointMass) or upward(load) < 0.0 for load in mechanism.positive.loads)
+    chain = mechanism.positive
+    return any(isinstance(load, PointMass) or (upward(load) < 0.0 and not chain.level) for load in chain.loads)
 
 
 def gravity_of(mechanism: Mechanism, *, on_masonry: bool = False) -> Mapping[BranchName, Gravity]:

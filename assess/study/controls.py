@@ -296,17 +296,18 @@ def _multiplier_on_joints(mechanism: Mechanism, chain: Chain, side: Branch) -> C
 def _forces_at_rest(chain: Chain) -> list[ForceAtRest]:
     """Return every mass and load of a chain.
 
-    A mass that is not bearing has horizontal inertia and no weight here; a tie that shortens as rocking starts is
-    slack, unless it acts both ways.
+    A mass that is not bearing has horizontal inertia and no weight here, as all have that are seen from above; a tie
+    that shortens as rocking starts is slack, unless it acts both ways.
     """
+    down = 0.0 if chain.level else -1.0
     forces = [
-        ForceAtRest(number, block.centroid, (0.0, -block.mass * g), block.mass * g)
+        ForceAtRest(number, block.centroid, (0.0, down * block.mass * g), block.mass * g)
         for number, block in enumerate(chain.blocks)
     ]
     for load in chain.loads:
         if isinstance(load, PointMass):
             weight = load.mass * g
-            forces.append(ForceAtRest(load.block, load.at, (0.0, -weight if load.bearing else 0.0), weight))
+            forces.append(ForceAtRest(load.block, load.at, (0.0, down * weight if load.bearing else 0.0), weight))
         elif isinstance(load, Force):
             forces.append(ForceAtRest(load.block, load.at, load.force, 0.0))
         elif load.both or not _shortens(load, chain):

@@ -38,13 +38,13 @@ def draw(mechanism: Mechanism, oscillator: Oscillator, scene: Scene | None = Non
     return Drawing(
         blocks=tuple(ring for ring, _ in pieces),
         hinges=hinges_of(mechanism),
-        loads=tuple(_drawn_load(load, load.at) for load in chain.loads),
+        loads=tuple(_drawn_load(load, load.at, chain) for load in chain.loads),
         centroid=(x, z),
         block_of=tuple(block for _, block in pieces),
         centroids=tuple(block.centroid for block in chain.blocks),
         displaced=_draw_rotation(chain, oscillator.positive, pieces, mark=""),
         displaced_negative=_draw_negative_side(mechanism, oscillator),
-        fixed=() if scene is None else _fixed_outlines(scene),
+        fixed=() if scene is None else _fixed_outlines(scene, level=chain.level),
     )
 
 
@@ -122,13 +122,14 @@ def _block_numbers(chain: Chain) -> tuple[int, ...]:
     return tuple(FIXED if number is None else number for _, number in chain.parts)
 
 
-def _fixed_outlines(scene: Scene) -> tuple[Ring, ...]:
+def _fixed_outlines(scene: Scene, *, level: bool) -> tuple[Ring, ...]:
     """Return the outlines in the plane of motion of the bodies that do not move, simplified where they are scans."""
     rings: list[Ring] = []
     for solid in scene.fixed:
         vertices, triangles = simplify(solid.vertices, solid.triangles, limit=OUTLINE_TRIANGLES)
-        points = np.column_stack([vertices @ scene.direction, vertices[:, 2]])
-        rings += projected_outline(points, triangles[:, ::-1])
+        up = vertices @ _across(scene) if level else vertices[:, 2]
+        points = np.column_stack([vertices @ scene.direction, up])
+        rings += projected_outline(points, triangles if level else triangles[:, ::-1])
     return tuple(rings)
 
 
@@ -176,7 +177,7 @@ def _draw_rotation(chain: Chain, branch: Branch, pieces: Sequence[BlockOutline],
             NamedPoint(hinge.name, turned([hinge.at], max(before, 0))[0])
             for before, hinge in enumerate(_hinges_of_chain(chain, mark), start=-1)
         ),
-        loads=tuple(_drawn_load(load, turned([load.at], load.block)[0]) for load in chain.loads),
+        loads=tuple(_drawn_load(load, turned([load.at], load.block)[0], chain) for load in chain.loads),
         centroids=tuple(turned([block.centroid], number)[0] for number, block in enumerate(chain.blocks)),
     )
 
@@ -206,10 +207,10 @@ def _move_points(chain: Chain, points: FloatArray, *, block: int, rotation: floa
     return np.asarray(origin + points[:, :1] * along + points[:, 1:] * [-along[1], along[0]], dtype=np.float64)
 
 
-def _drawn_load(load: Load, at: Point) -> DrawnLoad:
+def _drawn_load(load: Load, at: Point, chain: Chain) -> DrawnLoad:
     """Return a load that acts at a point [m], with the direction of its weight, of the force, or of the tie's pull."""
     if isinstance(load, PointMass):
-        return DrawnLoad(load.name, at, "mass", DOWN if load.bearing else None)
+        return DrawnLoad(load.name, at, "mass", DOWN if load.bearing and not chain.level else None)
     if isinstance(load, Force):
         return DrawnLoad(load.name, at, "force", _unit_vector(load.force))
     if load.anchor is not None:
@@ -249,9 +250,10 @@ def _surface_area(corners: FloatArray) -> float:
 
 
 def _hinge_axes(mechanism: Mechanism, scene: Scene, decimals: int) -> tuple[HingeAxis, ...]:
-    """Return the axis of each hinge, across the direction, over the width of the moving bodies."""
-    along, up = scene.direction, np.array([0.0, 0.0, 1.0])
-    across = np.array([-along[1], along[0], 0.0])
+    """Return the axis of each hinge over the moving bodies: across the direction, or upright."""
+    along, up, across = scene.direction, np.array([0.0, 0.0, 1.0]), _across(scene)
+    if mechanism.positive.level:
+        up, across = across, up
     reach = np.concatenate([solid.vertices for member in scene.members for solid in member]) @ across
     found = []
     for hinge in hinges_of(mechanism):
@@ -259,6 +261,11 @@ def _hinge_axes(mechanism: Mechanism, scene: Scene, decimals: int) -> tuple[Hing
         first, last = rounded_points(np.array([middle + reach.min() * across, middle + reach.max() * across]), decimals)
         found.append(HingeAxis(hinge.name, (first, last)))
     return tuple(found)
+
+
+def _across(scene: Scene) -> FloatArray:
+    """Return the horizontal unit vector square to the direction, to its left [3]."""
+    return np.array([-scene.direction[1], scene.direction[0], 0.0])
 
 
 def _thin_ring(ring: FloatArray) -> FloatArray:

@@ -12,10 +12,11 @@ KINDS: Mapping[str, Phrase] = {
     "four-hinge": say("A chain of three blocks with four hinges"),
     "facade-with-wedges": say("A wall with wedges of the walls behind it"),
     "corner": say("The corner of two walls"),
+    "horizontal-arch": say("A panel between two cross walls, an arch in plan"),
     "equivalent-block": say("An equivalent block, given by its rocking parameters instead of a geometry,"),
 }
 """What it is, as the subject of a sentence."""
-FALLING = frozenset({"facade-with-wedges", "corner"})
+FALLING = frozenset({"facade-with-wedges", "corner", "horizontal-arch"})
 """Those that fall outwards, and of which no history is answered."""
 THEORY: Mapping[str, tuple[Phrase, Phrase]] = {
     "single-block": (
@@ -41,6 +42,10 @@ THEORY: Mapping[str, tuple[Phrase, Phrase]] = {
     "corner": (
         say("One rigid block in front of two cracks, which turns about the outermost point of its foot."),
         say("Multiplier and capacity curve, without friction along the cracks; histories are not answered."),
+    ),
+    "horizontal-arch": (
+        say("Two rigid blocks on upright hinges, at the cross walls and in the middle; the ends yield at a thrust H."),
+        say("Multiplier 8 H r / (W L) and capacity curve to the vanishing of the rise r; histories are not answered."),
     ),
     "equivalent-block": (
         say(

@@ -52,12 +52,13 @@ from reports.figures.style import (
     write_labels,
 )
 from reports.language.locale import Locale
-from reports.language.texts import Verbatim, quantity, say
+from reports.language.texts import Phrase, Verbatim, quantity, say
 from spectra.arrays import FloatArray, IntArray
 
 TALLEST, LOWEST = 2.5, 0.9  # of the figure, of a panel [in]
 LEFT, BOTTOM, TOP, GAP = 0.42, 0.36, 0.2, 0.08  # around and between the panels [in]
 MASONRY_BESIDE = 0.35  # of the mechanism's size: what is shown of the masonry that stays, at either side
+SEEN_FROM_ABOVE = frozenset({"horizontal-arch"})  # kinds that move in a level plane
 LOAD_ARROW = 0.16  # length of a load's arrow, as a part of the mechanism's size
 
 
@@ -86,7 +87,8 @@ def draw_sketch(mechanism: MechanismResult, locale: Locale) -> Figure:
     metres = table_scale("length", locale)
     with report_style():
         figure = bare_sheet(panel[1] + BOTTOM + TOP, locale, width=HALF)
-        rest, turned = (_add_panel(figure, column, panel, window, metres) for column in (0, 1))
+        upwards = say("along the wall, s") if mechanism.kind in SEEN_FROM_ABOVE else say("elevation z")
+        rest, turned = (_add_panel(figure, column, panel, window, metres, upwards) for column in (0, 1))
         _draw_at_rest(rest, drawing, window, locale)
         _draw_displaced(turned, drawing, window, locale)
         return figure
@@ -210,7 +212,9 @@ def _arrow_ends(load: DrawnLoad, length: float) -> tuple[Point, ...]:
     return (far, load.at) if load.kind == "force" else (load.at, far)
 
 
-def _add_panel(figure: Figure, column: int, panel: tuple[float, float], window: SketchWindow, metres: Scale) -> Axes:
+def _add_panel(
+    figure: Figure, column: int, panel: tuple[float, float], window: SketchWindow, metres: Scale, upwards: Phrase
+) -> Axes:
     """Add the axes of one panel: equal scale, data in metres, ticks in the unit of the locale."""
     wide, high = panel
     tall = high + BOTTOM + TOP
@@ -226,7 +230,7 @@ def _add_panel(figure: Figure, column: int, panel: tuple[float, float], window: 
         names = [metres.locale.number(each, figures=3) for each in ticks]
         axis.set_ticks([each * metres.unit.size for each in ticks], labels=names)
     axes.tick_params(labelleft=column == 0)
-    axes.set(xlabel=metres.heading(Verbatim("x")), ylabel=metres.heading(say("elevation z")) if column == 0 else "")
+    axes.set(xlabel=metres.heading(Verbatim("x")), ylabel=metres.heading(upwards) if column == 0 else "")
     return axes
 
 

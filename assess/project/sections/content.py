@@ -349,6 +349,7 @@ ITEM_OF_KIND = {
     "two-block": "vertical-bending",
     "facade-with-wedges": "compound-overturning",
     "corner": "corner",
+    "horizontal-arch": "horizontal-bending",
 }
 """The item of the list of a house that a kind of mechanism is, whatever its bodies."""
 

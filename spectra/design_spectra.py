@@ -6,7 +6,7 @@ Python; both check it by what it declares. Numbers are in SI, times of hazards a
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Annotated, Any, ClassVar, Literal, get_args
@@ -19,6 +19,7 @@ from assess.declaration import (
     NominalLife,
     NotAKey,
     NotNegativeLength,
+    Number,
     PositiveAcceleration,
     PositiveRatio,
     PositiveTime,
@@ -27,7 +28,7 @@ from assess.declaration import (
     Safe,
     Several,
 )
-from spectra import asce7, asce7_22, ec8, ntc, nzs1170_5, ts1170_5
+from spectra import asce7, asce7_22, ec8, ntc, ntc_grid, nzs1170_5, ts1170_5
 from spectra.errors import SpectrumError
 from spectra.spectrum import Spectrum
 from spectra.table import read_table, table_spectrum
@@ -198,6 +199,36 @@ class Ec8Spectrum(DesignSpectrum):
         return {**given, "spectrum_type": self.type}
 
 
+NATIONAL = Evidence("defines", "either", "as stated", judged="of the national annex")
+
+
+@dataclass(frozen=True, kw_only=True)
+class Ec8NationalSpectrum(Ec8Spectrum):
+    """Elastic spectrum of EN 1998-1 with the values that a national annex has for the ground type."""
+
+    form = "national ec8"
+    own_keys = ("s", "t_b", "t_c", "t_d")
+    s: Annotated[PositiveRatio, NATIONAL]
+    """soil factor S of the national annex"""
+    t_b: Annotated[PositiveTime, NATIONAL]
+    """T_B of the national annex, like "0.1 s\""""
+    t_c: Annotated[PositiveTime, NATIONAL]
+    """T_C of the national annex, like "0.4 s\""""
+    t_d: Annotated[PositiveTime, NATIONAL]
+    """T_D of the national annex, like "2 s\""""
+
+    def horizontal(self, *, pga: float | None = None) -> Spectrum:
+        """Return the spectrum of 3.2.2.2."""
+        return ec8.elastic_spectrum(**self._parameters, national=ec8.GroundType(self.s, self.t_b, self.t_c, self.t_d))
+
+    def vertical(self) -> Spectrum:
+        """Refuse: a national annex has vertical values of its own, which no key gives."""
+        raise SpectrumError(
+            "ec8 spectrum: s, t_b, t_c, t_d: national values of the vertical spectrum (3.2.2.3) have no keys here; "
+            "leave these out for the recommended ones"
+        )
+
+
 @dataclass(frozen=True, kw_only=True)
 class Nzs1170Spectrum(DesignSpectrum):
     """Elastic site spectrum of NZS 1170.5."""
@@ -282,7 +313,7 @@ class Ts1170Spectrum(DesignSpectrum):
 
 @dataclass(frozen=True, kw_only=True)
 class Ts1170TableSpectrum(DesignSpectrum):
-    """Elastic site spectrum of TS 1170.5:2025, from its published table as a file."""
+    """Elastic site spectrum by the published table of TS 1170.5:2025, a file."""
 
     form = "table of ts1170.5"
     own_keys = ("file", "location")
@@ -363,16 +394,11 @@ class HazardRow:
 
 
 @dataclass(frozen=True, kw_only=True)
-class NtcHazardSpectrum(DesignSpectrum):
-    """Elastic spectrum of NTC 2008 or 2018 at a limit state, from the hazard over return periods."""
+class NtcOverYears(DesignSpectrum):
+    """Elastic spectrum of NTC 2008 or 2018 at a limit state; what all ways to give the hazard have."""
 
-    form = "hazard"
-    own_keys = ("hazard",)
-    other_keys = dict.fromkeys(("a_g", "f_0", "t_c_star"), "stands in the rows of hazard; remove it here, or hazard")
     code: NtcCode
     """name and edition of the code"""
-    hazard: Annotated[tuple[HazardRow, ...], AT_LEAST_TWO, HAZARD]
-    """rows { return_period, a_g, f_0, t_c_star }, rising in return period"""
     nominal_life: Annotated[NominalLife, Evidence("defines", "down", "50 years, that of ordinary works")]
     """nominal life V_N, like 50: in years"""
     phase: Annotated[Literal["use", "works"], PHASE] = "use"
@@ -409,7 +435,7 @@ class NtcHazardSpectrum(DesignSpectrum):
 
     def at_limit_states(self) -> dict[str, Spectrum]:
         """Return the horizontal spectrum of each limit state whose return period lies within the rows."""
-        first, last = self.hazard[0].return_period, self.hazard[-1].return_period
+        first, last = self.years[0], self.years[-1]
         years = {state: ntc.return_period(state, reference_life=self._life) for state in get_args(LimitState)}
         states = [replace(self, limit_state=state) for state, T_R in years.items() if first <= T_R <= last]
         return {each._state: each.horizontal() for each in states}
@@ -418,7 +444,12 @@ class NtcHazardSpectrum(DesignSpectrum):
         """Return the peak ground acceleration at the surface of each row [m/s2]; factor: on all of them."""
         place = _place(self)
         scale = factor * ntc.topographic_factor(place)
-        return tuple(scale * (ntc.soil_factor(row, place.soil) * row.a_g) for row in self._rows)
+        return tuple(scale * (ntc.soil_factor(row, place.soil) * row.a_g) for row in self.rows)
+
+    @property
+    def years(self) -> tuple[float, ...]:
+        """The return periods of the rows [years]."""
+        return tuple(row.return_period for row in self.rows if row.return_period is not None)
 
     @property
     def _state(self) -> str:
@@ -431,12 +462,13 @@ class NtcHazardSpectrum(DesignSpectrum):
         return ntc.reference_life(self.nominal_life, use_class=self.use_class)
 
     @property
-    def _rows(self) -> list[ntc.Hazard]:
-        return [ntc.Hazard(row.a_g, row.f_0, row.t_c_star, row.return_period) for row in self.hazard]
+    def rows(self) -> Sequence[ntc.Hazard]:
+        """The hazard on rock at each return period, rising."""
+        raise NotImplementedError(type(self).__name__)
 
     @property
     def _on_rock(self) -> ntc.Hazard:
-        return ntc.hazard_at(self._rows, return_period=ntc.return_period(self._state, reference_life=self._life))
+        return ntc.hazard_at(self.rows, return_period=ntc.return_period(self._state, reference_life=self._life))
 
     def _at_limit_state(self, spectrum: Spectrum) -> Spectrum:
         """Add to the parameters of a spectrum what its return period follows from."""
@@ -444,6 +476,44 @@ class NtcHazardSpectrum(DesignSpectrum):
         use = str(self.use_class)
         parameters |= {"use_class": use, "use_coefficient": ntc.USE_FACTORS[use], "reference_life": self._life}
         return replace(spectrum, parameters={**parameters, **spectrum.parameters})
+
+
+@dataclass(frozen=True, kw_only=True)
+class NtcHazardSpectrum(NtcOverYears):
+    """Elastic spectrum of NTC 2008 or 2018 at a limit state, from the rows of a hazard."""
+
+    form = "hazard"
+    own_keys = ("hazard",)
+    other_keys = dict.fromkeys(("a_g", "f_0", "t_c_star"), "stands in the rows of hazard; remove it here, or hazard")
+    hazard: Annotated[tuple[HazardRow, ...], AT_LEAST_TWO, HAZARD]
+    """rows { return_period, a_g, f_0, t_c_star }, rising in return period"""
+
+    @property
+    def rows(self) -> Sequence[ntc.Hazard]:
+        """The hazard on rock at each return period, rising."""
+        return [ntc.Hazard(row.a_g, row.f_0, row.t_c_star, row.return_period) for row in self.hazard]
+
+
+@dataclass(frozen=True, kw_only=True)
+class NtcGridSpectrum(NtcOverYears):
+    """Elastic spectrum of NTC 2008 or 2018 by the grid of the hazard, a file, at a place and a limit state."""
+
+    form = "grid"
+    own_keys = ("grid", "latitude", "longitude")
+    other_keys = dict.fromkeys(
+        ("a_g", "f_0", "t_c_star", "hazard"), "follows from grid and the place; remove it, or those"
+    )
+    grid: Annotated[str | Path, IsInputFile(), Evidence("defines", "either", "as stated")]
+    """CSV of the nodes: lon, lat, then for each return period like ag_475 [g/10], F0_475, Tc_475 [s]"""
+    latitude: Annotated[float, Number("ratio", least=-90, most=90), Evidence("defines", "either", "as stated")]
+    """latitude of the site in degrees, in the datum of the grid, like 42.35"""
+    longitude: Annotated[float, Number("ratio", least=-180, most=180), Evidence("defines", "either", "as stated")]
+    """longitude of the site in degrees, like 13.4"""
+
+    @property
+    def rows(self) -> Sequence[ntc.Hazard]:
+        """The hazard on rock at each return period, by the four nodes around the site."""
+        return ntc_grid.site_hazard(Path(self.grid), latitude=self.latitude, longitude=self.longitude)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -481,10 +551,10 @@ class PointsSpectrum(DesignSpectrum):
 SPECTRA: Mapping[str, tuple[type[DesignSpectrum], ...]] = {
     **dict.fromkeys(asce7.EDITIONS, (Asce7Spectrum, Asce7MappedSpectrum)),
     "asce7-22": (Asce722Spectrum,),
-    "ec8": (Ec8Spectrum,),
+    "ec8": (Ec8Spectrum, Ec8NationalSpectrum),
     "nzs1170.5": (Nzs1170Spectrum,),
     "ts1170.5": (Ts1170Spectrum, Ts1170TableSpectrum),
-    **dict.fromkeys(ntc.CLAUSES, (NtcSpectrum, NtcHazardSpectrum)),
+    **dict.fromkeys(ntc.CLAUSES, (NtcSpectrum, NtcHazardSpectrum, NtcGridSpectrum)),
     "table": (TableSpectrum,),
 }
 """The ways to give each code's spectrum in a project file, the usual one first."""
@@ -501,5 +571,5 @@ def spectrum_class(code: str, keys: Collection[str]) -> type[DesignSpectrum]:
     return next((way for way in SPECTRA[code] if any(key in keys for key in way.own_keys)), SPECTRA[code][0])
 
 
-def _place(way: NtcSpectrum | NtcHazardSpectrum) -> ntc.SoilAndTopography:
+def _place(way: NtcSpectrum | NtcOverYears) -> ntc.SoilAndTopography:
     return ntc.SoilAndTopography(way.soil, way.topography, way.relief_position)

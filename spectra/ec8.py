@@ -52,7 +52,12 @@ VERTICAL_CORNERS = (0.05, 0.15, 1.0)  # T_B, T_C, T_D [s] of both types, Table 3
 
 
 def elastic_spectrum(
-    *, a_g: float, ground_type: str, spectrum_type: int = 1, importance_factor: float = 1.0
+    *,
+    a_g: float,
+    ground_type: str,
+    spectrum_type: int = 1,
+    importance_factor: float = 1.0,
+    national: GroundType | None = None,
 ) -> Spectrum:
     """Return the horizontal elastic spectrum.
 
@@ -65,15 +70,24 @@ def elastic_spectrum(
     ground_type : "A" to "E"
     spectrum_type : 1, or 2 where earthquakes of M_s <= 5.5 govern
     importance_factor : gamma_I [-]
+    national : values of a national annex for the ground, in place of those recommended
 
     Raises
     ------
-    SpectrumError : a value is not positive; the type or ground is unknown, or is S1 or S2
+    SpectrumError : a value is not positive; the type or ground is unknown, or is S1 or S2; not T_B < T_C < T_D
 
     Source: EN 1998-1:2004, 3.2.2.2, (3.2)-(3.7), Tables 3.2 and 3.3; Annex A; importance 3.2.1(3).
     """
     check_positive("ec8", a_g=a_g, importance_factor=importance_factor)
     ground = _ground_type(ground_type, spectrum_type)
+    if national is not None:
+        ground = national
+        check_positive("ec8", s=ground.s, t_b=ground.t_b)
+        if not ground.t_b < ground.t_c < ground.t_d:
+            raise SpectrumError(
+                f"ec8 spectrum: t_b = {ground.t_b:.4g} s, t_c = {ground.t_c:.4g} s, t_d = {ground.t_d:.4g} s; they "
+                "must rise"
+            )
     design = importance_factor * a_g
     shape = FourBranches(design * ground.s, AMPLIFICATION, ground.t_b, ground.t_c, ground.t_d)
     annex_a = ground.t_e < inf
@@ -86,7 +100,9 @@ def elastic_spectrum(
         damping=0.05,
         damping_rule=DAMPING_RULE,
         ordinates=shape.ordinates,
-        clause="EN 1998-1:2004, 3.2.2.2, recommended values",
+        clause="EN 1998-1:2004, 3.2.2.2, recommended values"
+        if national is None
+        else "EN 1998-1:2004, 3.2.2.2, national values",
         displacements=partial(shape.displacements, t_e=ground.t_e, t_f=ground.t_f) if annex_a else None,
         warnings=plausibility_warnings(a_g=a_g),
     )

@@ -72,8 +72,12 @@ def spectrum(
     ] = None,
     pga_site: Annotated[str | None, _key_option("pga-site", "ACC", "ts1170.5: PGA of its table.")] = None,
     s_as: Annotated[str | None, _key_option("s-as", "ACC", "ts1170.5: S_a,s of its table, the plateau.")] = None,
-    t_c: Annotated[str | None, _key_option("t-c", "TIME", "ts1170.5: T_c of its table.")] = None,
-    t_d: Annotated[str | None, _key_option("t-d", "TIME", "ts1170.5: T_d of its table.")] = None,
+    s: Annotated[
+        str | None, _key_option("s", "NUMBER", "ec8: S of a national annex, with --t-b, --t-c, --t-d.")
+    ] = None,
+    t_b: Annotated[str | None, _key_option("t-b", "TIME", "ec8: T_B of a national annex.")] = None,
+    t_c: Annotated[str | None, _key_option("t-c", "TIME", "ec8: T_C of an annex; ts1170.5: T_c of its table.")] = None,
+    t_d: Annotated[str | None, _key_option("t-d", "TIME", "ec8: T_D of an annex; ts1170.5: T_d of its table.")] = None,
     location: Annotated[
         str | None, _key_option("location", "NAME", "ts1170.5: settlement or grid point of --file.")
     ] = None,

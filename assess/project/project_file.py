@@ -521,7 +521,13 @@ def _without_choice(node: dict[str, Any], definitions: dict[str, Any]) -> dict[s
     tables = [definitions[each["$ref"].removeprefix(_REFERENCE)] for each in choices]
     if not all("properties" in table for table in tables):
         return node
-    signs = _signs(tables, [key for key in tables[0]["properties"] if all(_words_of_key(each, key) for each in tables)])
+    kinds = [key for key in tables[0]["properties"] if all(_words_of_key(each, key) for each in tables)]
+    signs = _signs(tables, kinds)
+    if signs is None:  # a table may have all keys of another and some of its own: it is told first
+        choices = sorted(
+            choices, key=lambda each: -len(definitions[each["$ref"].removeprefix(_REFERENCE)]["properties"])
+        )
+        signs = _signs([definitions[each["$ref"].removeprefix(_REFERENCE)] for each in choices], kinds)
     if signs is None:
         return node
     found = signs[-1]

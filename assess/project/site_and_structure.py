@@ -205,7 +205,7 @@ def hazard_over_periods(site: sections.SiteSection) -> SiteHazard | None:
         at_states = hazard.at_limit_states()
     return SiteHazard(
         spectra={state: replace(at, factor=factor, damping=hazard.damping) for state, at in at_states.items()},
-        return_period=tuple(row.return_period for row in hazard.hazard),
+        return_period=hazard.years,
         pga=hazard.surface_pgas(factor=factor),
     )
 

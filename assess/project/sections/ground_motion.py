@@ -42,7 +42,7 @@ from records.compliance import CodeName
 from records.selection import CandidateFilters
 from records.synthetic import SUITE_SIZE, ArtificialRecords
 from spectra import ntc
-from spectra.design_spectra import SPECTRA, USE_CLASSES, NtcHazardSpectrum, Nzs1170Spectrum, spectrum_class
+from spectra.design_spectra import SPECTRA, USE_CLASSES, NtcOverYears, Nzs1170Spectrum, spectrum_class
 
 LIMIT_STATES = tuple(ntc.EXCEEDANCE)  # of a hazard over return periods
 if TYPE_CHECKING:
@@ -103,10 +103,10 @@ class SiteSection(ProjectSection):
         return self.limit_state or getattr(self.spectrum, "limit_state", None)
 
     @property
-    def hazard(self) -> NtcHazardSpectrum | None:
+    def hazard(self) -> NtcOverYears | None:
         """The hazard over return periods that its spectrum follows from; None if that is given otherwise."""
         way = self.spectrum.plain
-        return way if isinstance(way, NtcHazardSpectrum) else None
+        return way if isinstance(way, NtcOverYears) else None
 
 
 BUILDING_HEIGHT = Evidence(

@@ -8,6 +8,7 @@ from scipy.constants import g
 
 from spectra.ec8 import GROUNDS, elastic_spectrum, vertical_spectrum
 from spectra.errors import SpectrumError
+from spectra.registry import spectrum
 
 EVERY = [(kind, ground) for kind, grounds in GROUNDS.items() for ground in grounds]
 B = elastic_spectrum(a_g=0.25 * g, ground_type="B")
@@ -92,3 +93,16 @@ def test_grounds_of_a_special_study_are_refused(ground):
 def test_what_the_tables_have_not_is_refused(make, change, words):
     with pytest.raises(SpectrumError, match=words):
         make(**{"a_g": 1.0, "ground_type": "A", **change})
+
+
+def test_national_values_for_the_ground():
+    """Ground B-R of the German annex of 2011 (from memory): S = 1.25, corners 0.05, 0.25, 2 s; worked by hand."""
+    national = {"s": 1.25, "t_b": 0.05, "t_c": 0.25, "t_d": 2.0}
+    found = spectrum("ec8", a_g=0.8, ground_type="B", **national)
+    expected = [1.0, 1.0 + 0.4 * 1.5, 2.5, 2.5 * 0.25, 2.5 * 0.25 * 2.0 / 9.0]
+    np.testing.assert_allclose(found.acceleration([0.0, 0.02, 0.2, 1.0, 3.0]), expected, rtol=1e-12)
+    assert found.displacements is None
+    with pytest.raises(SpectrumError, match="they must rise"):
+        spectrum("ec8", a_g=0.8, ground_type="B", **{**national, "t_d": 0.2})
+    with pytest.raises(SpectrumError, match="t_d: missing"):
+        spectrum("ec8", a_g=0.8, ground_type="B", s=1.25, t_b=0.05, t_c=0.25)

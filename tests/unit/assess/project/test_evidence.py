@@ -67,14 +67,19 @@ MAY_STAND = {
         *("site.spectrum.damping (table)", "site.spectrum.s_ds (asce7)", "site.spectrum.s_d1 (asce7)"),
         *("site.spectrum.t_l (asce7, mapped)", "site.spectrum.s_s (mapped)", "site.spectrum.s_1 (mapped)"),
         *("site.spectrum.hazard[].return_period", "site.spectrum.hazard[].a_g", "site.spectrum.hazard[].t_c_star"),
-        *("site.spectrum.a_g (ec8, ntc)", "site.spectrum.z (nzs1170.5)", "site.spectrum.t_c_star (ntc)"),
-        *("site.spectrum.topography (ntc, hazard)", "building.storeys", "bodies.NAME.box.thickness"),
+        *("site.spectrum.a_g (ec8, national ec8, ntc)", "site.spectrum.z (nzs1170.5)", "site.spectrum.t_c_star (ntc)"),
+        *("site.spectrum.topography (ntc, hazard, grid)", "building.storeys", "bodies.NAME.box.thickness"),
         *("site.spectrum.pga_site (ts1170.5)", "site.spectrum.s_as (ts1170.5)"),
         *("site.spectrum.t_c (ts1170.5)", "site.spectrum.t_d (ts1170.5)", "bodies.NAME.box.height"),
     ),
     HELD: (
-        *("site.spectrum.return_period (nzs1170.5)", "site.spectrum.nominal_life (hazard)", "site.return_period"),
-        *("site.spectrum.phase (hazard)", "site.spectrum.use_class (hazard)", "site.pga", "building.use_class"),
+        *("site.spectrum.return_period (nzs1170.5)", "site.spectrum.nominal_life (hazard, grid)", "site.return_period"),
+        *(
+            "site.spectrum.phase (hazard, grid)",
+            "site.spectrum.use_class (hazard, grid)",
+            "site.pga",
+            "building.use_class",
+        ),
         *(
             "building.importance_level",
             "verdict.rule",

@@ -15,6 +15,8 @@ CANDIDATE_TEXTS: Mapping[str, str] = {
     "reason-bears": "{body} bears on it at z = {z}",
     "reason-tied": "by its shape {bodies} would push it over, yet it stands: that something takes the thrust is to be "
     "confirmed",
+    "reason-path": "the drawing does not tell which walls carry {bodies}: here the share that is worse is taken, "
+    "so that all shares may add up to more than 1",
     "reason-ties": "{ties} may hold it and is left out",
     "reason-wedges": "a wedge of {walls} may come with it, cracked at up to 30 degrees from the vertical",
     "reason-corner": "outer corner of {one} and {other}, whose bond is not known",
@@ -29,7 +31,7 @@ CANDIDATE_TEXTS: Mapping[str, str] = {
     # what is possible and not looked for
     "gap-stopped": "above z = {z} {walls} would stop it where it turns as a whole; what turns beside them is not "
     "looked for",
-    "gap-unpressed": "held at z = {low} and z = {high}, and nothing that presses on it is drawn",
+    "gap-unpressed": "held at z = {low} and z = {high}, and what presses on it from above is not drawn in full",
     "gap-bell-cell": "{number} piers stand on it; the sway of more than two is not looked for",
     "gap-tower-corners": "the corners of its shaft are not looked for",
     "gap-facade-top": "it may be the façade, and nothing is found that turns above its foot",

@@ -32,6 +32,7 @@ from assess.model.least_multipliers import (
     weakest_turn,
     weakest_wedges,
 )
+from assess.model.load_paths import is_drawn_in_part
 from assess.model.moving_parts import (
     HELD,
     LOW_STOREY,
@@ -181,7 +182,10 @@ def gables(drawing: Drawing) -> Seeds:
 
 
 def _pressing(wall: Part, level: float, drawing: Drawing) -> OverburdenLoad | None:
-    """Return what presses on a wall at a level: bodies on its top, or the weight above; None for nothing."""
+    """Return what presses on a wall at a level: bodies on its top, or the weight above; None for nothing.
+
+    A covering of which no more than one side is drawn is not counted: how much of it presses here is not known.
+    """
     structure = drawing.structure
     contacts = [each for each in structure.contacts_of(wall.name) if each.second == wall.name]
     if level >= wall.top - NEAR_LEVEL:
@@ -189,7 +193,9 @@ def _pressing(wall: Part, level: float, drawing: Drawing) -> OverburdenLoad | No
         names = dict.fromkeys(
             each.first
             for each in on_top
-            if each.elevation >= wall.top - HELD and find_contact(wall.solid, structure.part(each.first).solid)
+            if each.elevation >= wall.top - HELD
+            and find_contact(wall.solid, structure.part(each.first).solid)
+            and not is_drawn_in_part(structure.part(each.first), drawing)
         )
         return OverburdenLoad(bodies=tuple(names)) if names else None
     above = [part for part in standing_above((wall,), wall.base, drawing) if part is not wall]

@@ -19,6 +19,7 @@ from assess.model.candidate_frames import apses, arches, bell_cells, portals, sh
 from assess.model.candidate_walls import bays, caps, corners, gables, spanning_walls, turning_walls, walls_with_wedges
 from assess.model.churches import Church
 from assess.model.least_multipliers import Alternative, Drawing, Found, built
+from assess.model.load_paths import by_worst_paths
 from assess.model.moving_parts import Seed, Seeds, Unexamined, all_of, opposite
 from assess.model.structure import Part, PartKind, Structure
 from assess.short_repr import ShortRepr
@@ -256,18 +257,22 @@ def _examines(row: MechanismClass, church: Church, parts: Sequence[Part], low: f
 
 
 def _candidate(row: MechanismClass, seed: Seed, drawing: Drawing, church: Church, *, taken: set[str]) -> Candidate:
-    structure, found = drawing.structure, _on_free_sides(seed.find(), drawing)
+    structure = drawing.structure
+    found, unsure = by_worst_paths(_on_free_sides(seed.find(), drawing), drawing)
     stem = f"{_slug(seed.parts[0].name)}-{row.key}"
     name = next(each for each in (stem, *(f"{stem}-{i}" for i in range(2, 1000))) if each not in taken)
-    bodies = ", ".join(found.tied)
-    reason = all_of([seed.reason, note("reason-tied", bodies=bodies)]) if bodies else seed.reason
+    said = [
+        note(key, bodies=", ".join(each))
+        for key, each in (("reason-tied", found.tied), ("reason-path", unsure))
+        if each
+    ]
     low = found.parameters.get("hinge", Quantity(seed.parts[0].base)).value
     return Candidate(
         name=name,
         kind=row.key,
         title=note("candidate-title", part=seed.parts[0].name, what=row.title),
         parts=tuple(part.name for part in seed.parts),
-        reason=reason,
+        reason=all_of([seed.reason, *said]),
         carries=tuple(load.body for load in drawing.loads_on(seed.parts, above=low)),
         held_by=tuple(dict.fromkeys(tie.name for part in seed.parts for tie in structure.ties_of(part.name))),
         found=found,

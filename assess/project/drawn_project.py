@@ -209,6 +209,8 @@ def _load_keys(load: BodyLoad | OverburdenLoad, names: Mapping[str, str]) -> Ite
         yield "role", load.role
     if load.tolerance != BodyLoad.tolerance:
         yield "tolerance", f"{load.tolerance:.4g} m"
+    if load.share is not None:
+        yield "share", load.share
     if load.tied:
         yield "tied", True
 
@@ -302,8 +304,9 @@ def _survey(structure: Structure, stated: Sequence[Candidate]) -> Iterator[str]:
     yield from (f'# "materials.{name}.disintegration" = {SOURCE}' for name in masonry)
     for each in stated:
         loads = each.definition.loads if each.definition is not None else ()
-        tied = [number for number, load in enumerate(loads, start=1) if isinstance(load, BodyLoad) and load.tied]
-        yield from (f'# "mechanisms.{each.name}.loads[{number}].tied" = {SOURCE}' for number in tied)
+        for number, load in enumerate(loads, start=1):
+            known = [key for key in ("tied", "share") if isinstance(load, BodyLoad) and getattr(load, key) is not None]
+            yield from (f'# "mechanisms.{each.name}.loads[{number}].{key}" = {SOURCE}' for key in known)
     yield "# The masonry: its density where it is assumed, and whether it may fall apart."
     for name, part in seen.items():
         yield f"[materials.{name}]"

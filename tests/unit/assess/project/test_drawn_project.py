@@ -58,6 +58,19 @@ def test_a_roof_that_hovers_over_its_walls_is_named(tmp_path) -> None:
     assert "1 (Roof)" in found
 
 
+def test_shares_that_the_drawing_leaves_open_are_stated_with_a_source_to_fill_in(tmp_path) -> None:
+    """A flat roof on all four walls: each mechanism has the half that its walls may carry, as it is worse."""
+    walls = house(storeys=1).parts[:4]
+    roof = part_of("Roof", block((0, 9), (0, 7), (3, 3.3), density=400.0), "roof", normal=(0, 1))
+    (tmp_path / "house.obj").write_text(obj_of((*walls, roof)))
+    _, candidates = write_project([tmp_path / "house.obj"], tmp_path / "new")
+    text = (tmp_path / "new" / "project.toml").read_text(encoding="utf-8")
+    assert text.count("share = 0.5\n") == 4
+    assert '# "mechanisms.front-1-overturning.loads[1].share" = ' in text
+    found = {each.name: each.multiplier for each in candidates if is_stated(each)}
+    assert multipliers(tmp_path / "new") == pytest.approx(found, rel=2e-3)
+
+
 def test_bodies_are_elements_of_the_model(drawn) -> None:
     folder, _, _ = drawn
     text = (folder / "project.toml").read_text(encoding="utf-8")

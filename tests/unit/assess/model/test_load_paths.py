@@ -1,0 +1,83 @@
+"""Which walls carry a floor or roof: by statics, and by the worse where the drawing leaves it open."""
+
+from dataclasses import replace
+
+import pytest
+
+from assess.model.candidates import Candidates, find_candidates
+from assess.model.least_multipliers import Drawing
+from assess.model.load_paths import load_paths
+from assess.model.structure import Part, Structure
+from tests.support.buildings import STONE, TIMBER, block, part_of, touching
+
+FRONT = part_of("Front", block((0, 9), (0, 0.5), (0, 3)), normal=(0, -1), outward=True)
+BACK = part_of("Back", block((0, 9), (6.5, 7), (0, 3)), normal=(0, 1), outward=True)
+LEFT = part_of("Left", block((0, 0.5), (0.5, 6.5), (0, 3)), normal=(-1, 0), outward=True)
+RIGHT = part_of("Right", block((8.5, 9), (0.5, 6.5), (0, 3)), normal=(1, 0), outward=True)
+
+
+def roof(x=(0.0, 9.0), y=(0.0, 7.0)) -> Part:
+    return part_of("Roof", block(x, y, (3.0, 3.3), density=TIMBER), "floor", normal=(0, 1), density=TIMBER)
+
+
+def building(*parts: Part) -> Structure:
+    return Structure(parts=parts, contacts=touching(parts))
+
+
+def turned(found: Candidates, wall: str):
+    return next(each for each in found if each.kind == "overturning" and each.parts == (wall,))
+
+
+def test_a_covering_on_walls_both_ways_goes_down_by_either_or_by_both() -> None:
+    structure = building(FRONT, BACK, LEFT, RIGHT, roof())
+    both, *alone = load_paths(structure.part("Roof"), Drawing(structure))
+    assert sum(both.shares.values()) == pytest.approx(1.0)
+    assert both.shares["Front"] == pytest.approx(9.0 / 30.0)  # by their areas: 9 and 6 m of wall each way
+    assert [each.shares for each in alone] == [
+        {"Front": pytest.approx(0.5), "Back": pytest.approx(0.5)},
+        {"Left": pytest.approx(0.5), "Right": pytest.approx(0.5)},
+    ]
+
+
+def test_the_worse_path_counts_for_each_mechanism_and_is_stated() -> None:
+    """By hand: half of the roof in the middle of the top lowers t/h to (M t/2 + m t/2) / (M h/2 + m h)."""
+    found = find_candidates(building(FRONT, BACK, LEFT, RIGHT, roof()))
+    weight = TIMBER * 9.0 * 7.0 * 0.3 / 2.0
+    for name, length in (("Front", 9.0), ("Left", 6.0)):
+        wall = STONE * length * 0.5 * 3.0
+        each = turned(found, name)
+        assert [load.share for load in each.definition.loads] == [0.5]
+        assert each.multiplier == pytest.approx((wall + weight) * 0.25 / (wall * 1.5 + weight * 3.0), rel=1e-3)
+        assert "does not tell which walls carry Roof" in str(each.reason)
+
+
+def test_where_the_drawing_tells_no_share_is_stated() -> None:
+    found = find_candidates(building(FRONT, BACK, LEFT, RIGHT, roof(x=(0.5, 8.5))))
+    assert [load.share for load in turned(found, "Front").definition.loads] == [None]
+    assert not turned(found, "Left").definition.loads
+    assert "does not tell" not in str(turned(found, "Front").reason)
+
+
+def test_a_floor_of_which_one_seat_is_drawn_is_not_all_on_its_wall() -> None:
+    """A floor low on a wall, let in to its inner half, holds it: half of it counts, its other end is not drawn."""
+    floor = part_of("Floor", block((0.5, 8.5), (0.25, 6.0), (0.8, 1.0), density=TIMBER), "floor", density=TIMBER)
+    structure = building(FRONT, floor)
+    whole, half = load_paths(structure.part("Floor"), Drawing(structure))
+    assert (whole.shares, half.shares) == ({"Front": 1.0}, {"Front": 0.5})
+    each = next(one for one in find_candidates(structure) if one.kind.startswith("overturning"))
+    assert [load.share for load in each.definition.loads] == [0.5]
+
+
+def test_what_rests_on_something_not_drawn_does_not_press_a_wall_that_bends() -> None:
+    found = find_candidates(building(FRONT, roof(y=(0.0, 6.0))))
+    assert not [each for each in found if each.kind == "bending"]
+    assert [gap.kind for gap in found.gaps] == ["bending"]
+    on_both = find_candidates(building(FRONT, BACK, roof(x=(0.5, 8.5))))
+    assert [each.parts for each in on_both if each.kind == "bending"] == [("Front",), ("Back",)]
+
+
+def test_an_edge_that_would_hold_a_covering_down_carries_nothing() -> None:
+    far = replace(BACK, name="Middle", solid=block((0, 9), (1.0, 1.5), (0, 3)))
+    structure = building(FRONT, far, roof(y=(0.0, 4.0)))
+    (path,) = load_paths(structure.part("Roof"), Drawing(structure))[:1]
+    assert path.shares == {"Front": pytest.approx(0.0), "Middle": pytest.approx(1.0)}

@@ -365,6 +365,7 @@ def batch(
     scheduler: str | None = None,
     shard: str = "1/1",
     keep: Keep = "report",
+    decimal_comma: bool = False,
     tell: Tell = _ignore_line,
     progress: Progress | None = None,
 ) -> Portfolio:
@@ -375,7 +376,7 @@ def batch(
 
     Parameters
     ----------
-    source : a folder, or a table as CSV
+    source : a folder, or a table as CSV or workbook
     folder : where the ranked table, the ledger and a folder for each project are written
     template : the project file whose values the rows of a table change
     jobs : processes, 0 for as many as there are cores; the rows do not depend on it
@@ -383,6 +384,7 @@ def batch(
     scheduler : address of a Dask scheduler, whose workers compute in place of processes here
     shard : "i/n" for the i-th of n shares of the projects
     keep : what is written of each project: "report", "results", or "rows" for nothing but its row
+    decimal_comma : whether numbers of the table have decimal commas; between semicolons they have them anyway
     tell : is called with a line about what is found in the folder
     progress : is called with (stage, done, total); 0 as the total while the projects are being found
 
@@ -403,6 +405,7 @@ def batch(
         Path(source),
         None if template is None else Path(template),
         unit_fault,
+        decimal_comma=decimal_comma,
         progress=lambda found: show("reading", found, 0),
     )
     return run_batch(

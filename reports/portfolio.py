@@ -102,8 +102,15 @@ def _portfolio_report(rows: Sequence[ProjectRow], *, locale: Locale) -> Document
 
 def _ranked_table(rows: Sequence[ProjectRow]) -> Table:
     """Return the table of the rows in their order."""
+    ranked = rank(rows)
     columns = [
-        (column, tuple(cell(place, row) for place, row in enumerate(rank(rows), start=1))) for column, cell in FIELDS
+        (column, tuple(cell(place, row) for place, row in enumerate(ranked, start=1))) for column, cell in FIELDS
+    ]
+    headings = dict.fromkeys(heading for row in rows for heading, _ in row.carried)
+    beside = 1 + next(place for place, (column, _) in enumerate(FIELDS) if column is RATIO)
+    columns[beside:beside] = [
+        (Column(Verbatim(heading)), tuple(_name(dict(row.carried).get(heading, "")) for row in ranked))
+        for heading in headings
     ]
     kept = [(column, cells) for column, cells in columns if any(cell is not None for cell in cells)]
     return Table(

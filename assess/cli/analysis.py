@@ -55,7 +55,10 @@ def run(
 
 def batch(
     source: Annotated[
-        Path, typer.Argument(metavar="FOLDER|TABLE.csv", help="A folder with projects below it, or a table of them.")
+        Path,
+        typer.Argument(
+            metavar="FOLDER|TABLE", help="A folder with projects below it, or a table of them (CSV or XLSX)."
+        ),
     ],
     template: Annotated[
         Path | None,
@@ -87,6 +90,9 @@ def batch(
             help="Compute only the i-th of n shares of the projects, such as 1/4 (default: all).",
         ),
     ] = "1/1",
+    decimal_comma: Annotated[
+        bool, flag("--decimal-comma", "Numbers of the table have decimal commas, as they have between semicolons.")
+    ] = False,
     no_report: Annotated[bool, flag("--no-report", "Write only results.json of each project and the table.")] = False,
     rows_only: Annotated[
         bool, flag("--rows-only", "Write only the ranked table, and nothing of each project.")
@@ -115,6 +121,7 @@ def batch(
             scheduler=scheduler,
             shard=shard,
             keep=keep,
+            decimal_comma=decimal_comma,
             tell=print_note,
             progress=shown.count,
         )

@@ -11,21 +11,22 @@ import json
 import os
 import re
 import tomllib
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from difflib import get_close_matches
 from functools import lru_cache
 from glob import escape, glob
-from json import dumps
 from pathlib import Path
 from typing import Any
 
 from assess.errors import ProjectError
 from assess.messages.message import format_key
+from assess.portfolio.tables import MOST_SHOWN, TableRow, point_for_comma, quote, read_table
 from assess.short_repr import ShortRepr
-from spectra.columns import ColumnError, csv_rows
 
 ID = "id"
+COLUMNS = "columns"  # the table of a template that maps headings to keys
+CARRY, OTHERS = "carry", "*"  # in place of a key: the column is shown and no more; in place of a heading: all others
 PROJECT_FILE = "project.toml"
 RESULTS = "-results"  # how the folders end that `assess run` writes
 A_PROJECT = re.compile(rb"^\s*\[\s*(site|mechanisms)\s*[\].]", re.MULTILINE)
@@ -47,6 +48,8 @@ class Task(ShortRepr):
         What the row changes in the template, as JSON text; None for a project file. `project_tree` applies it.
     sha256 : str
         Of everything the project is made of: its file or template, the row, and the files they name.
+    carried : tuple of (heading, text)
+        Cells of the row that the ranked table shows, as they are typed.
     """
 
     key: str
@@ -54,14 +57,21 @@ class Task(ShortRepr):
     path: Path
     content: str | None
     sha256: str
+    carried: tuple[tuple[str, str], ...] = ()
 
 
 @dataclass(frozen=True)
 class KeyColumn:
-    """A column of the table: its key in the template, written with dots, and the unit of its numbers, "" for none."""
+    """A column of the table.
+
+    key : in the template, written with dots; ID for that of the ids, "" for one that is carried alone
+    unit : of its numbers, "" for none
+    heading : under which the ranked table shows its cells, "" where it does not
+    """
 
     key: str
     unit: str
+    heading: str = ""
 
 
 UnitFault = Callable[[Path, Mapping[str, Any], KeyColumn], str]
@@ -78,6 +88,7 @@ def find_tasks(
     template: Path | None = None,
     unit_fault: UnitFault = _no_unit_fault,
     *,
+    decimal_comma: bool = False,
     progress: Callable[[int], object] = bool,
 ) -> tuple[Task, ...]:
     """Return the projects below a folder, or those that the rows of a table make of a template.
@@ -85,11 +96,13 @@ def find_tasks(
     Parameters
     ----------
     source : Path
-        A folder, or a table as CSV.
+        A folder, or a table as CSV or workbook.
     template : Path or None
         The project file whose values the table changes; None for a folder.
     unit_fault : callable
         Checks the unit in the head of a column.
+    decimal_comma : bool
+        Whether the numbers of the table have decimal commas; those between semicolons have them anyway.
     progress : callable
         Called with the number of tasks found so far.
 
@@ -104,7 +117,7 @@ def find_tasks(
         return _counted(_tasks_below(source), progress)
     if template is None:
         raise ProjectError(f"{source}: a table needs the project that its rows change; add --template FILE.toml")
-    return _counted(_tasks_of_table(source, template.absolute(), unit_fault), progress)
+    return _counted(_tasks_of_table(source, template.absolute(), unit_fault, decimal_comma), progress)
 
 
 def project_tree(task: Task) -> dict[str, Any]:
@@ -140,7 +153,7 @@ def row_fault(task: Task, text: str) -> str:
     for key, *_ in row["cells"]:
         prefix = f"{format_key(places[key])}: "
         if fault.startswith(prefix):
-            return f"{where}: column {quote(key)}: {fault.removeprefix(prefix)}"
+            return f"{where}: column {quote(row.get('headings', {}).get(key, key))}: {fault.removeprefix(prefix)}"
     return f"{where}: with {task.path.name}: {fault}"
 
 
@@ -151,7 +164,6 @@ WHOLE_NUMBER = re.compile(r"[+-]?[0-9]{1,18}")
 NUMBER = re.compile(r"[+-]?([0-9]{1,40}\.?[0-9]{0,40}|\.[0-9]{1,40})([eE][+-]?[0-9]{1,3})?|[+-]?(inf|nan)")
 QUANTITY = re.compile(r"\s*[+-]?([0-9]|\.[0-9]|inf\b)")
 QUANTITY_WITH_COMMA = re.compile(r"[+-]?[0-9]+,[0-9]+(\s*[^\s0-9,;]\S*)?")
-MOST_SHOWN = 60  # characters of a value in a message
 
 
 def read_template(path: Path) -> Mapping[str, Any]:
@@ -165,7 +177,20 @@ def read_template(path: Path) -> Mapping[str, Any]:
         size, changed = path.stat().st_size, path.stat().st_mtime_ns
     except (OSError, ValueError):
         raise ProjectError(f"{path}: no such file; give the project file whose values the table changes") from None
-    return _read_tables(path, size, changed)
+    return {name: table for name, table in _read_tables(path, size, changed).items() if name != COLUMNS}
+
+
+def read_headings(path: Path) -> Mapping[str, str]:
+    """Return what [columns] of a template says: by heading of the table a key with its unit, or CARRY.
+
+    Raises
+    ------
+    ProjectError : it is no table of texts
+    """
+    found = _read_tables(path, path.stat().st_size, path.stat().st_mtime_ns).get(COLUMNS, {})
+    if not isinstance(found, Mapping) or not all(isinstance(each, str) for each in found.values()):
+        raise ProjectError(f'{path}: columns: write headings with keys, such as "Spessore [cm]" = "{TITLE}"')
+    return found
 
 
 def keys_of(template: Mapping[str, Any]) -> dict[str, KeyPath]:
@@ -210,53 +235,6 @@ def value_of(text: str, unit: str, *, like: Any, key: str) -> Any:
     if NUMBER.fullmatch(text):
         return f"{text} {unit}" if unit else int(text) if WHOLE_NUMBER.fullmatch(text) else float(text)
     return text
-
-
-def quote(text: str) -> str:
-    """Write a text of the user's in quotes on one line, shortened if it is long."""
-    written = dumps(text if len(text) <= MOST_SHOWN else text[: MOST_SHOWN - 1] + "…", ensure_ascii=False)
-    return "".join(c if c.isprintable() else c.encode("unicode_escape").decode() for c in written)
-
-
-SEPARATORS = (",", ";", "\t")
-LONGEST_HEADER = 1_000_000  # characters
-
-
-@dataclass(frozen=True)
-class TableRow:
-    """A row of the table: its cells, stripped, and the line of the file on which it begins."""
-
-    number: int
-    cells: tuple[str, ...]
-
-
-def read_table(path: Path) -> Iterator[TableRow]:
-    """Yield the header and then the rows of a table that are not empty, without holding them.
-
-    Cells are separated by comma, semicolon or tab, whichever the header has most of.
-
-    Raises
-    ------
-    ProjectError : the file cannot be read, is not UTF-8, or breaks the rules of quotes
-    """
-    try:
-        with path.open(encoding="utf-8-sig", newline="") as file:
-            header = file.readline(LONGEST_HEADER)
-            if not header.strip():
-                raise ProjectError(f"{path}: line 1: no header; write the keys of the template there")
-            separator = max(SEPARATORS, key=header.count)
-            file.seek(0)
-            for begins, cells in csv_rows(file, separator=separator):
-                stripped = tuple(cell.strip() for cell in cells)
-                if any(stripped):
-                    yield TableRow(begins, stripped)
-    except UnicodeDecodeError as error:
-        byte = f"byte {error.object[error.start]:#04x}"
-        raise ProjectError(f"{path}: {byte} is not UTF-8; save the table as CSV in UTF-8") from None
-    except ColumnError as error:
-        raise ProjectError(f"{path}: {error}") from None
-    except OSError as error:
-        raise ProjectError(f"{path}: cannot be read ({error.strerror}); give a table as CSV") from None
 
 
 def _counted(tasks: Iterator[Task], progress: Callable[[int], object]) -> tuple[Task, ...]:
@@ -311,26 +289,24 @@ def _title(tables: Mapping[str, Any]) -> str:
     return title if isinstance(title, str) else ""
 
 
-def _tasks_of_table(source: Path, template: Path, unit_fault: UnitFault) -> Iterator[Task]:
+def _tasks_of_table(source: Path, template: Path, unit_fault: UnitFault, decimal_comma: bool) -> Iterator[Task]:
     """Yield a task for each row of a table.
 
     Raises
     ------
     ProjectError : the header or the template cannot be used, there is no row, or two have the same id
     """
-    tables = read_template(template)
-    lines, seen = read_table(source), dict[str, int]()
-    header = _column_names(next(lines))
+    tables, headings = read_template(template), read_headings(template)
+    lines, seen = read_table(source, decimal_comma=decimal_comma), dict[str, int]()
     try:
-        columns = _columns_of(header, tables, skipped=(ID,))
+        columns = _columns_of(
+            _column_names(next(lines)), tables, headings, lambda column: unit_fault(template, tables, column)
+        )
     except ProjectError as error:
         raise ProjectError(f"{source}: {error}") from None
-    for column in columns:
-        if column and column.unit and (fault := unit_fault(template, tables, column)):
-            raise ProjectError(f"{source}: column {quote(f'{column.key} [{column.unit}]')}: {fault}")
     start, hash_of, known = hashlib.sha256(template.read_bytes()), _files_hash(), keys_of(tables)
     for line in lines:
-        key = _row_key(line, header)
+        key = _row_key(line, columns)
         if key in seen:
             raise ProjectError(
                 f"{source}: lines {seen[key]} and {line.number}: {quote(key)} twice; give each row its own id"
@@ -349,17 +325,17 @@ def _column_names(line: TableRow) -> tuple[str, ...]:
     return tuple(names)
 
 
-def _row_key(line: TableRow, header: Sequence[str]) -> str:
+def _row_key(line: TableRow, columns: Sequence[KeyColumn]) -> str:
     """Return the row's id, or the number of its line."""
-    place = header.index(ID) if ID in header else len(line.cells)
-    return (line.cells[place] if place < len(line.cells) else "") or str(line.number)
+    cells = (cell for column, cell in zip(columns, line.cells, strict=False) if column.key == ID)
+    return next(cells, "") or str(line.number)
 
 
 def _task_of_row(
     source: Path,
     line: TableRow,
     key: str,
-    columns: Sequence[KeyColumn | None],
+    columns: Sequence[KeyColumn],
     template: Path,
     tables: Mapping[str, Any],
     known: Mapping[str, KeyPath],
@@ -367,26 +343,42 @@ def _task_of_row(
     hash_of: FilesHash,
 ) -> Task:
     """Return the task of a row; start: the hash of the template."""
-    cells = [
-        (column.key, text, column.unit) for column, text in zip(columns, line.cells, strict=False) if column and text
-    ]
-    row: dict[str, Any] = {"cells": cells}
-    title, named = next((text for name, text, _ in cells if name == TITLE), _title(tables)), tables
+    pairs = [(column, text) for column, text in zip(columns, line.cells, strict=False) if text]
+    carried = tuple((column.heading, text) for column, text in pairs if column.heading)
+    row: dict[str, Any] = {"cells": [(c.key, text, c.unit) for c, text in pairs if c.key not in ("", ID)]}
+    if headings := {c.key: c.heading for c, _ in pairs if c.key and c.heading}:
+        row["headings"] = headings
+    title, named = next((text for c, text in pairs if c.key == TITLE), _title(tables)), tables
     try:
-        named = with_row(tables, {name: (text, unit) for name, text, unit in cells}, known)
+        if line.decimal_comma:
+            row["cells"] = [(name, _with_point(name, text, known, tables), unit) for name, text, unit in row["cells"]]
+        named = with_row(tables, {name: (text, unit) for name, text, unit in row["cells"]}, known)
         _check_number(line, columns)
     except ProjectError as error:
         row = {"fault": str(error)}
-    start.update(_compact_json(row).encode("utf-8", "surrogatepass") + b"\0" + hash_of(named, template.parent).encode())
+    hashed = row | {"carried": carried} if carried else row
+    start.update(
+        _compact_json(hashed).encode("utf-8", "surrogatepass") + b"\0" + hash_of(named, template.parent).encode()
+    )
     content = _compact_json({"table": str(source), "line": line.number, **row})
-    return Task(key, title, template, content, start.hexdigest())
+    return Task(key, title, template, content, start.hexdigest(), carried)
+
+
+def _with_point(name: str, text: str, known: Mapping[str, KeyPath], tables: Mapping[str, Any]) -> str:
+    """Return the text of a cell with a decimal point, where the template has a number."""
+    if not _is_number(_value_at(tables, known[name])):
+        return text
+    try:
+        return point_for_comma(text)
+    except ProjectError as error:
+        raise ProjectError(f"{name}: {error}") from None
 
 
 def _compact_json(row: Mapping[str, Any]) -> str:
     return json.dumps(row, ensure_ascii=False, separators=(",", ":"))
 
 
-def _check_number(line: TableRow, columns: Sequence[KeyColumn | None]) -> None:
+def _check_number(line: TableRow, columns: Sequence[KeyColumn]) -> None:
     """Raise ProjectError unless a row has a cell, which may be empty, for each column, and no more."""
     count = f"{len(line.cells)} cell{'' if len(line.cells) == 1 else 's'} below {len(columns)} columns"
     if len(line.cells) < len(columns):
@@ -511,49 +503,80 @@ def _places(value: Any, place: KeyPath) -> Iterator[KeyPath]:
 
 
 def _columns_of(
-    header: Sequence[str], template: Mapping[str, Any], *, skipped: Sequence[str]
-) -> list[KeyColumn | None]:
-    """Return the columns of a table's header; None for those that are `skipped`.
+    header: Sequence[str],
+    template: Mapping[str, Any],
+    headings: Mapping[str, str],
+    unit_fault: Callable[[KeyColumn], str],
+) -> list[KeyColumn]:
+    """Return the columns of a table's header.
+
+    Parameters
+    ----------
+    header : names of the columns, as they stand in the table
+    template : its tables
+    headings : `read_headings` of the template
+    unit_fault : says why the unit of a column cannot stand there; "" if it can
 
     Raises
     ------
-    ProjectError : a column has no name, the same as another, or one that is no key of the template
+    ProjectError : names every column without a name, with the same key as another, with one that is no key of the
+        template, or with a unit that does not fit; and every heading of [columns] that the table does not have
     """
-    known, seen = keys_of(template), set[str]()
-    found: list[KeyColumn | None] = []
+    known, seen, faults, left = keys_of(template), set[str](), list[str](), dict(headings)
+    found: list[KeyColumn] = []
     for number, cell in enumerate(header, 1):
-        match = COLUMN_HEADER.fullmatch(cell.strip())
-        key, unit = (match[1].strip(), (match[2] or "").strip()) if match else (cell, "")
-        if not key:
-            raise ProjectError(
-                f"column {number}: no name; write a key of the template, such as {quote(_example_key(known))}"
-            )
-        if key in seen:
-            raise ProjectError(f"column {number}: {quote(key)} stands there twice; give each key one column")
-        seen.add(key)
-        if key in skipped:
-            found.append(None)
-        else:
-            _check_column(key, unit, known, template)
-            found.append(KeyColumn(key, unit))
+        try:
+            column = _column(cell, left, headings, known)
+            if not cell or column.key in seen:
+                why = f"{quote(column.key)} stands there twice; give each key one column"
+                remedy = f"no name; write a key of the template, such as {quote(_example_key(known))}"
+                raise ProjectError(f"column {number}: {why if cell else remedy}")
+            seen |= {column.key} - {""}
+            if column.key not in ("", ID):
+                _check_column(column, known, template)
+                if column.unit and (fault := unit_fault(column)):
+                    raise ProjectError(f"column {quote(cell)}: {fault}")
+            found.append(column)
+        except ProjectError as error:
+            faults.append(str(error))
+    faults += [f"columns.{quote(each)}: no such heading in the table" for each in left if each != OTHERS]
+    if faults:
+        raise ProjectError("; ".join(faults))
     return found
+
+
+def _column(cell: str, left: dict[str, str], headings: Mapping[str, str], known: Collection[str]) -> KeyColumn:
+    """Return a column by its heading, with or without its unit in [columns], which is taken from those `left` there."""
+    match = COLUMN_HEADER.fullmatch(cell)
+    name, unit = (match[1].strip(), (match[2] or "").strip()) if match else (cell, "")
+    mapped = left.pop(cell, None) or left.pop(name, None)
+    if mapped is None:
+        carried = headings.get(OTHERS) == CARRY and name not in (ID, *known)
+        return KeyColumn("", "", cell) if carried else KeyColumn(name, unit)
+    if mapped == CARRY:
+        return KeyColumn("", "", cell)
+    target = COLUMN_HEADER.fullmatch(mapped)
+    key, own = (target[1].strip(), (target[2] or "").strip()) if target else (mapped, "")
+    return KeyColumn(key, own or unit, "" if key in (ID, TITLE) else cell)
 
 
 def _example_key(known: Mapping[str, KeyPath]) -> str:
     return next((key for key in known if key.startswith("bodies.")), TITLE)
 
 
-def _check_column(key: str, unit: str, known: Mapping[str, KeyPath], template: Mapping[str, Any]) -> None:
+def _check_column(column: KeyColumn, known: Mapping[str, KeyPath], template: Mapping[str, Any]) -> None:
     """Raise ProjectError for a key that the template does not have, and for a unit of what has none."""
+    key, unit = column.key, column.unit
     if key not in known:
         near = get_close_matches(key, known, n=1, cutoff=0.0)
         below = [each for each in known if each.startswith(f"{key}.")]
         remedy = f"name one of its values, such as {quote(below[0])}" if below else f"do you mean {quote(near[0])}?"
+        remedy += "" if below or column.heading else " (or map the heading in [columns] of the template)"
         raise ProjectError(
             f"column {quote(key)}: {'a table or list' if below else 'not a key'} of the template; {remedy}"
         )
     value = _value_at(template, known[key])
-    if unit and (isinstance(value, bool) or not (isinstance(value, int | float) or _is_quantity(value))):
+    if unit and not _is_number(value):
         raise ProjectError(
             f"column {quote(key)}: the template has {quote(str(value))} there, which takes no unit; leave out [{unit}]"
         )
@@ -573,6 +596,11 @@ def _value_at(tables: Any, place: KeyPath) -> Any:
             return ""
         tables = tables[step]
     return tables
+
+
+def _is_number(value: Any) -> bool:
+    """Whether the template has a number, with its unit or without."""
+    return not isinstance(value, bool) and (isinstance(value, int | float) or _is_quantity(value))
 
 
 def _is_quantity(value: Any) -> bool:

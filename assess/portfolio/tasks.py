@@ -90,6 +90,7 @@ class ProjectRow:
     results : link to results.json, relative to the table; "" for none
     exit_code : that of `assess run`: 0 pass, 1 fail, 3 incomplete, 2 wrong input, 70 a bug
     unsourced : keys of the values that help and that no source vouches for; the outcome is that of the worse state
+    carried : heading and text of the cells of the user's table that the ranked table shows
     """
 
     key: str
@@ -111,6 +112,11 @@ class ProjectRow:
     results: str = ""
     exit_code: int = 0
     unsourced: str = ""
+    carried: tuple[tuple[str, str], ...] = ()
+
+    def __post_init__(self) -> None:
+        """Make tuples of what comes out of the ledger as lists."""
+        object.__setattr__(self, "carried", tuple((heading, text) for heading, text in self.carried))
 
 
 Runner = Callable[[Job], ProjectRow]
@@ -152,7 +158,9 @@ def broken_row(job: Job, reason: str, exit_code: int) -> ProjectRow:
         2 for wrong input, 70 for a fault of the program or its machine.
     """
     task = job.task
-    return ProjectRow(task.key, task.title, task.sha256, "broken", reason=_one_line(reason), exit_code=exit_code)
+    return ProjectRow(
+        task.key, task.title, task.sha256, "broken", reason=_one_line(reason), exit_code=exit_code, carried=task.carried
+    )
 
 
 def row_of_verdict(
@@ -175,6 +183,7 @@ def row_of_verdict(
     warnings = sum(each.severity is Severity.WARNING for each in messages)
     if found is None:
         row = ProjectRow(task.key, task.title, task.sha256, "done", NO_VERDICT, report=report, results=results)
+        row = replace(row, carried=task.carried)
         return replace(row, warnings=warnings, exit_code=EXIT_CODES[Decision.INCOMPLETE])
     one = min(found.mechanisms, key=_mechanism_severity, default=None)
     answer = None if one is None else min(one.answers, key=_answer_severity, default=None)
@@ -198,6 +207,7 @@ def row_of_verdict(
         report=report,
         results=results,
         exit_code=EXIT_CODES[found.outcome],
+        carried=task.carried,
     )
 
 

@@ -224,6 +224,8 @@ class Content(ProjectSection):
     """tables [procedures.CODE] with options"""
     report: Report = Field(default_factory=Report)
     """a table [report]"""
+    columns: Annotated[dict[StrictStr, StrictStr], FREE] = Field(default_factory=dict)
+    """of a template of `assess batch`: by heading of the table the key whose values its cells give, or "carry\""""
 
     @property
     def site_procedures(self) -> tuple[str, ...]:

@@ -8,10 +8,11 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from assess.cli.tables import on_one_line
-from assess.geometry.doctor import Diagnosis, diagnose
+from assess.geometry.doctor import Diagnosis, diagnose, find_overlaps
 from assess.geometry.formats.mesh_file import Element
 from assess.geometry.mesh import InventoryEntry
-from assess.messages.message import count_noun, escape_text
+from assess.messages.message import count_noun, escape_text, first_names
+from assess.model.part_kinds import reason_by_class
 
 if TYPE_CHECKING:
     from assess.cli.geometry import Listed
@@ -43,10 +44,16 @@ KEYS = ("file", "element", "defect", "cure", "mended", "volume_moved_m3")
 
 def _rows(listed: Listed) -> Iterator[dict[str, Any]]:
     for file, found in listed:
-        for entry in _entries(file, found):
-            for each in diagnose(entry):
-                values = (str(file), each.element, each.defect, each.cure, each.mended or None, each.moved)
-                yield dict(zip(KEYS, values, strict=True))
+        entries = _entries(file, found)
+        defects = [each for entry in entries for each in diagnose(entry)]
+        for each in (*defects, *(overlap for overlap, _ in _overlaps(entries))):
+            values = (str(file), each.element, each.defect, each.cure, each.mended or None, each.moved)
+            yield dict(zip(KEYS, values, strict=True))
+
+
+def _overlaps(entries: tuple[InventoryEntry, ...]) -> tuple[tuple[Diagnosis, float], ...]:
+    """Return the overlaps of what may be masonry: furniture, rooms and services are drawn in one another's space."""
+    return find_overlaps([entry for entry in entries if reason_by_class(entry.element) is None])
 
 
 def _entries(file: Path, found: Any) -> tuple[InventoryEntry, ...]:
@@ -59,12 +66,25 @@ def _entries(file: Path, found: Any) -> tuple[InventoryEntry, ...]:
 
 def _file_table(file: Path, entries: tuple[InventoryEntry, ...]) -> str:
     defects = [each for entry in entries for each in diagnose(entry)]
-    lost = sum(1 for entry in entries if entry.why_not)
+    overlaps = _overlaps(entries)
+    lost = [entry.element.shown for entry in entries if entry.why_not]
     mended = {each.element for each in defects if each.mended}
     moved = sum(abs(each.moved) for each in defects if each.moved)
-    told = [count_noun(len(entries), "part"), f"{lost} not usable", f"{len(mended)} mended, which moved {moved:.3g} m3"]
-    table = _left_table([HEADER, *map(_row, defects)]) if defects else ""
+    told = [
+        count_noun(len(entries), "part"),
+        f"{len(lost)} not usable" + (f" ({first_names(lost, LISTED)})" if lost else ""),
+        f"{len(mended)} mended" + (f", which moved {moved:.3g} m3" if mended else ""),
+        count_noun(len(overlaps), "overlap") + (f" of {sum(v for _, v in overlaps):.3g} m3" if overlaps else ""),
+    ]
+    rows = [
+        *(_row(each, lost) for each in defects),
+        *(_row(each, lost) for each, _ in overlaps),
+    ]
+    table = _left_table([HEADER, *rows]) if rows else ""
     return f"{escape_text(str(file))}\n{table}{', '.join(told)}\n"
+
+
+LISTED = 5  # names of parts that are not usable, in the last line
 
 
 def _left_table(rows: Sequence[Sequence[str]]) -> str:
@@ -75,5 +95,6 @@ def _left_table(rows: Sequence[Sequence[str]]) -> str:
     return "".join(f"{line.rstrip()}\n" for line in lines)
 
 
-def _row(each: Diagnosis) -> Sequence[str]:
-    return each.element, each.mended or "no", "-" if each.moved is None else f"{each.moved:.3g}", each.defect, each.cure
+def _row(each: Diagnosis, lost: Sequence[str]) -> Sequence[str]:
+    mended = each.mended or ("not usable" if each.element in lost else "no")
+    return each.element, mended, "-" if each.moved is None else f"{each.moved:.3g}", each.defect, each.cure

@@ -149,7 +149,7 @@ def count_once(solids: Sequence[Solid]) -> tuple[Solid, ...]:
     """
     kept: list[Solid] = []
     for solid in solids:
-        met = [other for other in kept if _share_space(other, solid)]
+        met = [other for other in kept if find_overlap(other, solid) is not None]
         remainder = subtract(solid, met) if met else solid
         kept += [] if remainder is None else [remainder]
     return tuple(kept)
@@ -250,10 +250,10 @@ def shared_volume(block: Sequence[Solid], other: Solid) -> tuple[float, float]:
 NEGLIGIBLE_OVERLAP = 1e-6  # of a body's size, and of the smaller volume: bodies that share less touch
 
 
-def _share_space(one: Solid, other: Solid) -> bool:
-    """Return whether two bodies share more than the rounding of a drawing."""
+def find_overlap(one: Solid, other: Solid) -> Intersection | None:
+    """Return what two bodies share; None where it is no more than the rounding of a drawing."""
     shared = intersect(one, other) if _boxes_overlap(one, other) else None
-    return shared is not None and shared.share > NEGLIGIBLE_OVERLAP
+    return shared if shared is not None and shared.share > NEGLIGIBLE_OVERLAP else None
 
 
 def _boxes_overlap(one: Solid, other: Solid) -> bool:

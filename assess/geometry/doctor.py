@@ -5,11 +5,15 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
+import shapely
+
+from assess.geometry.boolean import find_overlap
 from assess.geometry.mesh import InventoryEntry
 from assess.messages.message import Message, Quantity
 
 RECALCULATE = "turn the normals of all faces outwards, and export again"
 MERGE = "merge the corners that coincide, and export again"
+OVERLAPPING = "may stay at corners and seats, where a building counts it once; else end one at the face of the other"
 LEFT_OPEN = "close its surface where it was drawn, and export again"
 
 DEFECTS: Mapping[str, tuple[str, str, str]] = {
@@ -53,7 +57,7 @@ class Diagnosis:
 
     Attributes
     ----------
-    element : as the file calls it
+    element : as the file calls it; two of them where they overlap
     defect : what is wrong
     cure : what mends it where it was drawn
     mended : what was done on reading it; empty where nothing was
@@ -70,6 +74,23 @@ class Diagnosis:
 def diagnose(entry: InventoryEntry) -> tuple[Diagnosis, ...]:
     """Return the defects of a part of a model, in the order in which they were met; none of a sound one."""
     return tuple(_diagnoses(entry))
+
+
+def find_overlaps(entries: Sequence[InventoryEntry]) -> tuple[tuple[Diagnosis, float], ...]:
+    """Return each pair of parts of a model that are drawn over one another, with the volume that they share [m3]."""
+    bodies = [(entry.element.shown, entry.solid) for entry in entries if entry.solid is not None]
+    if not bodies:
+        return ()
+    boxes = [shapely.box(*body.vertices[:, :2].min(axis=0), *body.vertices[:, :2].max(axis=0)) for _, body in bodies]
+    one, other = shapely.STRtree(boxes).query(boxes)
+    found = []
+    for i, j in zip(one[one < other].tolist(), other[one < other].tolist(), strict=True):
+        shared = find_overlap(bodies[i][1], bodies[j][1])
+        if shared is not None:
+            percent = Quantity(100.0 * shared.share, "percent", 3)
+            defect = f"they share {Quantity(shared.volume, 'volume', 3)}, {percent} of the smaller one"
+            found.append((Diagnosis(f"{bodies[i][0]}, {bodies[j][0]}", defect, OVERLAPPING), shared.volume))
+    return tuple(found)
 
 
 def _diagnoses(entry: InventoryEntry) -> Iterator[Diagnosis]:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 import numpy as np
@@ -164,6 +164,7 @@ class InventoryEntry:
     why_not : why it is none; empty where it is one
     warnings : what was done to close it, and what to look at
     thin : horizontal unit vector along the thickness, either way; None where the plan has none
+    solid : the closed body, of density 1 kg/m3; None where it is none
     """
 
     file: str
@@ -176,6 +177,7 @@ class InventoryEntry:
     why_not: str = ""
     warnings: tuple[Message, ...] = ()
     thin: tuple[float, float] | None = None
+    solid: Solid | None = field(default=None, repr=False, compare=False)
 
 
 def inventory(
@@ -506,20 +508,21 @@ def _inventory_entry(
         solid = solid_from_meshes(selected, density=1.0, name="", scale=scale, up=up)
         found = size_warning(replace(solid, name=element.shown), unit=scale or (1.0 if selected.unit is None else None))
         about_size = [] if found is None else [found]
-        warnings, why, volume = (*solid.history, *about_size), "", solid.mass
+        warnings, why, body = (*solid.history, *about_size), "", solid
     except GeometryError as problem:
-        warnings, why, volume = (), fault_of(problem, name), None
+        warnings, why, body = (), fault_of(problem, name), None
     return InventoryEntry(
         name,
         element,
         len(triangles),
         size=extents(used, thin),
         place=(float(middle[0]), float(middle[1]), float(low[2])),
-        volume=volume,
-        closed=volume is not None,
+        volume=None if body is None else body.mass,
+        closed=body is not None,
         why_not=why,
         warnings=warnings,
         thin=None if thin is None else (float(thin[0]), float(thin[1])),
+        solid=body,
     )
 
 

@@ -32,8 +32,8 @@ SICK: dict[str, tuple[Any, Any]] = {
 @pytest.fixture
 def model(tmp_path: Path) -> Path:
     content, before = b"", 0
-    for name, (places, quads) in SICK.items():
-        content += mesh_files.obj(places, quads, name=name, before=before)
+    for number, (name, (places, quads)) in enumerate(SICK.items()):
+        content += mesh_files.obj(places + np.array([10.0 * number, 0.0, 0.0]), quads, name=name, before=before)
         before += len(places)
     (tmp_path / "sick.obj").write_bytes(content)
     return tmp_path / "sick.obj"
@@ -64,9 +64,27 @@ def test_the_table_counts_the_parts_and_a_file_that_cannot_be_read_is_its_own_pa
     (tmp_path / "junk.glb").write_bytes(b"glTF")
     assert ended("geometry", model, tmp_path / "junk.glb", "--doctor") == 0
     text = capsys.readouterr().out
-    assert "6 parts, 1 not usable, 4 mended, which moved 2.5 m3\n" in text
-    assert re.search(r"junk.glb +no +- +it cannot be read as GLB .* export it again as STL, OBJ or PLY\n", text)
+    assert "6 parts, 1 not usable (open), 4 mended, which moved 2.5 m3, 0 overlaps\n" in text
+    assert "1 part, 1 not usable (junk.glb), 0 mended, 0 overlaps\n" in text
+    assert re.search(r"junk.glb +not usable +- +it cannot be read as GLB .* export it again as STL, OBJ or PLY\n", text)
     assert "sound" not in text
+
+
+def test_each_pair_of_parts_that_are_drawn_over_one_another_has_its_line(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Two walls over one another at a corner, 0.5 by 0.5 by 3 m, and a third that touches one of them."""
+    walls = {"front": ((0, 0, 0), (6, 0.5, 3)), "side": ((0, 0, 0), (0.5, 4, 3)), "back": ((0, 4, 0), (6, 0.5, 3))}
+    content = b""
+    for number, (name, (at, sizes)) in enumerate(walls.items()):
+        content += mesh_files.obj(CUBE * sizes + at, Q, name=name, before=8 * number)
+    (tmp_path / "walls.obj").write_bytes(content)
+    assert ended("geometry", tmp_path / "walls.obj", "--doctor", "--json") == 0
+    (row,) = json.loads(capsys.readouterr().out)
+    assert (row["element"], row["mended"], row["volume_moved_m3"]) == ("front, side", None, None)
+    assert row["defect"] == "they share 0.75 m3, 12.5 % of the smaller one"
+    assert ended("geometry", tmp_path / "walls.obj", "--doctor") == 0
+    assert "3 parts, 0 not usable, 0 mended, 1 overlap of 0.75 m3\n" in capsys.readouterr().out
 
 
 def test_every_message_on_a_mesh_has_a_cure_or_tells_of_no_defect() -> None:

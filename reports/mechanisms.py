@@ -79,7 +79,7 @@ JOINT_MODELS: Mapping[str, Phrase] = {
     "rigid": say("rigid"),
     "rigid with crushing": say("rigid, with crushing"),
     "flexible": say("flexible"),
-    "flexible-thesis": say("flexible, by the thesis"),
+    "flexible-thesis": say("flexible, by Mehrotra"),
     "semi-flexible": say("semi-flexible"),
 }
 

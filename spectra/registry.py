@@ -21,8 +21,8 @@ def spectrum(code: str, *, damping: float = 0.05, pga: float | None = None, **pa
 
     Parameters
     ----------
-    code : a key of `SPECTRA`: "asce7-05", "ibc2009", "asce7-10", "asce7-16", "asce7-22", "ec8", "nzs1170.5", "ts1170.5",
-        "ntc2008", "ntc2018" or "table"
+    code : a key of `SPECTRA`: "asce7-05", "ibc2009", "asce7-10", "asce7-16", "asce7-22", "ec8", "nzs1170.5",
+        "ts1170.5", "ntc2008", "ntc2018" or "table"
     damping : damping ratio [-]
     pga : peak ground acceleration [m/s2] that the ordinates are scaled to, corner periods fixed; None leaves them
     parameters : in SI, named as in the table [site.spectrum] of a project file.
@@ -32,7 +32,8 @@ def spectrum(code: str, *, damping: float = 0.05, pga: float | None = None, **pa
         ts1170.5: pga_site, s_as [m/s2], t_c, t_d [s], or file, location, site_class, return_period [years].
         nzs1170.5: subsoil, z, r or return_period [years], near_fault_distance [m].
         ntc: a_g [m/s2], f_0, t_c_star [s], soil, topography, relief_position; in place of the first three `hazard`,
-        rows with return_period [years], a_g, f_0, t_c_star, or grid, latitude, longitude; with nominal_life [years], use_class and limit_state.
+        rows with return_period [years], a_g, f_0, t_c_star, or grid, latitude, longitude; with nominal_life [years],
+        use_class and limit_state.
         table: file (CSV of two columns with units), or period [n] [s] and acceleration [n] [m/s2].
 
     Returns

@@ -78,7 +78,7 @@ from spectra.spectrum import Spectrum
 
 EDITION = "ASCE/SEI 43-05"
 A2_CAVEAT = "Appendix A.2 was not checked against the printed standard: its equations were re-derived from energy"
-A2, LIMIT, THESIS = "ASCE 43-05 A.2", "ASCE 43-05 A.2, limit of 7.1 not read", "thesis 8.3.2"
+A2, LIMIT, THESIS = "ASCE 43-05 A.2", "ASCE 43-05 A.2, limit of 7.1 not read", "Mehrotra 8.3.2"
 HALF = 0.5  # of the rotation that overturns: allowed to the mean of the maxima of response histories
 THIRD = 1.0 / 3.0  # of the same: allowed by A.2
 THESIS_DAMPING = 0.05
@@ -159,8 +159,8 @@ ASCE43_05_SPECTRUM_THESIS = CodeProcedure(
     name="asce43-05-spectrum-thesis",
     family=Family.ENERGY,
     assess=_assess_spectrum_thesis,
-    title=Term("ASCE 43-05, approximate method, thesis reading"),
-    short_title=Term("ASCE 43-05 appr., thesis"),
+    title=Term("ASCE 43-05, approximate method, reading by Mehrotra"),
+    short_title=Term("ASCE 43-05 appr., Mehrotra"),
     work="asce43-05",
     options="asce43_05",
     reading="thesis",
@@ -242,7 +242,7 @@ def thesis_reading(branch: Branch, context: Context, *, f_v: float, mass: float)
     """
     block = equivalent_block(branch, mass=mass)
     ratio, k, alpha = thesis_limit_ratio(block), inertia_ratio(block), block.slenderness
-    limit, words = ratio * branch.unstable, "empirical: fits the thesis' Table 8.5, no derivation known"
+    limit, words = ratio * branch.unstable, "empirical: fits Mehrotra’s Table 8.5, no derivation known"
     given = {"φ_ov": (branch.unstable, "rad"), "k": (k, "-"), "α": (alpha, "rad")}
     parts = {"I_O": (block.inertia, "kg m2"), "M": (mass, "kg"), "R": (block.radius, "m")}
     return SpectrumReading(

@@ -72,7 +72,7 @@ from spectra.arrays import FloatArray
 from spectra.gravity import g
 
 CLAUSE = "ASCE 43-05, response-history method"
-CAVEAT = "the method was read in the thesis, not in the printed standard"
+CAVEAT = "the method was read in Mehrotra, not in the printed standard"
 LEAST_RECORDS = 5
 
 

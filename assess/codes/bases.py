@@ -204,7 +204,7 @@ ASCE43_05 = Basis(
         ("the approximate method only where it is named, against one third", "Appendix A.2"),
     ),
     uncompared=(
-        "the methods were read in the thesis and in an excerpt of Appendix A, not in the printed standard",
+        "the methods were read in Mehrotra and in an excerpt of Appendix A, not in the printed standard",
         "the limit of clause 7.1 for A.2 could not be read: one third of the rotation that overturns is taken",
     ),
     suite_code="ASCE 43-05",

@@ -349,8 +349,8 @@ DMI2008_NONLINEAR_THESIS = CodeProcedure(
     name="dmi2008-nonlinear-thesis",
     family=Family.DISPLACEMENT,
     assess=_assess_nonlinear_thesis,
-    title=Term("DMI 2008, capacity spectrum, thesis reading"),
-    short_title=Term("DMI 2008 sp., thesis"),
+    title=Term("DMI 2008, capacity spectrum, reading by Mehrotra"),
+    short_title=Term("DMI 2008 sp., Mehrotra"),
     work="dmi2008",
     options="dmi2008",
     reading="thesis",
@@ -540,7 +540,7 @@ def _thesis_steps(
     rotation: float | None,
     at_collapse: float | None,
 ) -> tuple[Step, ...]:
-    linear, source = branch.linearised, "thesis 8.3.2"
+    linear, source = branch.linearised, "Mehrotra 8.3.2"
     d0 = float(displacement(branch, np.array(branch.unstable), mass=oscillator.mass))
     a_s = linear.multiplier * g * (1 - ULTIMATE**2)
     period = float(2 * np.pi * np.sqrt(ULTIMATE * d0 / a_s))
@@ -555,7 +555,7 @@ def _thesis_steps(
     whole: Given = {"∫ B dφ": (moved, "kg m"), "M": (oscillator.mass, "kg")}
     falls, along = "rotation where the restoring moment falls to zero", "excitation over rotation"
     steps = (
-        step("λ", "multiplier, linearised", "thesis 3.11", "(K φ_cr − M) / (g B)", linear.multiplier, given=at_rest),
+        step("λ", "multiplier, linearised", "Mehrotra 3.11", "(K φ_cr − M) / (g B)", linear.multiplier, given=at_rest),
         instability_step("φ_ov", falls, source, branch),
         integral_step("∫ B dφ", along, source, excitation_column(branch), branch.unstable, "kg m", upper="φ_ov"),
         step("d0", "displacement at overturning", source, "∫ B dφ / M", d0, "m", given=whole),
@@ -574,5 +574,5 @@ def _collapse_steps(context: Context, a_s: float, period: float, at_collapse: fl
     words = "largest PGA with φ ≤ 0.4 φ_ov"
     return (
         step("S_a/PGA", "spectrum over PGA, 5 %", clause, "S_a(T) / PGA", ordinate, at=at),
-        step("PGA_c", words, "thesis 8.3.2", "a_s / (g S_a/PGA)", at_collapse, "g", given=given),
+        step("PGA_c", words, "Mehrotra 8.3.2", "a_s / (g S_a/PGA)", at_collapse, "g", given=given),
     )

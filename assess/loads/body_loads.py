@@ -227,7 +227,7 @@ class BodyOnBlock:
 
 
 BEARS_AS_GIVEN = {True: Term("bears (given)"), False: Term("only pushes (given)")}
-PUSHES_WHOLE = Term("all of it pushes, its weight is carried elsewhere (thesis 3.2.2)")
+PUSHES_WHOLE = Term("all of it pushes, its weight is carried elsewhere (Mehrotra 3.2.2)")
 HALF = Term("share 0.5 (its other foot is not in the project)")
 SOLE_SUPPORT = Term("share 1 (nothing else in the project carries it)")
 

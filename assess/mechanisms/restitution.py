@@ -94,9 +94,9 @@ class ImpactRules:
     unnamed: ImpactRule | None = None
 
 
-HOUSNER = (Term("Housner 1963, thesis eq. 3.44"),)
+HOUSNER = (Term("Housner 1963, Mehrotra eq. 3.44"),)
 MOMENTUM = (Term("momentum kept over the mechanism"),)
-ABOUT_BASE = (Term("angular momentum about the new base hinge, Sorrentino et al. 2008, thesis eq. 3.46"),)
+ABOUT_BASE = (Term("angular momentum about the new base hinge, Sorrentino et al. 2008, Mehrotra eq. 3.46"),)
 WITH_LOADS = Term("times momentum with the loads over momentum without")
 OF_SLENDER_BLOCK = Term("3.45 of a slender block, as none is published for a chain")
 GIVEN = (Term("given"),)

@@ -58,11 +58,11 @@ GEOMETRY_TEXTS: Mapping[str, str] = {
     "wide; if it stands on all of that, make it plane by a cut",
     "turns-about-corner": "the cut slopes, so in most directions the block turns about one corner of it and slides "
     "along the crack beyond: check that the crack can be as smooth as that",
-    "crack-by-formula": "crack at z = {z}, {share} of the height, by thesis eq. 3.27: N / W = {load}, tension f_mt l b "
-    "/ W = {tension}; the formula is for a plain rectangular wall",
-    "crack-by-general-formula": "crack at z = {z}, {share} of the height, by the general form of thesis eq. 3.27, load "
-    "at {place} of the thickness from the edge support: N / W = {load}, tension f_mt l b / W = {tension}; the formula "
-    "is for a plain rectangular wall",
+    "crack-by-formula": "crack at z = {z}, {share} of the height, by Mehrotra eq. 3.27: N / W = {load}, tension f_mt l "
+    "b / W = {tension}; the formula is for a plain rectangular wall",
+    "crack-by-general-formula": "crack at z = {z}, {share} of the height, by the general form of Mehrotra eq. 3.27, "
+    "load at {place} of the thickness from the edge support: N / W = {load}, tension f_mt l b / W = {tension}; the "
+    "formula is for a plain rectangular wall",
     "crack-of-least-multiplier": "crack at z = {z}, {share} of the height, where the uplift multiplier is least, "
     "{multiplier}",
     "crack-of-least-multiplier-with-tension": "crack at z = {z}, {share} of the height, where the uplift multiplier is "
@@ -129,8 +129,8 @@ GEOMETRY_TEXTS: Mapping[str, str] = {
     "load-across-crack": 'load "{load}" at x = {x}, z = {z} acts on block {block}, yet the crack is at z = {crack}; '
     "write block = {side} if it moves with that one",
     # restitution
-    "restitution-no-rebound": "restitution 0 is used: Sorrentino et al. 2011, thesis eq. 3.45, gives {value}, which is "
-    "not negative: there is no rebound",
+    "restitution-no-rebound": "restitution 0 is used: Sorrentino et al. 2011, Mehrotra eq. 3.45, gives {value}, which "
+    "is not negative: there is no rebound",
     "restitution-chain": "no formula is published for the rebound of a chain that rocks to one side: histories take "
     "the worst of none and 0.5, 1 and 1.5 times that of a slender block, 0.5; give one as a number",
     "restitution-takes-more": "restitution {given} is given, where momentum kept over the mechanism is {momentum}: "
@@ -179,7 +179,7 @@ GEOMETRY_TEXTS: Mapping[str, str] = {
     "load-along-motion": "{force} along the motion",
     "load-lever-of-vault": "x to the weight of half the vault from its springing (L / 4 would give {even})",
     # sources of restitution
-    "restitution-3-45": "Sorrentino et al. 2011, thesis eq. 3.45: {value}",
+    "restitution-3-45": "Sorrentino et al. 2011, Mehrotra eq. 3.45: {value}",
     "restitution-other": '"{rule}" would give {value}',
     "restitution-sliding": "{value} if the loads slide on their seats and pass on no horizontal momentum",
     "restitution-positive": "positive: {source}",
@@ -323,7 +323,7 @@ RECORD_TEXTS: Mapping[str, str] = {
     # amplification
     "by-floor-factor": "every record and pulse is multiplied by {factor}, at h = {height} of H = {building}, "
     "according to {clause}",
-    "clause-3-49": "thesis 3.49: S [3 (1 + h/H) - 0.5], S = {soil}",
+    "clause-3-49": "Mehrotra 3.49: S [3 (1 + h/H) - 0.5], S = {soil}",
     "by-rayleigh": "Rayleigh's method on {slices} slices of its bodies: {assumptions}",
     "by-first-mode": "first mode at {frequency} ({frequency_from}), h_e = {effective} ({effective_from}), damping "
     "{damping}, linear mode shape: at h = {height} participation factor times mode shape h/h_e = {shape}",

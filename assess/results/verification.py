@@ -356,9 +356,9 @@ USES: Mapping[str, Term] = {
     # where a wall cracks, and what an impact leaves
     "crack sorrentino": Term("the height of the crack by the rule of Sorrentino"),
     "crack minimum": Term("the height of the crack of the least multiplier"),
-    "restitution housner": Term("Housner’s restitution of one block (thesis 3.44)"),
-    "restitution sorrentino": Term("restitution about the new base hinge of a cracked wall (thesis 3.46)"),
-    "restitution one-sided": Term("rebound of one-sided rocking (thesis 3.45)"),
+    "restitution housner": Term("Housner’s restitution of one block (Mehrotra 3.44)"),
+    "restitution sorrentino": Term("restitution about the new base hinge of a cracked wall (Mehrotra 3.46)"),
+    "restitution one-sided": Term("rebound of one-sided rocking (Mehrotra 3.45)"),
     "restitution momentum": Term("the restitution from the balance of momentum with all masses"),
     # joints
     "rigid": Term("rigid joints"),
@@ -388,7 +388,7 @@ USES: Mapping[str, Term] = {
     "amplification modal-filter": Term("the motion at height through the first mode"),
     "amplification ec8": Term("the floor factor of EN 1998-1"),
     "amplification ec8-resonance": Term("the floor factor of EN 1998-1 in resonance"),
-    "amplification ec8-printed": Term("the floor factor as the thesis prints it"),
+    "amplification ec8-printed": Term("the floor factor as Mehrotra prints it"),
     "amplification nzs1170.5": Term("the floor factor of NZS 1170.5"),
     # site
     "asce7-05": Term("spectrum of ASCE 7-05"),
@@ -404,12 +404,12 @@ USES: Mapping[str, Term] = {
     "table": Term("a spectrum given as a table"),
     # procedures
     "asce43-05-spectrum": Term("ASCE 43-05, by spectrum"),
-    "asce43-05-spectrum-thesis": Term("ASCE 43-05, by spectrum, as the thesis reads it"),
+    "asce43-05-spectrum-thesis": Term("ASCE 43-05, by spectrum, as Mehrotra reads it"),
     "asce43-05-history": Term("ASCE 43-05, by histories"),
     "asce43-05-sliding": Term("ASCE 43-05, sliding"),
     "dmi2008-linear": Term("Italian Guidelines with NTC 2008, linear"),
     "dmi2008-nonlinear": Term("Italian Guidelines with NTC 2008, non-linear"),
-    "dmi2008-nonlinear-thesis": Term("Italian Guidelines with NTC 2008, non-linear, as the thesis reads it"),
+    "dmi2008-nonlinear-thesis": Term("Italian Guidelines with NTC 2008, non-linear, as Mehrotra reads it"),
     "dmi2008-history": Term("Italian Guidelines with NTC 2008, by histories"),
     "ntc2018-linear": Term("NTC 2018, linear"),
     "ntc2018-nonlinear": Term("NTC 2018, non-linear"),

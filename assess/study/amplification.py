@@ -85,10 +85,10 @@ FLOOR_FACTORS: dict[str, tuple[Callable[..., float], str]] = {
 }
 
 FIRST_MODES: dict[str, tuple[Callable[[FirstMode, float], Srss | SrssRelative | ModalFilter], str]] = {
-    "srss": (Srss, "every record and pulse times sqrt((S_a(T_n)/a_g h/h_e)^2 + 1), thesis 3.48"),
+    "srss": (Srss, "every record and pulse times sqrt((S_a(T_n)/a_g h/h_e)^2 + 1), Mehrotra 3.48"),
     "srss-relative": (
         SrssRelative,
-        "every record times sqrt((S_a(T_n)/a_g h/h_e)^2 + 1), thesis 3.48; every pulse by 3.47, with the response "
+        "every record times sqrt((S_a(T_n)/a_g h/h_e)^2 + 1), Mehrotra 3.48; every pulse by 3.47, with the response "
         "relative to the ground",
     ),
     "modal-filter": (

@@ -17,7 +17,7 @@ from assess.interfaces.section import ContactSection, stress_integrals
 from assess.mechanisms.chain import Joint
 
 PROJECT = "project"
-SHIFT = "thesis 6.3.1.2"
+SHIFT = "Mehrotra 6.3.1.2"
 SHIFT_DESCRIPTION = "fixed hinge: resultant as crushing begins"
 OPENS, CRUSHES = "rotation at which the far edge opens", "rotation at which crushing begins"
 SAME_STRESS = 1e-9  # of the strength: an edge that opens at it does so before it crushes
@@ -219,7 +219,7 @@ def _opening_steps(joint: Joint, N: float, opening: float) -> tuple[Step, ...]:
     if width is not None:
         given = {**given, "l": (width, "m")}
         if before:
-            return (step("φ_o", OPENS, "thesis 6.2", "2 N / (k l b²)", opening, "rad", given=given),)
+            return (step("φ_o", OPENS, "Mehrotra 6.2", "2 N / (k l b²)", opening, "rad", given=given),)
         given = {**given, "f": (f, "Pa")}
         return (step("φ_o", OPENS, BALANCE, "f / (2 k (b − N / (f l)))", opening, "rad", given=given),)
     if before:
@@ -260,8 +260,8 @@ def _crushing_steps(joint: Joint, N: float, crushing: float) -> tuple[Step, ...]
         lines: tuple[Step, ...] = (
             step("a_c", words, BALANCE, BY_BALANCE, a, "m")
             if width is None
-            else step("a_c", words, "thesis 6.3", "2 N / (f l)", a, "m", given={**pressed, "l": (width, "m")}),
-            step("φ_c", CRUSHES, "thesis 6.4", "f / (k a_c)", crushing, "rad",
+            else step("a_c", words, "Mehrotra 6.3", "2 N / (f l)", a, "m", given={**pressed, "l": (width, "m")}),
+            step("φ_c", CRUSHES, "Mehrotra 6.4", "f / (k a_c)", crushing, "rad",
                  given={"f": (f, "Pa"), "k": (k, "Pa/m"), "a_c": (a, "m")}),
         )  # fmt: skip
         zone = Zone(("p", 0.0), ("a_c", a), (("f", f), ("σ_c", 0.0)))
@@ -319,7 +319,7 @@ def _partial_contact(rotated: RotatedJoint) -> StressLines:
     depth = (
         step(f"a_{m}", DEPTH, BALANCE, BY_BALANCE, a, "m")
         if width is None
-        else step(f"a_{m}", DEPTH, "thesis 6.6", f"√(2 {N} / (k s_{m} l))", a, "m",
+        else step(f"a_{m}", DEPTH, "Mehrotra 6.6", f"√(2 {N} / (k s_{m} l))", a, "m",
                   given={N: (force, "N"), **given, "l": (width, "m")})
     )  # fmt: skip
     edge = step(f"σ_1{m}", NEAR, BALANCE, f"k s_{m} a_{m}", near, "Pa", given={**given, f"a_{m}": (a, "m")})
@@ -336,7 +336,7 @@ def _crushed_partial_contact(rotated: RotatedJoint) -> StressLines:
     block = (
         step(f"a_2{m}", CRUSHED, BALANCE, BY_BALANCE, a_2, "m")
         if width is None or a_2 < THIN_BLOCK * c
-        else step(f"a_2{m}", CRUSHED, "thesis 6.7", f"{N} / (f l) − c_{m} / 2", a_2, "m",
+        else step(f"a_2{m}", CRUSHED, "Mehrotra 6.7", f"{N} / (f l) − c_{m} / 2", a_2, "m",
                   given={**given, "l": (width, "m")})
     )  # fmt: skip
     sizes: Given = {f"a_2{m}": (a_2, "m"), **behind}

@@ -45,8 +45,8 @@ def critical_blocks(results: Results) -> list[Block]:
     if critical is None:
         return []
     caption = say(
-        "Least pulse that overturns each mechanism, by frequency, and below it the critical mechanism (as thesis Figs. "
-        "3.11 and 8.5). Amplitudes are those of the ground and include amplification up the building."
+        "Least pulse that overturns each mechanism, by frequency, and below it the critical mechanism (as Mehrotra "
+        "Figs. 3.11 and 8.5). Amplitudes are those of the ground and include amplification up the building."
     )
     return [
         Prose((_critical_sentence(results, critical),)),

@@ -163,7 +163,7 @@ def joint_blocks(mechanism: MechanismResult, stem: str) -> list[Block]:
         return []
     moment = say(
         "Restoring moment of the positive branch over rotation, divided by the largest with rigid joints: with rigid "
-        "joints, with hinges fixed at a_SF, and with the joints of this mechanism (as thesis Fig. 8.8). Open circle: "
+        "joints, with hinges fixed at a_SF, and with the joints of this mechanism (as Mehrotra Fig. 8.8). Open circle: "
         "a joint begins to open; filled: its edge begins to crush."
     )
     pressed = say(

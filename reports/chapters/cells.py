@@ -31,7 +31,7 @@ OUTCOMES: Mapping[str, Phrase] = {
     "not-applicable": say("not applicable"),
 }
 ROLES: Mapping[str, Phrase] = {"deciding": say("decides"), "comparison": say("for comparison")}
-READINGS: Mapping[str, Phrase] = {"letter": say("clause"), "thesis": say("thesis reading")}
+READINGS: Mapping[str, Phrase] = {"letter": say("clause"), "thesis": say("reading by Mehrotra")}
 
 INPUTS: Mapping[str, Phrase] = {
     "ground": say("ground"),

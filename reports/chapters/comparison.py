@@ -131,7 +131,7 @@ def _curves(results: Results) -> Iterator[Figure]:
     if any(governing.capacities(each.checks) for each in results.mechanisms):
         caption = say(
             "Peak ground acceleration at capacity of every mechanism by every method, also where its input allows no "
-            "answer; hollow: thesis readings."
+            "answer; hollow: readings by Mehrotra."
         )
         yield Figure("capacities", caption, partial(figure.draw_capacities, results))
     procedure = figure.curve_procedure(results)
@@ -148,8 +148,8 @@ def _curves(results: Results) -> Iterator[Figure]:
 
 def _demands(results: Results) -> Figure:
     caption = say(
-        "Demand over capacity of every mechanism by every method; right of the line the check fails. Hollow: thesis "
-        "readings; cross: overturning; arrow: beyond the axis or the end of the spectrum."
+        "Demand over capacity of every mechanism by every method; right of the line the check fails. Hollow: "
+        "readings by Mehrotra; cross: overturning; arrow: beyond the axis or the end of the spectrum."
     )
     return Figure("comparison", caption, partial(figure.draw_demands, results))
 

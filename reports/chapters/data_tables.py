@@ -84,7 +84,7 @@ def checks_table(results: Results) -> Table:
         for mechanism, check in pairs
     )
     muted = frozenset(place for place, (_, check) in enumerate(pairs) if check.reading == "thesis")
-    caption = say("Demand, allowable, ratio and outcome of every check. Readings of the thesis (grey) never decide.")
+    caption = say("Demand, allowable, ratio and outcome of every check. Readings by Mehrotra (grey) never decide.")
     return Table("verdicts", caption, columns, rows, muted)
 
 
@@ -104,7 +104,7 @@ def comparison_table(results: Results) -> Table:
         (INPUT_AT, lambda pair: None if pair[1] is None else cells.INPUTS[pair[1].input_at]),
     )
     caption = say(
-        "Demand and capacity of all mechanisms. Compare only lines with the same input; thesis readings are grey."
+        "Demand and capacity of all mechanisms. Compare only lines with the same input; readings by Mehrotra are grey."
     )
     pairs = [(row, governing.check_of(results, row)) for row in results.comparison]
     return tabulate("comparison", caption, fields, pairs, muted=_is_thesis_reading)
@@ -147,7 +147,7 @@ def _conditions_and_remarks(check: Check) -> Listing:
 
 
 def _pga_at_capacity_table(results: Results) -> Table:
-    """Tabulate the PGA at capacity of every mechanism by every procedure (as thesis Table 8.6)."""
+    """Tabulate the PGA at capacity of every mechanism by every procedure (as Mehrotra Table 8.6)."""
     by_mechanism = {m.name: governing.capacities(m.checks) for m in results.mechanisms}
     known = dict.fromkeys(name for found in by_mechanism.values() for name in found)
     columns = (cells.MECHANISM, *(Column(procedure_title(name), "ground acceleration") for name in known))
@@ -157,8 +157,8 @@ def _pga_at_capacity_table(results: Results) -> Table:
         if by_mechanism[m.name]
     )
     caption = say(
-        "Peak ground acceleration at capacity of every mechanism by every procedure (as thesis Table 8.6), the least "
-        "of its limit states of collapse. Readings of the thesis never decide."
+        "Peak ground acceleration at capacity of every mechanism by every procedure (as Mehrotra Table 8.6), the least "
+        "of its limit states of collapse. Readings by Mehrotra never decide."
     )
     return Table("pga-at-capacity", caption, columns, rows)
 
@@ -185,7 +185,7 @@ def _rotations_table(results: Results) -> Table:
         if any(check.capacity_rotation_ratio is not None for check in checks)
     )
     caption = say(
-        "Largest rotation φ/φₒᵥ at each peak ground acceleration, and the allowable rotation (as thesis Table 8.10)."
+        "Largest rotation φ/φₒᵥ at each peak ground acceleration, and the allowable rotation (as Mehrotra Table 8.10)."
     )
     return Table("rotations", caption, columns, rows)
 

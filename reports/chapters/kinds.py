@@ -54,7 +54,7 @@ THEORY: Mapping[str, tuple[Phrase, Phrase]] = {
         say("Slender mechanisms given by published parameters."),
     ),
     "one-sided": (
-        say("The body rocks in one direction and rebounds from the structure behind it (thesis 3.45)."),
+        say("The body rocks in one direction and rebounds from the structure behind it (Mehrotra 3.45)."),
         say("Façades and other bodies that lean against a building which does not move."),
     ),
     "flexible": (

@@ -82,11 +82,11 @@ def sketch_caption(mechanism: MechanismResult) -> Text:
 
 AMPLIFICATIONS: Mapping[str, Text] = {
     "modal-filter": say("filtered by the first mode"),
-    "srss": say("thesis eq. 3.48"),
-    "srss-relative": say("thesis eq. 3.48, for pulses 3.47"),
+    "srss": say("Mehrotra eq. 3.48"),
+    "srss-relative": say("Mehrotra eq. 3.48, for pulses 3.47"),
     "ec8": say("EN 1998-1, 4.3.5.2, for a rigid part"),
     "ec8-resonance": say("EN 1998-1, 4.3.5.2, at resonance"),
-    "ec8-printed": say("thesis eq. 3.49"),
+    "ec8-printed": say("Mehrotra eq. 3.49"),
     "nzs1170.5": say("NZS 1170.5, 8.3"),
 }
 """How the motion of the ground is carried up a building, by the methods of the project file."""

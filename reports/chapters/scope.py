@@ -116,7 +116,7 @@ HOUSNER = Verbatim(
 )
 
 THESIS = say(
-    "{work}: cited as “thesis”.",
+    "{work}: cited as “Mehrotra”.",
     work=Verbatim(
         "Mehrotra, A. A. A computational tool for seismic collapse assessment of masonry structures. PhD thesis, "
         "University of Cambridge"
@@ -219,7 +219,7 @@ def _limits_of_histories(results: Results) -> Iterator[Text]:
     )
     yield say(
         "Coefficients of restitution from formulas assume impacts without bouncing, which dissipate the most and are "
-        "slightly unconservative (thesis 3.3). Tested values are better."
+        "slightly unconservative (Mehrotra 3.3). Tested values are better."
     )
 
 
@@ -342,7 +342,7 @@ def _part_in_verdict(checks: list[Check]) -> Text:
     if _decides(checks):
         return say("decides")
     if all(check.reading == "thesis" for check in checks):
-        return say("never decides: reading of the thesis")
+        return say("never decides: reading by Mehrotra")
     if all(check.informs for check in checks):
         return say("for information")
     return say("for comparison")

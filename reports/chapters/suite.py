@@ -269,7 +269,7 @@ def _selection_steps_table(motion: GroundMotionResult) -> doc.Table:
 
 
 def _amplification_table(results: Results) -> doc.Table:
-    """Tabulate the amplification factor of each record at each mechanism (as thesis Table 8.9)."""
+    """Tabulate the amplification factor of each record at each mechanism (as Mehrotra Table 8.9)."""
     raised = [m for m in results.mechanisms if m.amplification.height_m is not None and m.amplification.factors]
     factors = [{one.record: one.factor for one in m.amplification.factors} for m in raised]
     columns = (
@@ -280,8 +280,8 @@ def _amplification_table(results: Results) -> doc.Table:
         (Verbatim(r.id), *(of.get(r.id) for of in factors)) for r in (results.records if raised else ())
     )
     caption = say(
-        "Scale factors for the amplification up to the base of each mechanism above the ground (as thesis Table 8.9): "
-        "peak acceleration there over that of the ground."
+        "Scale factors for the amplification up to the base of each mechanism above the ground (as Mehrotra Table "
+        "8.9): peak acceleration there over that of the ground."
     )
     return doc.Table("amplification", caption, columns, rows, small=True)
 

@@ -93,7 +93,7 @@ def test_histories_and_clauses_say_where_their_input_acts(found):
 
 def test_the_report_says_so(found, report):
     assert report.count("Its base is 4.77 m above the ground.") == 3
-    for method in ("thesis eq. 3.48", "filtered by the first mode", "NZS 1170.5, 8.3"):
+    for method in ("Mehrotra eq. 3.48", "filtered by the first mode", "NZS 1170.5, 8.3"):
         assert f"In the time histories the ground motion is amplified up to it ({method})." in report
     assert "The time histories of M2, M3 and M4 have the motion at the base of the mechanism" in report
     assert "G = 0.4 E" in report

@@ -35,8 +35,8 @@ def test_no_term_has_a_gap() -> None:
     assert not [term for term in fixed_terms() if "{" in term.replace("amplification = {", "")]
 
 
-@pytest.mark.parametrize("term", ["all of it pushes, its weight is carried elsewhere (thesis 3.2.2)",
-                                  "Housner 1963, thesis eq. 3.44", "extend its table", "Rayleigh's method",
+@pytest.mark.parametrize("term", ["all of it pushes, its weight is carried elsewhere (Mehrotra 3.2.2)",
+                                  "Housner 1963, Mehrotra eq. 3.44", "extend its table", "Rayleigh's method",
                                   "NTC 2018 §3.2.3.2.1: eta = √(10 / (5 + ξ)) ≥ 0.55; not checked against the printed "
                                   "decree"])  # fmt: skip
 def test_terms_of_loads_restitution_suites_and_spectra_are_found(term: str) -> None:

@@ -310,7 +310,7 @@ def _mechanism(
         history,
         _suites(history),
         None,
-        "Housner 1963, thesis eq. 3.44" if two else "given",
+        "Housner 1963, Mehrotra eq. 3.44" if two else "given",
         () if two else _LOADS,
         _ROUND_TOWER if two else None,
         hinge_forces=_HINGE_FORCES if two else (),

@@ -60,7 +60,7 @@ def test_forces_alone_leave_the_rule_of_the_thesis():
     thrust = Force("thrust", (500.0, -2000.0), (0.0, 3.8))
     found = single_block("w", WALL, loads=(thrust,))
     assert found.restitution == single_block("w", WALL).restitution
-    assert found.restitution_source == "Housner 1963, thesis eq. 3.44"
+    assert found.restitution_source == "Housner 1963, Mehrotra eq. 3.44"
 
 
 def test_well_above_the_plain_block_is_told_with_the_reason():
@@ -157,7 +157,7 @@ def test_a_squat_block_stops_and_everything_else_is_given():
     assert found.restitution == (0.0, 0.0)
     assert found.stopped == pytest.approx(signed, rel=1e-12)
     assert any(
-        f"restitution {signed:.3g} (Housner 1963, thesis eq. 3.44): a" in text for text in map(str, found.warnings)
+        f"restitution {signed:.3g} (Housner 1963, Mehrotra eq. 3.44): a" in text for text in map(str, found.warnings)
     )
     given = single_block("w", squat, restitution=(0.2, 0.2))
     assert given.stopped is None

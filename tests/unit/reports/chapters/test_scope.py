@@ -62,7 +62,7 @@ def test_methods_say_their_part_and_those_that_decide_come_first(results: Result
     table = scope.methods_table(results)
     parts = [row[2] for row in rows(table)]
     assert parts[0] == "decides"
-    assert "never decides: reading of the thesis" in parts
+    assert "never decides: reading by Mehrotra" in parts
     assert table.muted == {place for place, part in enumerate(parts) if part != "decides"}
     assert len(rows(table)) == len({check.procedure for each in results.mechanisms for check in each.checks})
 

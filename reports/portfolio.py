@@ -3,23 +3,27 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from functools import partial
 from pathlib import Path
 
 from assess.portfolio.tasks import ProjectRow, rank
 from assess.results.provenance import describe_program
 from reports.chapters.cells import LIMIT_STATE, METHOD, OUTCOME, OUTCOMES, RATIO
-from reports.document import Cell, Column, Document, Link, OutcomeCell, Prose, Section, Table
+from reports.document import Cell, Column, Document, Figure, Link, OutcomeCell, Prose, Section, Table
+from reports.figures.portfolio import draw_margins
 from reports.language.locale import Locale, System
 from reports.language.texts import Phrase, Text, Verbatim, count, say
 from reports.mechanisms import short_title
 from reports.render.html import write_html
 from reports.render.spreadsheet import write_xlsx
 from reports.render.table_text import plain_tables, write_csv
+from reports.render.vector import svg_picture, trace_figure
 
 NAME = "ranked"
 FILES = (f"{NAME}.csv", f"{NAME}.xlsx", f"{NAME}.html")
 FIGURES = 3
+LEAST_DRAWN = 5  # known margins, from which their spread is drawn
 COUNTS: Mapping[str, Phrase] = {
     "fail": say("Fail"),
     "incomplete": say("Incomplete"),
@@ -73,11 +77,12 @@ def write_ranking(
     """
     document = _portfolio_report(rows, locale=Locale(system=units) if language is None else Locale(language, units))
     plain = plain_tables(document)
+    pictures = {figure.name: svg_picture(trace_figure(figure.draw(document.locale))) for figure in document.figures}
     (table,) = write_csv(document, stage, plain)
     return (
         table,
         write_xlsx(document, stage / f"{NAME}.xlsx", plain),
-        write_html(document, stage / f"{NAME}.html", pictures={}),
+        write_html(document, stage / f"{NAME}.html", pictures=pictures),
     )
 
 
@@ -95,9 +100,19 @@ def _portfolio_report(rows: Sequence[ProjectRow], *, locale: Locale) -> Document
         program=f"{program.name} {program.version}",
         paper="A4",
         facts=tuple(facts),
-        sections=(Section(say("Ranking"), 0, (Prose(paragraphs), _ranked_table(rows))),),
+        sections=(Section(say("Ranking"), 0, (Prose(paragraphs), *_margins(rows), _ranked_table(rows))),),
         locale=locale,
     )
+
+
+def _margins(rows: Sequence[ProjectRow]) -> Iterator[Figure]:
+    """Yield the figure of the margins that are known, where there are several."""
+    margins = [row.margin for row in rows if row.margin is not None and row.status == "done"]
+    if len(margins) >= LEAST_DRAWN:
+        caption = say(
+            "Projects by their margins, the PGA at capacity over that of the action; the last bar holds all of 2 and more."
+        )
+        yield Figure("margins", caption, partial(draw_margins, margins))
 
 
 def _ranked_table(rows: Sequence[ProjectRow]) -> Table:

@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from assess.results import Results
 
 
+MOST_WORST = 5  # projects of a portfolio that are named
 MOST_REASONS = 5  # that leave projects of a portfolio incomplete or broken
 FORMATS = ("nrml", "pelicun", "csv")
 """The keys of `EXPORT_FORMATS`, whose module takes a second to import."""
@@ -270,7 +271,7 @@ def _run_project(project: Path, output: Path | None, jobs: int | None, *, report
 
 
 def _portfolio_text(found: Portfolio) -> str:
-    """Write how many projects came to what, and where the table is."""
+    """Write how many projects came to what, the worst of them, why others have no answer, and where the table is."""
     counts = found.count()
     parts = [
         f"{counts[name]} {name}" for name in ("fail", "incomplete", "pass", "no verdict", "broken") if counts[name]
@@ -278,7 +279,18 @@ def _portfolio_text(found: Portfolio) -> str:
     number = len(found.rows)
     lines = [f"{number} project{'' if number == 1 else 's'}{': ' if parts else ''}{', '.join(parts)}"]
     from assess.messages.message import count_noun
+    from assess.portfolio.tables import quote
+    from assess.portfolio.tasks import rank
 
+    worst = [row for row in rank(found.rows) if row.status == "done" and row.outcome in ("fail", "incomplete")]
+    for row in worst[:MOST_WORST]:
+        margin = "margin not known" if row.margin is None else f"margin {row.margin:.3g}"
+        name = f"{quote(row.key)} {quote(row.title)}" if row.title else quote(row.key)
+        lines.append(
+            f"  {name}: {row.outcome}, {margin}{f', {quote(row.worst_mechanism)}' * bool(row.worst_mechanism)}"
+        )
+    if len(worst) > MOST_WORST:
+        lines.append(f"  and {count_noun(len(worst) - MOST_WORST, 'other project')} that do not pass, in the table")
     reasons = found.count_reasons()
     lines += [f"  {count} x {reason}" for reason, count in reasons[:MOST_REASONS]]
     if len(reasons) > MOST_REASONS:

@@ -10,7 +10,8 @@ import pytest
 from openpyxl import load_workbook
 
 from assess.portfolio.tasks import ProjectRow
-from reports.language.locale import languages
+from reports.figures.portfolio import draw_margins
+from reports.language.locale import Locale, languages
 from reports.portfolio import FILES, write_ranking
 
 HOSTILE = ('=HYPERLINK("http://x")', "<script>alert(1)</script>", "@SUM(A1)", "a\nb", "x" * 500)
@@ -79,3 +80,14 @@ def test_numbers_of_a_long_table_are_shown_to_three_figures(tmp_path: Path) -> N
     )
     sheet = load_workbook(tmp_path / "ranked.xlsx")["ranked"]
     assert sheet["D300"].number_format == "0.00"
+
+
+def test_margins_are_counted_in_bars(tmp_path: Path) -> None:
+    """0.05, 0.3 and 0.99 fail; 1.0 is the first that passes; what is 2 and more stands in the last bar."""
+    margins = [0.05, 0.3, 0.99, 1.0, 2.0, 7.5]
+    bars = draw_margins(margins, Locale()).axes[0].patches
+    counted = {round(bar.get_x(), 1): int(bar.get_height()) for bar in bars if bar.get_height()}  # type: ignore[attr-defined]
+    assert counted == {0.0: 1, 0.3: 1, 0.9: 1, 1.0: 1, 2.0: 2}
+    rows = [ProjectRow(f"{margin}", "", "", "done", outcome="pass", margin=margin) for margin in margins]
+    write_ranking(rows, tmp_path)
+    assert (tmp_path / "ranked.html").read_text(encoding="utf-8").count("<figure") == 1

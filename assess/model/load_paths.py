@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from math import inf
 
 import numpy as np
 
@@ -16,7 +17,7 @@ from assess.geometry.contact import ContactArea
 from assess.loads.bearing import shares
 from assess.loads.load import BodyLoad, LoadDefinition, OverburdenLoad
 from assess.mechanisms.mechanism import BlockMechanism
-from assess.model.least_multipliers import Drawing, Found, built
+from assess.model.least_multipliers import THRUSTING, Drawing, Found, built
 from assess.model.structure import IN_LINE, Part, PartContact
 
 ACROSS = 0.34  # cosine: walls whose normals are more than 70 degrees apart are across one another
@@ -88,33 +89,55 @@ def by_worst_paths(found: Found, drawing: Drawing) -> tuple[Found, tuple[str, ..
     """Return a mechanism with each covering on it by the path of its weight that is worst, and the coverings left open.
 
     Shares are stated, and those of two mechanisms may count one covering twice; one that puts nothing on it is no load.
-    What presses on a wall that bends stays as drawn: where nothing does, the wall turns as a cantilever instead.
+    The multiplier is a quotient of sums in which each share counts once, so that it is least at one end of its range.
+    What presses on a wall that bends stays as drawn: where nothing does, the wall turns as a cantilever instead. A wall
+    that the thrust of its share would push over stands today, so that something takes the thrust.
     """
     definition = found.definition
     if definition is None or found.multiplier is None:
         return found, ()
-    loads = [load for load in definition.loads if isinstance(load, BodyLoad | OverburdenLoad)]
-    bodies = [body for load in loads for body in ((load.body,) if isinstance(load, BodyLoad) else load.bodies)]
-    paths = {body: load_paths(drawing.structure.part(body), drawing) for body in dict.fromkeys(bodies)}
+    loads = [load for load in definition.loads if isinstance(load, BodyLoad)]
+    pressing = [body for load in definition.loads if isinstance(load, OverburdenLoad) for body in load.bodies]
+    bodies = dict.fromkeys((*(load.body for load in loads), *pressing))
+    paths = {body: load_paths(drawing.structure.part(body), drawing) for body in bodies}
     unsure = tuple(body for body, each in paths.items() if len(each) > 1)
-    best = found
-    for body in unsure:
-        if any(isinstance(load, BodyLoad) and load.body == body for load in loads):
-            assert best.definition is not None
-            shares_on = sorted({round(path.on(definition.bodies), 3) for path in paths[body]}, reverse=True)
-            options = [_with_share(best.definition, body, share) for share in shares_on]
-            tried = [built(each, drawing.around(definition), found.parameters) for each in options]
-            known = [each for each in tried if each.multiplier is not None]
-            worst = min(known, key=lambda each: each.multiplier or 0.0, default=best)
-            best = replace(best, definition=worst.definition, multiplier=worst.multiplier)
-    return best, unsure
+    ranges = {load.body: sorted(path.on(definition.bodies) for path in paths[load.body]) for load in loads}
+    if not any(body in ranges for body in unsure):
+        return found, unsure
+    alone = {name: drawing.bodies[name] for name in (*definition.bodies, *ranges)}
+    chosen = {body: each[-1] for body, each in ranges.items() if each}
+    for body in (each for each in unsure if each in ranges):
+        tried = {
+            share: built(_with_shares(definition, {**chosen, body: share}), alone, {}).multiplier
+            for share in (ranges[body][0], ranges[body][-1])
+        }
+        chosen[body] = min(tried, key=lambda share: inf if tried[share] is None else tried[share] or 0.0)
+    stated = _with_shares(definition, {body: share for body, share in chosen.items() if body in unsure})
+    worst = built(stated, drawing.around(definition), found.parameters)
+    pushing = tuple(load.body for load in loads if load.role in THRUSTING and not load.tied)
+    if worst.multiplier is not None and worst.multiplier <= 0.0 and pushing:
+        worst = built(
+            replace(stated, loads=tuple(map(_tied, stated.loads))), drawing.around(definition), found.parameters
+        )
+        worst = replace(worst, tied=tuple(dict.fromkeys((*found.tied, *pushing))))
+    else:
+        worst = replace(worst, tied=found.tied)
+    if worst.multiplier is None or 0.0 < found.multiplier < worst.multiplier:
+        return found, unsure  # as by its share by statics, with all of the thrust
+    return replace(found, definition=worst.definition, multiplier=worst.multiplier, tied=worst.tied), unsure
 
 
-def _with_share(definition: BlockMechanism, body: str, share: float) -> BlockMechanism:
-    """Return a mechanism with a share of a covering on it; without it where that is nothing."""
+def _tied(load: LoadDefinition) -> LoadDefinition:
+    """Return a load without its thrust."""
+    return replace(load, tied=True) if isinstance(load, BodyLoad) and load.role in THRUSTING else load
+
+
+def _with_shares(definition: BlockMechanism, chosen: Mapping[str, float]) -> BlockMechanism:
+    """Return a mechanism with the shares of coverings on it; without those of which it carries nothing."""
     loads: list[LoadDefinition] = []
     for load in definition.loads:
-        if isinstance(load, BodyLoad) and load.body == body:
+        if isinstance(load, BodyLoad) and load.body in chosen:
+            share = round(chosen[load.body], 3)
             loads += [replace(load, share=min(share, 1.0))] if share >= NO_SHARE else []
         else:
             loads.append(load)

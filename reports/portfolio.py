@@ -110,7 +110,8 @@ def _margins(rows: Sequence[ProjectRow]) -> Iterator[Figure]:
     margins = [row.margin for row in rows if row.margin is not None and row.status == "done"]
     if len(margins) >= LEAST_DRAWN:
         caption = say(
-            "Projects by their margins, the PGA at capacity over that of the action; the last bar holds all of 2 and more."
+            "Projects by their margins, the PGA at capacity over that of the action; the last bar holds all of 2 and "
+            "more."
         )
         yield Figure("margins", caption, partial(draw_margins, margins))
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from assess.results import ResolvedValue, Results
+from reports.chapters.cells import blocks_to_paste
 from reports.document import Block, Cell, Column, Section, Table, nonempty
 from reports.language.texts import Verbatim, say
 from reports.project_values import project_values
@@ -19,6 +20,7 @@ def sections(results: Results) -> list[Section]:
         *nonempty(files_table(results)),
         *nonempty(_values_in_use_table(results)),
         *nonempty(messages_table(results)),
+        *([] if results.verdict is None else blocks_to_paste(results, results.verdict)),
     ]
     return [Section(say("Inputs"), 0, tuple(blocks), starts_page=True, mark=MARK)]
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping, Sequence
 
 from assess.codes.bases import BASES, IndexKind
@@ -9,14 +10,16 @@ from assess.codes.check import Check, Family, Outcome, Reason
 from assess.codes.histories import interval_figures, margin_figures, ratio_figures, side_figures
 from assess.codes.procedures import PROCEDURES, family_of
 from assess.codes.question import Action, Missing, toml_lines
-from assess.codes.verdict import Answer, Decision, Index, MechanismVerdict, Verdict
+from assess.codes.verdict import Answer, Decision, Index, MechanismVerdict, Override, Verdict
 from assess.messages.message import DIMENSIONS, Quantity
+from assess.messages.texts import TEXTS
 from assess.results import MechanismResult, Results
 from reports import document, governing
 from reports.document import Block, Cell, Column, FileLines, OutcomeCell, Prose
 from reports.language.texts import Listing, Phrase, Term, Text, Verbatim, listing, names, quantity, say
+from reports.language.value_names import value_title
 from reports.mechanisms import mechanism_list
-from reports.project_values import project_text, split_key
+from reports.project_values import project_text, split_key, starred_key
 
 OVERTURNED, BEYOND = say("overturns"), say("beyond the spectrum")
 NO_ROCKING, NO_LASTING, NONE = say("does not rock"), say("no lasting rotation"), say("none")
@@ -46,6 +49,25 @@ METHOD, LIMIT_STATE, OUTCOME = Column(say("Method")), Column(say("Limit state"))
 FIGURES = 3
 
 PROCEDURE = Column(say("Procedure"))
+
+LOAD_KEY = re.compile(r"mechanisms\.\*\.loads\[(\d+)\]\.(\w+)")
+LOAD_TITLES: Mapping[str, Phrase] = {
+    "force": say("force"),
+    "mass": say("mass"),
+    "share": say("share of the weight"),
+    "thrust": say("thrust"),
+    "eccentricity": say("eccentricity"),
+    "at": say("position"),
+    "tied": say("connection"),
+    "bearing": say("bearing"),
+    "until": say("duration"),
+    "seat": say("seat"),
+    "strength": say("strength"),
+    "length": say("length"),
+    "fracture_strain": say("strain at fracture"),
+    "psi_2": say("combination factor"),
+}
+"""What the values of a load are called, by the key of each."""
 
 RATIO = Column(say("D/C"), "ratio", FIGURES)
 CAPACITY_PGA = Column(say("PGA at capacity"), "ground acceleration", FIGURES)
@@ -338,9 +360,6 @@ def stated_premises(results: Results) -> Iterator[Text]:
         )
 
 
-MAX_LINES = 12  # lines to paste that page 1 holds
-
-
 def missing_texts(results: Results, verdict: Verdict) -> list[Text]:
     """Return the keys that are missing and why; one that several mechanisms lack for one reason is said once."""
     groups: dict[tuple[str, str], list[Missing]] = {}
@@ -359,9 +378,23 @@ def blocks_to_paste(results: Results, verdict: Verdict) -> list[Block]:
     return [Prose((title,)), FileLines(lines)]
 
 
-def fits_page_1(results: Results, verdict: Verdict) -> bool:
-    """Return whether the lines to paste are few enough for page 1; else they stand with the recommendations."""
-    return len(_lines_to_paste(results, verdict)) <= MAX_LINES
+def value_name(results: Results, key: str) -> Text:
+    """Return what a value of the project is called, with its mechanism; its key where it has no words."""
+    owner, rest = starred_key(results, key)
+    mechanism = next((each for each in results.mechanisms if each.name == owner), None)
+    item = LOAD_KEY.fullmatch(rest)
+    name: Text = value_title(rest) or Verbatim(rest.removeprefix("mechanisms.*."))
+    if item and mechanism is not None and item[2] in LOAD_TITLES and int(item[1]) <= len(mechanism.loads):
+        load = mechanism.loads[int(item[1]) - 1].name
+        name = say("{quantity} of {load}", quantity=LOAD_TITLES[item[2]], load=Verbatim(load))
+    return say("{value} ({mechanisms})", value=name, mechanisms=mechanism_list(results, [owner])) if owner else name
+
+
+def override_text(results: Results, override: Override) -> Text:
+    """Return what the verdict hangs on, with the value in words."""
+    said = override.message
+    values = {name: Verbatim(each) if isinstance(each, str) else each for name, each in said.values.items()}
+    return Phrase(TEXTS[said.key], {**values, "key": value_name(results, override.key)})
 
 
 def provisional_outcome(verdict: Verdict) -> list[Block]:
@@ -412,8 +445,9 @@ def _missing_text(results: Results, key: str, group: Sequence[Missing]) -> Text:
     why = listing(first.why or first.reasons, "") if first.why or first.reasons else Term(first.text)
     owners = [owner for owner in (split_key(results, each.key)[0] for each in group) if owner]
     if len(group) == 1 or not owners:
-        return say("{key}: {why}", key=Verbatim(first.key), why=why)
-    return say("{key} of {mechanisms}: {why}", key=Verbatim(key), mechanisms=mechanism_list(results, owners), why=why)
+        return say("{key}: {why}", key=value_name(results, first.key), why=why)
+    name = value_title(f"mechanisms.*.{key}") or Verbatim(key)
+    return say("{key} of {mechanisms}: {why}", key=name, mechanisms=mechanism_list(results, owners), why=why)
 
 
 def _lines_to_paste(results: Results, verdict: Verdict) -> tuple[str, ...]:

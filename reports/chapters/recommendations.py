@@ -61,11 +61,10 @@ def _titled(title: Text, points: Sequence[Text]) -> list[Block]:
 
 
 def _missing(results: Results, verdict: Verdict) -> list[Block]:
-    """Return what is missing where page 1 does not show all of it, or nothing of it in a verdict that is not open."""
-    if verdict.outcome != Decision.INCOMPLETE:
-        texts = cells.missing_texts(results, verdict)
-        return [*_titled(say("To be given for the mechanisms without an answer:"), texts)]
-    return [] if cells.fits_page_1(results, verdict) else cells.blocks_to_paste(results, verdict)
+    """Return what is missing in a verdict that is not open: that of an open one is on page 1."""
+    if verdict.outcome == Decision.INCOMPLETE:
+        return []
+    return _titled(say("To be given for the mechanisms without an answer:"), cells.missing_texts(results, verdict))
 
 
 def _failing(results: Results, verdict: Verdict) -> list[Block]:

@@ -80,7 +80,7 @@ def sections(results: Results) -> list[Section]:
         ),
         Facts(tuple(_basis_facts(results, verdict))),
         *_short_list(say("The verdict is subject to these conditions:"), conditions(results, verdict)),
-        *_short_list(_hangs_on(verdict), [each.message for each in verdict.overrides]),
+        *_short_list(_hangs_on(verdict), [cells.override_text(results, each) for each in verdict.overrides]),
         *_missing(verdict, results),
         *_short_list(say("Warnings that bear on the verdict:"), warnings(results)),
         matrix(results, verdict),
@@ -312,14 +312,10 @@ def _with_works(results: Results, target: Text) -> Text:
 
 
 def _missing(verdict: Verdict, results: Results) -> list[Block]:
-    """Return what would complete the verdict, as lines to paste, and what it would be with the safe values."""
+    """Return what would complete the verdict, and what it would be with the safe values."""
     if verdict.outcome != Decision.INCOMPLETE or not verdict.missing:
         return []
     blocks = _short_list(say("What is missing:"), cells.missing_texts(results, verdict))
-    if cells.fits_page_1(results, verdict):
-        blocks += cells.blocks_to_paste(results, verdict)
-    else:
-        blocks += [Prose((say("The lines that complete the project file are listed under Recommendations."),))]
     return [*blocks, *cells.provisional_outcome(verdict)]
 
 

@@ -8,10 +8,10 @@ from dataclasses import replace
 import pytest
 
 from assess.codes.question import Missing
-from assess.codes.verdict import Decision, Index
+from assess.codes.verdict import Decision, Index, Override
 from assess.messages.message import Message, Severity, warning
 from assess.results import ChecklistItem, ReportMatter, ResolvedValue, Results
-from reports.chapters import recommendations, scope, site, verdict
+from reports.chapters import annex_inputs, recommendations, scope, site, verdict
 from reports.document import Banner, FileLines
 from tests.support.letters import letters, lines, text_of
 from tests.support.sample_results import with_verdict
@@ -117,15 +117,19 @@ def test_the_code_has_its_national_annex(results: Results) -> None:
     assert "Code: ASCE/SEI 43-05, national annex: UNI EN 1998-1" in lines(verdict.sections(given))
 
 
-def test_an_incomplete_verdict_lists_what_is_missing_with_lines_to_paste(results: Results) -> None:
+def test_an_incomplete_verdict_lists_what_is_missing_in_words_and_the_annex_the_lines_to_paste(
+    results: Results,
+) -> None:
     lacking = with_verdict(
         results, outcome=Decision.INCOMPLETE, missing=(WEAK,), provisional=Decision.FAIL, conditions=()
     )
-    blocks = verdict.sections(lacking)[0].blocks
     said = lines(verdict.sections(lacking))
-    assert "materials.old stone.disintegration: whether it may disintegrate" in said
-    assert FileLines(('[materials."old stone"]', 'disintegration = "excluded"')) in blocks
+    assert "old stone: disintegration: whether it may disintegrate" in said
     assert "With the safe value of all that is missing, the verdict would be: fail." in said
+    pasted = FileLines(('[materials."old stone"]', 'disintegration = "excluded"'))
+    assert pasted in annex_inputs.sections(lacking)[0].blocks
+    signed = (*verdict.sections(lacking), *recommendations.sections(lacking))
+    assert not any(isinstance(block, FileLines) for section in signed for block in section.blocks)
 
 
 def test_one_key_of_several_mechanisms_is_one_line(results: Results) -> None:
@@ -133,19 +137,19 @@ def test_one_key_of_several_mechanisms_is_one_line(results: Results) -> None:
     keys = [f"mechanisms.{each.name}.disintegration" for each in results.mechanisms]
     lacking = tuple(Missing(key, why, 'disintegration = "excluded"') for key in keys)
     made = with_verdict(results, outcome=Decision.INCOMPLETE, missing=lacking)
-    assert f"disintegration of all mechanisms: {why}" in lines(verdict.sections(made))
+    assert f"Disintegration of the masonry of all mechanisms: {why}" in lines(verdict.sections(made))
     other = with_verdict(results, outcome=Decision.INCOMPLETE, missing=lacking[1:])
-    assert f"mechanisms.parapet.disintegration: {why}" in lines(verdict.sections(other))
+    assert f"Disintegration of the masonry (M2): {why}" in lines(verdict.sections(other))
 
 
-def test_many_lines_to_paste_stand_with_the_recommendations(results: Results) -> None:
-    lacking = tuple(replace(WEAK, key=f"materials.m{number}.disintegration") for number in range(12))
-    made = with_verdict(results, outcome=Decision.INCOMPLETE, missing=lacking)
-    assert not any("[materials.m11]" in line for line in lines(verdict.sections(made)))
-    assert any("[materials.m11]" in line for line in lines(recommendations.sections(made)))
-    few = with_verdict(results, outcome=Decision.INCOMPLETE, missing=lacking[:2])
-    assert any("[materials.m1]" in line for line in lines(verdict.sections(few)))
-    assert not any("[materials.m1]" in line for line in lines(recommendations.sections(few)))
+def test_what_a_verdict_hangs_on_is_said_without_a_key(results: Results) -> None:
+    parapet = results.mechanisms[1]
+    key = f"mechanisms.{parapet.name}.loads[1].force"
+    force = Override(key, '"20 kN"', "", Decision.FAIL, source="pull-out test")
+    (said,) = (
+        line for line in lines(verdict.sections(with_verdict(results, overrides=(force,)))) if "pull-out" in line
+    )
+    assert said.startswith(f'force of {parapet.loads[0].name} (M2) = "20 kN" (pull-out test); without it')
 
 
 def test_what_passes_asks_for_nothing(results: Results) -> None:

@@ -395,6 +395,7 @@ def batch(
     from assess.portfolio.batch import BatchOptions, parse_shard, run_batch
     from assess.portfolio.executors import dask, processes
     from assess.portfolio.projects import find_tasks
+    from assess.project.placement import elevation_at
     from reports.portfolio import write_ranking
 
     _check_jobs(jobs, progress)
@@ -405,6 +406,7 @@ def batch(
         Path(source),
         None if template is None else Path(template),
         unit_fault,
+        place_load=elevation_at,
         decimal_comma=decimal_comma,
         progress=lambda found: show("reading", found, 0),
     )

@@ -83,11 +83,20 @@ def _no_unit_fault(path: Path, tables: Mapping[str, Any], column: KeyColumn) -> 
     return ""
 
 
+PlaceLoad = Callable[[Mapping[str, Any], str, float], float]
+"""Returns the elevation [m] at a share of the height of a mechanism, from the tables of a project and its name."""
+
+
+def _place_nothing(tables: Mapping[str, Any], mechanism: str, share: float) -> float:
+    raise ProjectError("a load by a share of the height; it has no place here")
+
+
 def find_tasks(
     source: Path,
     template: Path | None = None,
     unit_fault: UnitFault = _no_unit_fault,
     *,
+    place_load: PlaceLoad = _place_nothing,
     decimal_comma: bool = False,
     progress: Callable[[int], object] = bool,
 ) -> tuple[Task, ...]:
@@ -101,6 +110,8 @@ def find_tasks(
         The project file whose values the table changes; None for a folder.
     unit_fault : callable
         Checks the unit in the head of a column.
+    place_load : callable
+        Places loads that stand at the top, or at a share of the height.
     decimal_comma : bool
         Whether the numbers of the table have decimal commas; those between semicolons have them anyway.
     progress : callable
@@ -117,7 +128,7 @@ def find_tasks(
         return _counted(_tasks_below(source), progress)
     if template is None:
         raise ProjectError(f"{source}: a table needs the project that its rows change; add --template FILE.toml")
-    return _counted(_tasks_of_table(source, template.absolute(), unit_fault, decimal_comma), progress)
+    return _counted(_tasks_of_table(source, template.absolute(), unit_fault, place_load, decimal_comma), progress)
 
 
 def project_tree(task: Task) -> dict[str, Any]:
@@ -159,6 +170,9 @@ def row_fault(task: Task, text: str) -> str:
 
 KeyPath = tuple[str | int, ...]
 TITLE = "title"
+TOP = ("top", "cima")
+SHARE = re.compile(r"top|cima|(100|[0-9]{1,2}([.,][0-9]{1,6})?) ?%", re.IGNORECASE)
+LOAD_PLACE = 6  # steps of the key of a coordinate of a load: mechanisms, name, loads, number, at, number
 COLUMN_HEADER = re.compile(r"(.*?)\s*(?:\[([^\[\]]*)\])?\s*", re.DOTALL)
 WHOLE_NUMBER = re.compile(r"[+-]?[0-9]{1,18}")
 NUMBER = re.compile(r"[+-]?([0-9]{1,40}\.?[0-9]{0,40}|\.[0-9]{1,40})([eE][+-]?[0-9]{1,3})?|[+-]?(inf|nan)")
@@ -181,7 +195,7 @@ def read_template(path: Path) -> Mapping[str, Any]:
 
 
 def read_headings(path: Path) -> Mapping[str, str]:
-    """Return what [columns] of a template says: by heading of the table a key with its unit, or CARRY.
+    """Return what [columns] of a template says: by heading of the table a key with its unit, or CARRY; by key a share.
 
     Raises
     ------
@@ -289,14 +303,18 @@ def _title(tables: Mapping[str, Any]) -> str:
     return title if isinstance(title, str) else ""
 
 
-def _tasks_of_table(source: Path, template: Path, unit_fault: UnitFault, decimal_comma: bool) -> Iterator[Task]:
+def _tasks_of_table(
+    source: Path, template: Path, unit_fault: UnitFault, place_load: PlaceLoad, decimal_comma: bool
+) -> Iterator[Task]:
     """Yield a task for each row of a table.
 
     Raises
     ------
     ProjectError : the header or the template cannot be used, there is no row, or two have the same id
     """
-    tables, headings = read_template(template), read_headings(template)
+    tables, mapped = read_template(template), read_headings(template)
+    rules = {key: text for key, text in mapped.items() if SHARE.fullmatch(text)}
+    headings = {heading: key for heading, key in mapped.items() if heading not in rules}
     lines, seen = read_table(source, decimal_comma=decimal_comma), dict[str, int]()
     try:
         columns = _columns_of(
@@ -305,6 +323,11 @@ def _tasks_of_table(source: Path, template: Path, unit_fault: UnitFault, decimal
     except ProjectError as error:
         raise ProjectError(f"{source}: {error}") from None
     start, hash_of, known = hashlib.sha256(template.read_bytes()), _files_hash(), keys_of(tables)
+    if wrong := [key for key in rules if not _is_load_height(known.get(key, ()), tables)]:
+        raise ProjectError(
+            f"{template}: columns.{quote(wrong[0])}: {quote(rules[wrong[0]])} is for the elevation of a load, such as "
+            "mechanisms.NAME.loads.0.at.1"
+        )
     for line in lines:
         key = _row_key(line, columns)
         if key in seen:
@@ -312,7 +335,9 @@ def _tasks_of_table(source: Path, template: Path, unit_fault: UnitFault, decimal
                 f"{source}: lines {seen[key]} and {line.number}: {quote(key)} twice; give each row its own id"
             )
         seen[key] = line.number
-        yield _task_of_row(source, line, key, columns, template, tables, known, start.copy(), hash_of)
+        yield _task_of_row(
+            source, line, key, columns, template, tables, known, start.copy(), hash_of, rules, place_load
+        )
     if not seen:
         raise ProjectError(f"{source}: no row below the header; add one for each project")
 
@@ -341,6 +366,8 @@ def _task_of_row(
     known: Mapping[str, KeyPath],
     start: Any,
     hash_of: FilesHash,
+    rules: Mapping[str, str],
+    place_load: PlaceLoad,
 ) -> Task:
     """Return the task of a row; start: the hash of the template."""
     pairs = [(column, text) for column, text in zip(columns, line.cells, strict=False) if text]
@@ -352,6 +379,12 @@ def _task_of_row(
     try:
         if line.decimal_comma:
             row["cells"] = [(name, _with_point(name, text, known, tables), unit) for name, text, unit in row["cells"]]
+        stated = {name for name, *_ in row["cells"]}
+        placed = {name: text for name, text in rules.items() if name not in stated}
+        placed |= {name: text for name, text, _ in row["cells"] if _is_share(text, known[name], tables)}
+        row["cells"] = [cell for cell in row["cells"] if cell[0] not in placed]
+        named = with_row(tables, {name: (text, unit) for name, text, unit in row["cells"]}, known)
+        row["cells"] += [(n, f"{place_load(named, known[n][1], _share_of(t)):.12g}", "m") for n, t in placed.items()]  # type: ignore[arg-type]
         named = with_row(tables, {name: (text, unit) for name, text, unit in row["cells"]}, known)
         _check_number(line, columns)
     except ProjectError as error:
@@ -362,6 +395,23 @@ def _task_of_row(
     )
     content = _compact_json({"table": str(source), "line": line.number, **row})
     return Task(key, title, template, content, start.hexdigest(), carried)
+
+
+def _is_share(text: str, place: KeyPath, tables: Mapping[str, Any]) -> bool:
+    """Whether a cell places a load at the top or at a share of the height."""
+    return SHARE.fullmatch(text) is not None and _is_load_height(place, tables)
+
+
+def _is_load_height(place: KeyPath, tables: Mapping[str, Any]) -> bool:
+    """Whether a key is the elevation of the place of a load."""
+    if len(place) != LOAD_PLACE or (place[0], place[2], place[4]) != ("mechanisms", "loads", "at"):
+        return False
+    return place[-1] == len(_value_at(tables, place[:-1])) - 1
+
+
+def _share_of(text: str) -> float:
+    """Return a share of the height [-] as it is written: "top" or "50 %"."""
+    return 1.0 if text.lower() in TOP else float(text.rstrip(" %").replace(",", ".")) / 100.0
 
 
 def _with_point(name: str, text: str, known: Mapping[str, KeyPath], tables: Mapping[str, Any]) -> str:

@@ -13,6 +13,7 @@ from assess.errors import AssessError
 from assess.messages.message import Message
 from assess.portfolio.projects import find_tasks, project_tree, row_fault
 from assess.project.build import build
+from assess.project.placement import elevation_at
 from assess.project.project_file import Project, load, load_tree
 from assess.project.record_set import horizontal_records, overrides_of
 from assess.project.site_and_structure import site_of, spectrum_of
@@ -160,7 +161,7 @@ def _suites_of_rows(
     found: list[LockedSuite] = []
     done: list[Any] = []
     faults: list[tuple[Any, str]] = []
-    for task in find_tasks(table, template):
+    for task in find_tasks(table, template, place_load=elevation_at):
         site: Any = task  # where its row cannot be read, nobody knows its site
         try:
             tables = project_tree(task)

@@ -225,7 +225,8 @@ class Content(ProjectSection):
     report: Report = Field(default_factory=Report)
     """a table [report]"""
     columns: Annotated[dict[StrictStr, StrictStr], FREE] = Field(default_factory=dict)
-    """of a template of `assess batch`: by heading of the table the key whose values its cells give, or "carry\""""
+    """of a template of `assess batch`: by heading of the table the key whose values its cells give, "carry",
+    or by the key of a load's elevation "top" or a share of the height like "50 %\""""
 
     @property
     def site_procedures(self) -> tuple[str, ...]:

@@ -14,6 +14,7 @@ from assess.portfolio import tables as table_files
 from assess.portfolio.projects import Task, find_tasks, project_tree, row_fault
 from assess.portfolio.tables import point_for_comma
 from assess.portfolio.tasks import ProjectRow
+from assess.project.placement import elevation_at
 from assess.project.project_file import load, load_tree
 from assess.verbs import unit_fault
 from reports.portfolio import write_ranking
@@ -130,3 +131,25 @@ def test_a_workbook_that_is_none_or_swells_is_one_line(tmp_path: Path, monkeypat
         archive.writestr("xl/worksheets/sheet1.xml", b" " * 2_000_000)
     with pytest.raises(ProjectError, match="unzipped it is larger than 1 MB"):
         find_tasks(tmp_path / "t.xlsx", tmp_path / "t.toml")
+
+
+def test_loads_follow_the_height_of_their_wall(tmp_path: Path) -> None:
+    """Walls of 3 and 5 m on a plinth of 0.5 m: top at 3.5 m, unless a cell says 4.2 m; a quarter at 1.25 and 1.75 m."""
+    raised = {"wall": {**WALL["wall"], "box": {**WALL["wall"]["box"], "base": [0.0, 0.0, "50 cm"]}}}  # type: ignore[dict-item]
+    text = project_toml(bodies=raised, mechanisms={"wall": block(loads=[PUSH, PUSH])})
+    text += '\n[columns]\n"mechanisms.wall.loads.0.at.2" = "top"\n'
+    rows = [["id", "bodies.wall.box.height", "mechanisms.wall.loads.1.at.2"], ["a", "3", "25 %"], ["b", "5,0 m", "25%"]]
+    rows[0].append("mechanisms.wall.loads.0.at.2")
+    rows[1:] = [[*row, cell] for row, cell in zip(rows[1:], ("", "4,2"), strict=True)]
+    lines = "\n".join(";".join(row) for row in rows)
+    files = write_file(tmp_path / "t.csv", lines), write_file(tmp_path / "t.toml", text)
+    found = [project_tree(task) for task in find_tasks(*files, unit_fault, place_load=elevation_at)]
+    heights = [[load["at"][2] for load in tree["mechanisms"]["wall"]["loads"]] for tree in found]
+    assert heights == [["3.5 m", "1.25 m"], [4.2, "1.75 m"]]
+
+
+def test_a_share_of_what_has_no_height_is_refused(tmp_path: Path) -> None:
+    with pytest.raises(ProjectError, match="is for the elevation of a load"):
+        tasks_of(tmp_path, [["id"], ["a"]], template=PLAIN + '\n[columns]\n"mechanisms.wall.loads.0.at.0" = "top"\n')
+    with pytest.raises(ProjectError, match="needs its bodies as box or profile"):
+        elevation_at({"mechanisms": {"w": {"blocks": [["a"]]}}, "bodies": {"a": {"mesh": "a.stl"}}}, "w", 1.0)

@@ -85,6 +85,11 @@ class HorizontalArch(BlockMechanism):
                 yield "between", f'"{body}" is in `blocks` too; it moves, or it stays'
 
     @property
+    def neighbours(self) -> tuple[str, ...]:
+        """The cross walls."""
+        return self.between
+
+    @property
     def two_sided(self) -> bool:
         """It bulges outwards alone."""
         return False

@@ -114,6 +114,11 @@ class BlockMechanism:
         return tuple(body for block in self.blocks for body in block)
 
     @property
+    def neighbours(self) -> tuple[str, ...]:
+        """The names of bodies that do not move and between which it stands."""
+        return ()
+
+    @property
     def towards(self) -> Vector:
         """The direction as a vector, +x where it is absent; where it is sought, it is put in its place beforehand."""
         assert self.direction != "sweep"

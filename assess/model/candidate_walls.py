@@ -17,15 +17,13 @@ import numpy as np
 from assess.geometry.contact import find_contact
 from assess.loads.load import OverburdenLoad
 from assess.mechanisms.mechanism import Vector
-from assess.mechanisms.partial_walls import horizontal_arch, thrust_held_beyond
 from assess.messages.message import Message, Quantity, note
-from assess.model.bodies import LEAST_STRENGTH
 from assess.model.least_multipliers import (
     NEAR_LEVEL,
     Alternative,
     Drawing,
     Found,
-    Parameters,
+    arch_of_bay,
     distinct_levels,
     weakest_bend,
     weakest_corner,
@@ -149,9 +147,8 @@ def bays(drawing: Drawing) -> Seeds:
             span = other.at - one.at - (one.part.thickness + other.part.thickness) / 2.0
             if span < LOW_STOREY:
                 continue
-            beyond = (one.at - one.part.thickness / 2.0, wall.length - other.at - other.part.thickness / 2.0)
             reason = note("reason-bay", span=Quantity(span, "length", 3), one=one.part.name, other=other.part.name)
-            yield Seed((wall,), reason, partial(_arch_of_bay, wall, span, beyond, drawing))
+            yield Seed((wall,), reason, partial(arch_of_bay, wall, (one.part, other.part), drawing))
 
 
 def caps(drawing: Drawing, *, kinds: tuple[PartKind, ...]) -> Seeds:
@@ -226,22 +223,6 @@ def _weakest(found: Sequence[Found]) -> Found:
     ]
     others = sorted((*best.others, *beside), key=lambda each: each.multiplier)
     return replace(best, others=tuple(others), evaluations=sum(each.evaluations for each in found))
-
-
-def _arch_of_bay(wall: Part, span: float, beyond: tuple[float, float], drawing: Drawing) -> Found:
-    """Return the arch of a bay between what its wall has beyond the cross walls, of the weakest masonry."""
-    area = g * wall.density * wall.thickness * wall.height
-    ends = [thrust_held_beyond(weight=area * each, length=each, lever=wall.height) for each in beyond]
-    arch = horizontal_arch(
-        weight=area * span,
-        span=span,
-        thickness=wall.thickness,
-        height=wall.height,
-        ends=(ends[0], ends[1]),
-        strength=LEAST_STRENGTH,
-    )
-    parameters: Parameters = {"thrust": Quantity(arch.thrust, "force"), "rise": Quantity(arch.rise, "length")}
-    return Found(arch.multiplier, wall.normal, parameters, None, evaluations=1)
 
 
 def _why_free(stack: Sequence[Part], parts: Sequence[Part], low: float, drawing: Drawing) -> Message:

@@ -23,6 +23,7 @@ from assess.geometry.planar import base_of_section, lowest_corners, top_edge
 from assess.geometry.solid import Solid
 from assess.loads.bearing import shares
 from assess.loads.load import BodyLoad, Force, Load, OverburdenLoad, PointMass, bodies_of
+from assess.mechanisms.arch_in_plan import HorizontalArch
 from assess.mechanisms.chain import Chain, uplift_multiplier
 from assess.mechanisms.four_hinge import FourHinge, RadialJoints
 from assess.mechanisms.least import Least, find_least
@@ -30,6 +31,7 @@ from assess.mechanisms.mechanism import BlockMechanism, CutAngle, Vector
 from assess.mechanisms.partial_walls import STEEPEST, CornerLoad, SideWall, corner
 from assess.mechanisms.single_block import SingleBlock
 from assess.mechanisms.two_block import TwoBlock
+from assess.mechanisms.wedged_block import Corner, FacadeWithWedges, Wedge, WedgedBlock
 from assess.messages.message import Quantity
 from assess.model.assembly import on_rigid_hinges
 from assess.model.bodies import Bodies, Body, Material, pieces_of
@@ -124,7 +126,10 @@ class Drawing:
         """Return the bodies of a mechanism, those that load it, and what else carries these."""
         loads = [body for load in definition.loads for body in bodies_of(load)]
         beside = [each.other(body) for body in loads for each in self.structure.contacts_of(body)]
-        return {name: self.bodies[name] for name in dict.fromkeys((*definition.bodies, *loads, *beside))}
+        return {
+            name: self.bodies[name]
+            for name in dict.fromkeys((*definition.bodies, *definition.neighbours, *loads, *beside))
+        }
 
     def bearing_elevations(self, part: Part) -> tuple[float, ...]:
         """Return the elevations at which coverings bear on a part, rising [m]."""
@@ -294,7 +299,40 @@ def weakest_wedges(
     least = find_least(with_wedges, bounds=((0.0, STEEPEST),), stations=(4,), starts=1, halvings=3)
     steepest = Alternative(with_wedges((STEEPEST,)), direction, {"angle": Quantity(STEEPEST, "angle", 3)})
     parameters = {"hinge": Quantity(elevation, "length"), "angle": Quantity(least.at[0], "angle", 3)}
-    return Found(least.value, direction, parameters, None, (steepest,), least.evaluations, tied=turned.tied)
+    found = Found(least.value, direction, parameters, None, (steepest,), least.evaluations, tied=turned.tied)
+    definition = FacadeWithWedges(
+        blocks=(tuple(part.name for part in (*parts, *side_walls)),),
+        direction=direction,
+        cut=elevation if any(part.base < elevation - NEAR_LEVEL for part in (*parts, *side_walls)) else None,
+        wedges=tuple(Wedge(walls=(wall.name,), angle=round(least.at[0], 6)) for wall in side_walls),
+    )
+    return _stated(definition, drawing, (*parts, *side_walls), found)
+
+
+def _stated(definition: WedgedBlock, drawing: Drawing, parts: Sequence[Part], found: Found) -> Found:
+    """Return what was found by the exact cut, with the coverings that bear on what moves; as it was without a cut.
+
+    A thrust that would push it over as it stands is left out, as of a wall that turns alone.
+    """
+    low, tied = found.parameters["hinge"].value, found.tied
+    exact = _carrying(definition, drawing, drawing.loads_on(parts, above=low, tied=bool(tied)))
+    if exact.multiplier is not None and exact.multiplier <= 0.0 and not tied:
+        tied = tuple(load.body for load in drawing.loads_on(parts, above=low) if load.role in THRUSTING)
+        exact = _carrying(definition, drawing, drawing.loads_on(parts, above=low, tied=True))
+    if exact.multiplier is None:
+        return found
+    return replace(found, multiplier=exact.multiplier, definition=exact.definition, tied=tied)
+
+
+def _carrying(definition: BlockMechanism, drawing: Drawing, loads: Sequence[BodyLoad]) -> Found:
+    """Build a mechanism with those of some coverings that bear on what moves of their walls."""
+    found = built(definition, drawing.around(definition), {})
+    for load in loads:
+        loaded = replace(definition, loads=(*definition.loads, load))
+        exact = built(loaded, drawing.around(loaded), {})
+        if exact.multiplier is not None:
+            definition, found = loaded, exact
+    return found
 
 
 def _wedges(solids: Sequence[Solid], across: np.ndarray, back: float, elevation: float, angle: float) -> list[Solid]:
@@ -453,7 +491,36 @@ def weakest_corner(stacks: tuple[Sequence[Part], Sequence[Part]], drawing: Drawi
         return {"hinge": Quantity(top - at[0], "length")} | angles
 
     others = tuple(Alternative(value, direction_of(at), parameters_of(at)) for value, at in least.others)
-    return Found(least.value, direction_of(least.at), parameters_of(least.at), None, others, least.evaluations)
+    found = Found(least.value, direction_of(least.at), parameters_of(least.at), None, others, least.evaluations)
+    elevation = round(top - least.at[0], 3)
+    definition = Corner(
+        blocks=(tuple(part.name for stack in stacks for part in stack),),
+        direction=found.direction,
+        cut=elevation if any(part.base < elevation - NEAR_LEVEL for stack in stacks for part in stack) else None,
+        wedges=tuple(
+            Wedge(
+                walls=tuple(part.name for part in stack),
+                angle=round(angle, 6),
+                reach=wall.reach if any(part.openings for part in stack) else None,
+            )
+            for stack, wall, angle in zip(stacks, walls, least.at[1:3], strict=True)
+        ),
+    )
+    return _stated(definition, drawing, [part for stack in stacks for part in stack], found)
+
+
+def arch_of_bay(wall: Part, between: tuple[Part, Part], drawing: Drawing) -> Found:
+    """Return the arch of a wall between two cross walls, of the weakest masonry, with the coverings that bear on it."""
+    names = (between[0].name, between[1].name)
+    definition = HorizontalArch(blocks=((wall.name,),), between=names, direction=wall.normal)
+    found = _carrying(definition, drawing, drawing.loads_on((wall,), above=wall.base))
+    if found.multiplier is None or found.multiplier <= 0.0 or found.definition is None:
+        return found
+    chain = on_rigid_hinges(NAME, found.definition, drawing.around(found.definition))[0].positive
+    held = chain.actions[-1]
+    assert isinstance(held, Force)  # the thrust that its ends are left with
+    rise = chain.hinges[0][0] - chain.hinges[1][0]
+    return replace(found, parameters={"thrust": Quantity(-held.force[1], "force"), "rise": Quantity(rise, "length")})
 
 
 def _side_wall(stack: Sequence[Part], outwards: np.ndarray) -> SideWall:

@@ -16,7 +16,9 @@ import numpy as np
 from assess.geometry.contact import ContactArea
 from assess.loads.bearing import shares
 from assess.loads.load import BodyLoad, LoadDefinition, OverburdenLoad
+from assess.mechanisms.arch_in_plan import HorizontalArch
 from assess.mechanisms.mechanism import BlockMechanism
+from assess.mechanisms.wedged_block import WedgedBlock
 from assess.model.least_multipliers import THRUSTING, Drawing, Found, built
 from assess.model.structure import IN_LINE, Part, PartContact
 
@@ -91,10 +93,11 @@ def by_worst_paths(found: Found, drawing: Drawing) -> tuple[Found, tuple[str, ..
     Shares are stated, and those of two mechanisms may count one covering twice; one that puts nothing on it is no load.
     The multiplier is a quotient of sums in which each share counts once, so that it is least at one end of its range.
     What presses on a wall that bends stays as drawn: where nothing does, the wall turns as a cantilever instead. A wall
-    that the thrust of its share would push over stands today, so that something takes the thrust.
+    that the thrust of its share would push over stands today, so that something takes the thrust. What rests
+    on a part of a wall, a wedge or a bay, stays too: its share is that of what touches the part.
     """
     definition = found.definition
-    if definition is None or found.multiplier is None:
+    if definition is None or found.multiplier is None or isinstance(definition, WedgedBlock | HorizontalArch):
         return found, ()
     loads = [load for load in definition.loads if isinstance(load, BodyLoad)]
     pressing = [body for load in definition.loads if isinstance(load, OverburdenLoad) for body in load.bodies]

@@ -24,6 +24,7 @@ from assess.loads.load import BodyLoad, OverburdenLoad
 from assess.mechanisms.four_hinge import FourHinge, RadialJoints
 from assess.mechanisms.mechanism import BlockMechanism, CutAngle
 from assess.mechanisms.two_block import TwoBlock
+from assess.mechanisms.wedged_block import Wedge, WedgedBlock
 from assess.model.candidates import BuildingType, Candidate, Candidates, OpenEntry
 from assess.model.churches import is_church
 from assess.model.structure import COVERINGS, Part, Structure
@@ -162,7 +163,7 @@ def mechanism_lines(
     yield f'kind = "{definition.kind}"'
     blocks = [[names[body] for body in block] for block in definition.blocks]
     yield f"blocks = {_value([block if len(block) > 1 else block[0] for block in blocks])}"
-    yield from (f"{key} = {_value(value)}" for key, value in _keys(definition))
+    yield from (f"{key} = {_value(value)}" for key, value in _keys(definition, names))
     entry = "" if building_type is None else candidate.examines.get(building_type, "")
     if entry in (open_entries or {}):
         yield from _comment(f"{entry}: not examined in full: {reason_of_entry((open_entries or {})[entry])}.")
@@ -177,8 +178,12 @@ def mechanism_lines(
         yield ""
 
 
-def _keys(definition: BlockMechanism) -> Iterator[tuple[str, Any]]:
+def _keys(definition: BlockMechanism, names: Mapping[str, str]) -> Iterator[tuple[str, Any]]:
     """Yield the keys of a mechanism beside its blocks and loads."""
+    if definition.neighbours:
+        yield "between", [names[body] for body in definition.neighbours]
+    if isinstance(definition, WedgedBlock):
+        yield "wedges", [_wedge_keys(each, names) for each in definition.wedges]
     yield "direction", [round(each, 9) + 0.0 for each in definition.towards]
     if definition.sides is not None:
         yield "sides", definition.sides
@@ -197,6 +202,11 @@ def _keys(definition: BlockMechanism) -> Iterator[tuple[str, Any]]:
         if isinstance(joints := definition.joints, RadialJoints):
             ends = {"first": f"{degrees(joints.first):.8g} deg", "last": f"{degrees(joints.last):.8g} deg"}
             yield "joints", {"centre": list(joints.centre), **ends, "count": joints.count}
+
+
+def _wedge_keys(wedge: Wedge, names: Mapping[str, str]) -> Mapping[str, Any]:
+    keys: dict[str, Any] = {"walls": [names[wall] for wall in wedge.walls], "angle": f"{degrees(wedge.angle):.6g} deg"}
+    return keys if wedge.reach is None else keys | {"reach": f"{wedge.reach:.4g} m"}
 
 
 def _load_keys(load: BodyLoad | OverburdenLoad, names: Mapping[str, str]) -> Iterator[tuple[str, Any]]:

@@ -138,7 +138,7 @@ def _is_same(candidate: Candidate, other: Definition, structure: Structure) -> b
     one = candidate.definition
     if one is None or not isinstance(other, BlockMechanism) or other.kind != one.kind or other.direction == "sweep":
         return False
-    if set(one.bodies) != set(other.bodies):
+    if set(one.bodies) != set(other.bodies) or set(one.neighbours) != set(other.neighbours):
         return False
     ways = [one.towards, *(each.direction for each in candidate.ties)]
     same_way = other.direction is None or max(float(np.array(way) @ other.along) for way in ways) >= SAME_WAY

@@ -79,13 +79,34 @@ def test_bodies_are_elements_of_the_model(drawn) -> None:
     assert 'height = "8 m"' in text
 
 
-def test_what_no_table_states_is_listed(drawn) -> None:
+def test_corners_and_wedges_are_stated_and_tick_the_list(drawn) -> None:
     folder, _, candidates = drawn
     text = (folder / "project.toml").read_text(encoding="utf-8")
-    assert "# - Front_1: overturning of a corner: least static multiplier" in text
-    loaded = load(folder)
-    assert set(loaded.content.report.not_examined) == {"corner", "compound-overturning"}
-    assert {each.kind for each in candidates if not is_stated(each)} == {"corner", "wedges"}
+    assert "# - Front_1: overturning of a corner" not in text
+    content = load(folder).content
+    assert not content.report.not_examined
+    assert all(map(is_stated, candidates))
+    examined = {mechanism.kind: mechanism.examines for mechanism in content.mechanisms.values()}
+    assert examined["corner"] == ("corner",)
+    assert examined["facade-with-wedges"] == ("compound-overturning",)
+    (one,) = (each for each in candidates if each.name == "front-1-corner")
+    stated = content.mechanisms["front-1-corner"]
+    assert [wedge.walls for wedge in stated.wedges] == [("front-1", "front-2"), ("left-1", "left-2")]
+    assert [wedge.angle for wedge in stated.wedges] == pytest.approx(
+        [wedge.angle for wedge in one.definition.wedges], abs=1e-6
+    )
+
+
+def test_a_bay_is_stated_between_its_cross_walls(tmp_path) -> None:
+    facade = part_of("Facade", block((0, 0.5), (0, 16), (0, 3)), normal=(-1, 0), outward=True)
+    cross = [part_of(f"Cross {y}", block((0.5, 5), (y, y + 0.5), (0, 3)), normal=(0, 1)) for y in (4.0, 11.5)]
+    (tmp_path / "house.obj").write_text(obj_of([facade, *cross]))
+    _, candidates = write_project([tmp_path / "house.obj"], tmp_path / "new")
+    (bay,) = (each for each in candidates if each.kind == "bay")
+    stated = load(tmp_path / "new").content.mechanisms[bay.name]
+    assert stated.kind == "horizontal-arch"
+    assert set(stated.between) == {"cross-4-0", "cross-11-5"}
+    assert stated.examines == ("horizontal-bending",)
 
 
 def test_before_the_survey_the_run_names_what_is_missing(drawn) -> None:

@@ -125,6 +125,9 @@ def test_once_filled_in_it_runs(drawn, tmp_path) -> None:
     assert results.verdict is not None
     assert results.verdict.basis == "ntc2018"
     assert any(each.outcome.value == "pass" for each in results.verdict.mechanisms)
+    spanning = [each for each in results.verdict.mechanisms if "bending" in each.mechanism]
+    assert spanning
+    assert all(any("only if the top of" in str(said) for said in each.conditions) for each in spanning)
 
 
 def test_shells_of_one_object_become_meshes_of_their_own(tmp_path) -> None:

@@ -1,6 +1,7 @@
 """Mechanisms found on the bodies of a project: what it states is known, what is added changes nothing else."""
 
 import csv
+from dataclasses import replace
 
 import pytest
 
@@ -13,7 +14,7 @@ from assess.study.run import find_outcome
 from tests.support.buildings import house
 from tests.support.command import ended
 from tests.support.drawings import obj_of
-from tests.support.houses import House, Planted, prism, write_ifc
+from tests.support.houses import House, Planted, prism, write_groups, write_ifc
 
 HEAD = """\
 # my house
@@ -68,6 +69,22 @@ def test_added_tables_leave_the_rest_as_it_is(file) -> None:
     again = load(file)
     assert set(again.content.mechanisms) == {"mine", *names}
     assert not find_mechanisms(again).new
+
+
+def test_what_is_added_answers_no_entry_that_stays_open(tmp_path) -> None:
+    """A wall at the re-entrant corner of an L is not looked for: turning the others does not examine all walls."""
+    parts = House(plan="L").parts()
+    names = [part.name.replace(" ", "-").replace(".", "-") for part in parts]
+    write_groups(tmp_path / "house.obj", [replace(part, name=name) for part, name in zip(parts, names, strict=True)])
+    bodies = "\n".join(f'{name} = {{ material = "stone", mesh = "house.obj", element = "{name}" }}' for name in names)
+    mine = '[mechanisms.mine]\nkind = "single-block"\nblocks = ["wall-0-at-0"]\ndirection = [0, -1, 0]\n'
+    file = tmp_path / "project.toml"
+    file.write_text(f'{HEAD}{bodies}\n{mine}[report]\nbuilding_type = "house"\n')
+    add_mechanisms(load(file), find_mechanisms(load(file)))
+    text = file.read_text(encoding="utf-8")
+    assert "# simple-overturning: not examined in full: wall-2-at-0: overturning of one storey: above z = 0 m" in text
+    added = {name: each for name, each in load(file).content.mechanisms.items() if name != "mine"}
+    assert {each.examines for name, each in added.items() if name.endswith("overturning")} == {()}
 
 
 def test_what_an_ifc_model_says_of_its_elements_is_kept(tmp_path) -> None:

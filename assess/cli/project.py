@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Sequence
+from enum import StrEnum
 from pathlib import Path
 from typing import Annotated, Literal
 
@@ -129,6 +130,13 @@ def parameters(
         print(directions_text(mechanisms), end="")
 
 
+class Ranking(StrEnum):
+    """By what the mechanisms of a building are ranked."""
+
+    INDEX = "index"
+    PGA = "pga"
+
+
 def mechanisms(
     project: ProjectPath,
     output: Annotated[Path | None, folder_option("Write mechanisms.csv into this folder.")] = None,
@@ -138,25 +146,34 @@ def mechanisms(
     index: Annotated[
         bool, typer.Option("--index", help="Examine them by the project's basis, and rank by the PGA that they hold.")
     ] = False,
+    by: Annotated[
+        Ranking | None,
+        typer.Option(help="index: as --index; pga: rank by the PGA at which the suite overturns half of its runs."),
+    ] = None,
     jobs: JobsOption = None,
 ) -> None:
     """Find the mechanisms that the bodies of a project can have, the weakest by static multiplier first.
 
     The column "in file" names the mechanism of the project that is the same. Parts that have none are named.
     """
+    if index and by == Ranking.PGA:
+        raise typer.BadParameter("--index beside --by pga; give one of them")
     from assess.cli.tables.project import mechanisms_text
-    from assess.project.found_mechanisms import add_mechanisms, find_margins, find_mechanisms
+    from assess.project.found_mechanisms import add_mechanisms, find_margins, find_mechanisms, find_overturning_pga
     from assess.project.project_file import load
 
     with progress() as shown:
         loaded = load(project)
         shown.step("mechanisms")
         found = find_mechanisms(loaded)
-        margins = None
-        if index:
+        margins = overturning = None
+        if by == Ranking.PGA:
+            shown.step("rocking histories")
+            overturning = find_overturning_pga(loaded, found, jobs=jobs or 0)
+        elif index or by == Ranking.INDEX:
             shown.step("checks")
             margins = find_margins(loaded, found, jobs=jobs or 0)
-    print(mechanisms_text(found, margins), end="")
+    print(mechanisms_text(found, margins, overturning), end="")
     if output is not None:
         from assess.outputs.writing import make_folder, replace_file
         from reports.render.table_text import csv_lines
@@ -164,7 +181,7 @@ def mechanisms(
         with make_folder(output):
             file = output / "mechanisms.csv"
             with replace_file(file, command="assess mechanisms", is_replaceable=_is_table_of_mechanisms) as made:
-                table = found.table(margins).astype(object)
+                table = found.table(margins, overturning).astype(object)
                 rows = table.where(table.notna(), "").values.tolist()
                 made.write_text(csv_lines([list(table.columns), *rows]), encoding="utf-8")
         print(file)

@@ -54,7 +54,7 @@ def arch_of_panel(name: str, definition: HorizontalArch, bodies: Bodies) -> Mech
     solid_height = _least_section(panel, run, (start, end), where) / thickness
     strength = definition.strength or LEAST_STRENGTH
     beyond = (_part(standing, -run, -near, where)[0], _part(standing, run, far, where)[0])
-    ends = definition.ends or _held(where, definition, beyond, bodies, run, lever=height)
+    ends = definition.ends or _end_thrusts(where, definition, beyond, bodies, run, lever=height)
     thrust = min(strength * DEEPEST * thickness * solid_height, *ends)
     whole = Piece(
         join_bodies([planar_body(solid, direction=definition.towards) for solid in panel]),
@@ -125,7 +125,7 @@ def _volume(solids: Sequence[Solid]) -> float:
     return sum(volume(solid.vertices, solid.triangles) for solid in solids)
 
 
-def _held(
+def _end_thrusts(
     where: str,
     definition: HorizontalArch,
     beyond: Sequence[Sequence[Solid]],

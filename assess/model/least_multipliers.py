@@ -306,25 +306,25 @@ def weakest_wedges(
         cut=elevation if any(part.base < elevation - NEAR_LEVEL for part in (*parts, *side_walls)) else None,
         wedges=tuple(Wedge(walls=(wall.name,), angle=round(least.at[0], 6)) for wall in side_walls),
     )
-    return _stated(definition, drawing, (*parts, *side_walls), found)
+    return _cut_exactly(definition, drawing, (*parts, *side_walls), found)
 
 
-def _stated(definition: WedgedBlock, drawing: Drawing, parts: Sequence[Part], found: Found) -> Found:
+def _cut_exactly(definition: WedgedBlock, drawing: Drawing, parts: Sequence[Part], found: Found) -> Found:
     """Return what was found by the exact cut, with the coverings that bear on what moves; as it was without a cut.
 
     A thrust that would push it over as it stands is left out, as of a wall that turns alone.
     """
     low, tied = found.parameters["hinge"].value, found.tied
-    exact = _carrying(definition, drawing, drawing.loads_on(parts, above=low, tied=bool(tied)))
+    exact = _add_loads(definition, drawing, drawing.loads_on(parts, above=low, tied=bool(tied)))
     if exact.multiplier is not None and exact.multiplier <= 0.0 and not tied:
         tied = tuple(load.body for load in drawing.loads_on(parts, above=low) if load.role in THRUSTING)
-        exact = _carrying(definition, drawing, drawing.loads_on(parts, above=low, tied=True))
+        exact = _add_loads(definition, drawing, drawing.loads_on(parts, above=low, tied=True))
     if exact.multiplier is None:
         return found
     return replace(found, multiplier=exact.multiplier, definition=exact.definition, tied=tied)
 
 
-def _carrying(definition: BlockMechanism, drawing: Drawing, loads: Sequence[BodyLoad]) -> Found:
+def _add_loads(definition: BlockMechanism, drawing: Drawing, loads: Sequence[BodyLoad]) -> Found:
     """Build a mechanism with those of some coverings that bear on what moves of their walls."""
     found = built(definition, drawing.around(definition), {})
     for load in loads:
@@ -506,14 +506,14 @@ def weakest_corner(stacks: tuple[Sequence[Part], Sequence[Part]], drawing: Drawi
             for stack, wall, angle in zip(stacks, walls, least.at[1:3], strict=True)
         ),
     )
-    return _stated(definition, drawing, [part for stack in stacks for part in stack], found)
+    return _cut_exactly(definition, drawing, [part for stack in stacks for part in stack], found)
 
 
 def arch_of_bay(wall: Part, between: tuple[Part, Part], drawing: Drawing) -> Found:
     """Return the arch of a wall between two cross walls, of the weakest masonry, with the coverings that bear on it."""
     names = (between[0].name, between[1].name)
     definition = HorizontalArch(blocks=((wall.name,),), between=names, direction=wall.normal)
-    found = _carrying(definition, drawing, drawing.loads_on((wall,), above=wall.base))
+    found = _add_loads(definition, drawing, drawing.loads_on((wall,), above=wall.base))
     if found.multiplier is None or found.multiplier <= 0.0 or found.definition is None:
         return found
     chain = on_rigid_hinges(NAME, found.definition, drawing.around(found.definition))[0].positive

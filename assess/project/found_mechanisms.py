@@ -27,7 +27,9 @@ from assess.project.drawn_project import is_stated, mechanism_lines
 from assess.project.project_file import Project, load_tree, parse_toml
 from assess.project.sections import BodySection, MeshBody
 from assess.project.site_and_structure import bodies_of, definitions_of, models_of, solid_of
+from assess.study.ranking import median_overturning_pga
 from assess.study.run import find_outcome
+from assess.study.study import Study
 
 if TYPE_CHECKING:
     from pandas import DataFrame
@@ -66,15 +68,21 @@ class FoundMechanisms:
         stated = {each.name for each in self.new} | set(self.in_file)
         return self.candidates.open_entries(building_type, stated=stated)
 
-    def table(self, margins: Mapping[str, float] | None = None) -> DataFrame:
+    def table(
+        self, margins: Mapping[str, float] | None = None, overturning: Mapping[str, float | None] | None = None
+    ) -> DataFrame:
         """Return a row for each mechanism, the weakest first, with that of the project that is the same.
 
         Parameters
         ----------
         margins : PGA at capacity over the site's, by candidate; those that have one come first then
+        overturning : PGA at which the suite overturns half of its runs [g], by candidate; likewise
         """
         table = self.candidates.table()
         table.insert(1, "in_file", [self.in_file.get(each.name, "") for each in self.candidates])
+        if overturning is not None:
+            table.insert(5, "overturning_pga_g", [overturning.get(each.name) for each in self.candidates])
+            return table.sort_values("overturning_pga_g", kind="stable")
         if margins is None:
             return table
         table.insert(5, "margin", [margins.get(each.name) for each in self.candidates])
@@ -164,13 +172,38 @@ def find_margins(project: Project, found: FoundMechanisms, *, jobs: int = 0) -> 
     ------
     AssessError : the project cannot be run, as one without a site
     """
-    before = project.path.read_bytes()
-    after, names = _with_tables(project, found, before)
-    study = build_to_decide(load_tree(parse_toml(after.removeprefix("\ufeff")), project.path, sha256=""))
+    study, stated = _study_with_all(project, found)
     verdict = find_outcome(study, jobs=jobs)
     margins = {each.mechanism: each.margin for each in verdict.mechanisms if each.margin is not None}
-    stated = dict(zip((each.name for each in found.new), names, strict=True)) | dict(found.in_file)
     return {candidate: margins[name] for candidate, name in stated.items() if name in margins}
+
+
+def find_overturning_pga(project: Project, found: FoundMechanisms, *, jobs: int = 0) -> dict[str, float | None]:
+    """Return the PGA [g] at which a project's suite overturns each mechanism in half of its runs, by candidate.
+
+    None where it never does, or no history is answered. Those that the file does not state are examined as
+    `add_mechanisms` would add them.
+
+    Parameters
+    ----------
+    project : with a site, and records or what makes them
+    found : on its bodies
+    jobs : threads, 0 for all cores
+
+    Raises
+    ------
+    AssessError : the project cannot be run, as one without a site or a suite
+    """
+    study, stated = _study_with_all(project, found)
+    overturning = median_overturning_pga(study, jobs=jobs)
+    return {candidate: overturning[name] for candidate, name in stated.items() if name in overturning}
+
+
+def _study_with_all(project: Project, found: FoundMechanisms) -> tuple[Study, dict[str, str]]:
+    """Return the study of a project with all that was found, and the name in it of each candidate that it states."""
+    after, names = _with_tables(project, found, project.path.read_bytes())
+    study = build_to_decide(load_tree(parse_toml(after.removeprefix("\ufeff")), project.path, sha256=""))
+    return study, dict(zip((each.name for each in found.new), names, strict=True)) | dict(found.in_file)
 
 
 def add_mechanisms(project: Project, found: FoundMechanisms) -> tuple[str, ...]:

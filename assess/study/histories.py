@@ -472,6 +472,23 @@ def _whole_scan(
     return _scan(lambda levels, twins: suites_of(solve(levels, twins)), case, motions, site_pga, (mostly_upright,))
 
 
+def overturning_scan(
+    case: RockingCase, motions: Sequence[ScaledRecord], *, site_pga: float, threads: int
+) -> tuple[SuiteResponse, ...]:
+    """Run the records as they are at rising PGA until they overturn the mechanism in half of the runs.
+
+    Parameters
+    ----------
+    case, motions, site_pga, threads : as for `run_histories`
+    """
+    solve = level_solver(case, motions, site_pga=site_pga, threads=threads)
+
+    def mostly_stands(suite: SuiteResponse) -> bool:
+        return 2 * suite.overturned < len(suite.ratio)
+
+    return _scan(lambda levels, _: suites_of(solve(levels, "none")), case, motions, site_pga, (mostly_stands,))
+
+
 def _scan(
     suites_at: Callable[[Sequence[float], Twins], tuple[SuiteResponse, ...]],
     case: RockingCase,

@@ -10,7 +10,9 @@ from typing import Any
 
 from assess.cli.tables import messages_text, text_table
 from assess.mechanisms.chain import metres_text
+from assess.mechanisms.kinds import MECHANISM_KINDS
 from assess.messages.message import Message, escape_text, text_of
+from assess.model.candidates import Candidate
 from assess.project.drawn_project import is_stated
 from assess.project.found_mechanisms import FoundMechanisms
 from assess.project.project_file import Project
@@ -60,22 +62,27 @@ CONSTANTS_HEADER = (
 MECHANISM_HEADER = ("mechanism", "multiplier", "in file", "at")
 
 
-def mechanisms_text(found: FoundMechanisms, margins: Mapping[str, float] | None = None) -> str:
+def mechanisms_text(
+    found: FoundMechanisms,
+    margins: Mapping[str, float] | None = None,
+    overturning: Mapping[str, float | None] | None = None,
+) -> str:
     """Write a line for each mechanism that the bodies of a project can have, and what has none.
 
     Parameters
     ----------
     found : on the bodies
     margins : PGA at capacity over the site's, by candidate, by which they are ranked then
+    overturning : PGA at which the suite overturns half of its runs [g], by candidate, by which they are ranked then
     """
-    ranked = list(found.candidates)
-    if margins is not None:
-        ranked.sort(key=lambda each: margins.get(each.name, inf))
+    ranked, values = list(found.candidates), margins if overturning is None else overturning
+    if values is not None:
+        ranked.sort(key=lambda each: inf if (value := values.get(each.name)) is None else value)
     rows = [
         (
             each.name,
             "none" if each.multiplier is None else f"{each.multiplier:.4g}",
-            *(() if margins is None else (f"{margins[each.name]:.3g}" if each.name in margins else "-",)),
+            *(() if values is None else (_rank_cell(each, values, histories=overturning is not None),)),
             found.in_file.get(each.name, "no" if is_stated(each) else "by formula"),
             ", ".join(f"{name} {value}" for name, value in each.found.parameters.items()),
         )
@@ -88,8 +95,16 @@ def mechanisms_text(found: FoundMechanisms, margins: Mapping[str, float] | None 
     lines += [f"without a mechanism: {escape_text(str(why))}\n" for why in found.candidates.without.values()]
     lines += [f"left out: {escape_text(f'{each.name}: {each.reason}')}\n" for each in found.structure.left_out]
     name, least, *others = MECHANISM_HEADER
-    held = () if margins is None else ("PGA held / site's",)
+    held = () if values is None else ("PGA held / site's",) if overturning is None else ("half overturn [g]",)
     return text_table((name, least, *held, *others), rows) + "".join(lines)
+
+
+def _rank_cell(candidate: Candidate, values: Mapping[str, float | None], *, histories: bool) -> str:
+    """Write the value by which a mechanism is ranked; histories : whether it is of these."""
+    value, definition = values.get(candidate.name), candidate.definition
+    if value is not None:
+        return f"{value:.3g}"
+    return "no histories" if histories and definition and not MECHANISM_KINDS[definition.kind].rocks else "-"
 
 
 def description(

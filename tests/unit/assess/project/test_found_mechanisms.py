@@ -8,9 +8,13 @@ import pytest
 from assess.errors import ProjectError
 from assess.project.build import build_to_decide
 from assess.project.drawn_project import write_project
-from assess.project.found_mechanisms import add_mechanisms, find_margins, find_mechanisms
+from assess.project.found_mechanisms import add_mechanisms, find_margins, find_mechanisms, find_overturning_pga
 from assess.project.project_file import load
+from assess.study.histories import rocking_case, run_levels
 from assess.study.run import find_outcome
+from assess.study.study import require_spectrum
+from assess.study.suites import motions_of
+from spectra.gravity import g
 from tests.support.buildings import house
 from tests.support.command import ended
 from tests.support.drawings import obj_of
@@ -187,3 +191,37 @@ def test_the_command_lists_writes_and_keeps_a_table(file, tmp_path, capsys) -> N
     assert [row["in_file"] for row in rows if row["name"] == "front-1-overturning"] == ["mine"]
     assert ended("mechanisms", file, "-o", tmp_path / "out", "--write") == 0
     assert "nothing to add" in capsys.readouterr().out
+
+
+def test_by_the_suite_they_rank_by_the_pga_that_overturns_half_of_its_runs(file, capsys) -> None:
+    """One step of the scan below, fewer than half of the records overturn it, and corners have no histories."""
+    file.write_text(file.read_text() + SITE + '[records]\nsynthetic = { count = 4, duration = "8 s" }\n')
+    loaded = load(file)
+    found = find_mechanisms(loaded)
+    pga = find_overturning_pga(loaded, found, jobs=2)
+    assert pga["front-1-corner"] is None
+    assert pga["front-1-wedges"] is None
+    ranked = {name: value for name, value in pga.items() if value is not None}
+    assert list(found.table(overturning=pga).overturning_pga_g.dropna()) == sorted(ranked.values())
+    add_mechanisms(loaded, found)
+    study = build_to_decide(load(file))
+    spectrum, name = require_spectrum(study), "left-1-overturning"
+    mechanism = next(each for each in study.mechanisms if each.name == name)
+    motions = motions_of(study, spectrum)
+    half, below = ranked[name] * g, ranked[name] * g / 1.025
+    run = run_levels(
+        rocking_case(study, mechanism, motions),
+        motions, levels=(half, below), further=(), site_pga=spectrum.pga, threads=1, with_twins=False,
+    )  # fmt: skip
+    assert [suite.overturned >= 2 for suite in run.suites] == [True, False]
+    assert ended("mechanisms", file, "--by", "pga") == 0
+    said = capsys.readouterr().out
+    assert "half overturn [g]" in said
+    assert "no histories" in said
+    assert said.index("left-1-overturning") < said.index("front-1-corner")
+
+
+def test_without_a_site_there_is_no_suite_to_rank_by(file, capsys) -> None:
+    assert ended("mechanisms", file, "--by", "pga") == 2
+    assert "site.spectrum: missing" in capsys.readouterr().err
+    assert ended("mechanisms", file, "--by", "pga", "--index") == 2

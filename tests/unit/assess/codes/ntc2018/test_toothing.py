@@ -19,10 +19,10 @@ from assess.codes.toothing import (
 from assess.errors import MechanismError
 from assess.mechanisms.chain import uplift_multiplier
 from assess.mechanisms.mechanism import Mechanism
-from assess.mechanisms.partial_walls import SideWall, UprightWall, facade_with_wedges
 from assess.oscillator import Toothing, linear_multiplier
 from spectra.gravity import g
 from spectra.spectrum import Spectrum
+from tests.support.partial_walls import SideWall, UprightWall, facade_with_wedges
 
 DENSITY = 19e3 / g
 TOOTHED = assess.SideWalls(bond="toothed", course=0.25, overlap=0.15, thickness=0.5, count=2)

@@ -25,7 +25,7 @@ from assess.loads.roofs_and_vaults import leans_one_way
 from assess.mechanisms.wedged_block import WEDGED_KINDS
 from assess.messages.message import Message, Quantity, Severity, Value, message, whole_number
 from assess.project import sections
-from assess.project.key_errors import value_text
+from assess.project.key_errors import key_text, value_text
 from assess.project.section import fill, plain_data
 from assess.results import ResolvedValue
 from assess.results.fragility import HazardResult, StateResult
@@ -449,13 +449,14 @@ def _not_drawn(content: sections.Content, name: str) -> Iterator[Message]:
 def _not_sought(content: sections.Content, name: str) -> Iterator[Message]:
     """Yield the condition that hinges or cracks form where they are stated: weaker ones are not sought."""
     section = content.mechanisms[name]
-    stated: list[str] = []
+    stated: Sequence[str | tuple[str, int]] = ()
     if section.kind == "four-hinge":
         given = [key for key in ("hinges", "hinges_negative", "direction") if key in section.model_fields_set]
         stated = [key for key in given if getattr(section, key) != "minimum"]
     elif section.kind in WEDGED_KINDS:
-        stated = [f"wedges.{number}" for number in range(len(section.wedges))]
-    if keys := [key for each in stated if not content.report.source_of(key := f"mechanisms.{name}.{each}")]:
+        stated = [("wedges", number) for number in range(len(section.wedges))]
+    paths = [("mechanisms", name, *((each,) if isinstance(each, str) else each)) for each in stated]
+    if keys := [key_text(path) for path in paths if not content.report.source_of(".".join(map(str, path)))]:
         yield message("not-sought", {"keys": ", ".join(keys)}, severity=Severity.WARNING)
 
 

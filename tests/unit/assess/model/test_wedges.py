@@ -15,6 +15,7 @@ from assess.mechanisms.partial_walls import corner as corner_of_boxes
 from assess.oscillator import multiplier
 from spectra.gravity import g
 from spectra.registry import spectrum
+from tests.support.projects import NTC, block, project_toml, study_of, wall
 
 DENSITY = 1900.0
 HEIGHT, T_1, T_2 = 6.0, 0.5, 0.7
@@ -179,3 +180,18 @@ def test_a_corner_that_a_thrust_pushes_over_is_falling() -> None:
     push = assess.ForceLoad(force=60e3, direction=(1, 1, 0), at=(-0.3, -0.3, 5.9))
     with pytest.raises(FallingError, match="already falling"):
         corner(loads=[push])
+
+
+def test_a_pass_is_on_the_condition_that_the_cracks_are_as_stated(tmp_path) -> None:
+    bodies = {
+        "north": wall(5.0, T_1, HEIGHT, base=[-2.5, -0.25, 0]),
+        "east": wall(T_2, 4.5, HEIGHT, base=[-0.35, -2.75, 0]),
+    }
+    wedges = [{"walls": [name], "angle": "20 deg"} for name in bodies]
+    stated = block(["north", "east"], kind="corner", wedges=wedges)
+    source = {"sources": {"mechanisms.corner.wedges[2]": "measured: survey of 3 May"}}
+    study = study_of(
+        tmp_path, project_toml(site={"spectrum": NTC}, bodies=bodies, mechanisms={"corner": stated}, report=source)
+    )
+    (told,) = (each for each in study.facts["corner"][1] if each.key == "not-sought")
+    assert told.text.endswith(": mechanisms.corner.wedges[1]")

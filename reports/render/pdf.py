@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import datetime
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import chain, pairwise
 from math import ceil
 from pathlib import Path
@@ -107,8 +107,17 @@ class Story:
             parts = list(self._parts(first, end))
             if first:
                 yield PageStart(self.pages.height, parts, self.blocks.placed[before:])
-            for part in parts:
-                yield from part.place()
+            yield from self._placed(parts, parts if first else parts[: len(sections[0].blocks)])
+
+    def _placed(self, parts: Sequence[PagePart], page: Sequence[PagePart]) -> Iterator[Flowable]:
+        """Yield what the parts put into the story, the first ones, of one heading, on a page where they can be."""
+        heads = [each for part in page for each in part.flowables if isinstance(each, Heading)]
+        if len(heads) == 1 and page[0].flowables[0] is heads[0]:
+            yield heads[0]
+            yield OnePage([replace(page[0], flowables=page[0].flowables[1:]), *page[1:]])
+            parts = parts[len(page) :]
+        for part in parts:
+            yield from part.place()
 
     def _parts(self, first: int, end: int) -> Iterator[PagePart]:
         """Yield the parts of sections; headings without blocks stay with the next one."""
@@ -160,6 +169,7 @@ ROOM_TO_BEGIN = 24 * mm
 """What a heading and its first lines, or a table after its first row, need on a page, or go to the next."""
 _LEAST_LEFT = 0.75  # share of a page below which a section that asks for a page begins a new one
 _SMALLEST_FIGURE = 0.7  # reduction of figures
+_PAGE_SIZES = (0.97, 0.94, 0.91, 0.88, 0.85, 0.82, 0.79)  # to which a page is set that is to hold all of its parts
 _SLACK = 8.0  # of a page that is filled to its end: spaces that the parts put between each other [pt]
 
 
@@ -238,6 +248,30 @@ class PageStart(CondPageBreak):
     def _set(self, reduction: float) -> None:
         for drawing in self.drawings:
             drawing.reduction = reduction
+
+
+class OnePage(Flowable):
+    """What belongs on the rest of a page, set smaller where it needs that; as it comes where that is not enough."""
+
+    def __init__(self, parts: Sequence[PagePart]) -> None:
+        super().__init__()
+        self.parts = parts
+        self.flowables = list(chain.from_iterable(part.flowables for part in parts))
+
+    def wrap(self, aW: float, aH: float) -> tuple[float, float]:
+        for self.scale in (1.0, *_PAGE_SIZES):
+            width, room = aW / self.scale, aH / self.scale
+            self.size = width, _stacked_height(self.flowables, width, 1.5 * room) + _SLACK
+            if self.size[1] <= room or self.size[1] * self.scale > aH / _PAGE_SIZES[-1]:
+                break
+        return aW, self.size[1] * self.scale
+
+    def split(self, aW: float, aH: float) -> list[Flowable]:
+        return [Spacer(1, 0), *chain.from_iterable(part.place() for part in self.parts)]
+
+    def draw(self) -> None:
+        self.canv.scale(self.scale, self.scale)
+        Frame(0, 0, *self.size, 0, 0, 0, 0).addFromList(self.flowables, self.canv)
 
 
 LINES_IN_COLUMN = 10  # lines up to which they stand in one column

@@ -96,6 +96,12 @@ def test_every_output_is_there(outputs):
     assert "Mechanisms" in sheets
 
 
+def test_the_first_page_holds_the_whole_verdict(pages):
+    assert "M10 Wall 6, flexible" in pages[0]
+    assert "2 Key plan and list of mechanisms" in pages[1]
+    assert "2 Key plan and list of mechanisms" not in pages[0]
+
+
 def test_eight_mechanisms_and_two_on_joints_each_with_all_six_procedures_at_the_sites_pga_and_three_levels(results):
     rigid = [m["name"] for m in results["mechanisms"] if not m["name"].endswith("-flexible")]
     assert rigid == list(TABLE_8_2)

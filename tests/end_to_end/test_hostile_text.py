@@ -137,7 +137,7 @@ def test_in_the_workbook(folder):
     assert LONG in texts
     assert book.properties.title == visible(hostile("title"))
     targets = [cell.hyperlink.location or cell.hyperlink.target for cell in cells if cell.hyperlink]
-    assert all(re.fullmatch(r"#?'[a-z0-9 ~-]{1,31}'!A\d+", target) for target in targets)
+    assert all(re.fullmatch(r"#?'[A-Za-z0-9 ~-]{1,31}'!A\d+", target) for target in targets)
 
 
 def test_in_csv_files(folder):

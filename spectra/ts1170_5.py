@@ -22,6 +22,7 @@ from spectra.gravity import g
 from spectra.spectrum import Spectrum, check_periods, check_positive, plausibility_warnings
 
 CODE = "ts1170.5"
+NEAR_FAULT = "ts1170-near-fault"  # key of the warning
 RISE = 0.1  # s: end of the rising branch
 CLASSES = ("I", "II", "III", "IV", "V", "VI")
 DAMPING_RULE = (
@@ -69,7 +70,7 @@ def site_spectrum(*, pga: float, s_as: float, t_c: float, t_d: float) -> Spectru
         damping_rule=DAMPING_RULE,
         ordinates=ordinates,
         clause="SNZ TS 1170.5:2025, 3.1.2",
-        warnings=(*plausibility_warnings(pga_site=pga, s_as=s_as), warning("ts1170-near-fault")),
+        warnings=(*plausibility_warnings(pga_site=pga, s_as=s_as), warning(NEAR_FAULT)),
     )
 
 

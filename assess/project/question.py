@@ -44,6 +44,7 @@ from spectra.design_spectra import (
 )
 from spectra.gravity import g
 from spectra.spectrum import Spectrum
+from spectra.ts1170_5 import NEAR_FAULT
 
 PROVISIONAL_CLASS = "IV"  # where the class of use is not given: that of the longest return periods
 LIKE = 5e-3  # of a PGA: one given to three figures is the hazard's own
@@ -151,6 +152,7 @@ def facts_of(
         *_conditions_of_own_basis(content, question),
         *_unstated_return_period(content, question, years),
         *_dbe_by_asce7(content),
+        *near_fault_conditions(spectrum),
         *_unstated_importance_class(content, question),
     )
     importance = (
@@ -249,6 +251,12 @@ def _dbe_by_asce7(content: sections.Content) -> Iterator[Message]:
         return
     if content.site.own_limit_state == DESIGN_BASIS:
         yield message("dbe-by-asce7", {"hazard": way.hazard}, severity=Severity.WARNING)
+
+
+def near_fault_conditions(spectrum: Spectrum | None) -> Iterator[Message]:
+    """Yield the condition that no major fault is near, where the spectrum is not known to be free of it."""
+    if spectrum is not None and any(each.key == NEAR_FAULT for each in spectrum.warnings):
+        yield message("premise-near-fault", severity=Severity.WARNING)
 
 
 ORDINARY_LIFE = 50.0  # years: nominal life of ordinary works (NTC 2018, 2.4.1), where the project gives none

@@ -13,9 +13,10 @@ from assess.geometry.mesh import load_solid
 from assess.geometry.solid import profile
 from assess.project.build import build
 from assess.project.project_file import load
-from assess.project.question import facts_of, lowered_pga_conditions, question_of
+from assess.project.question import facts_of, lowered_pga_conditions, near_fault_conditions, question_of
 from assess.project.site_and_structure import site_in, spectrum_of
 from assess.study.run import run_study
+from spectra.registry import spectrum
 from tests.support.mesh_files import obj
 from tests.support.projects import NTC, block, lines, project_toml, published, wall
 from tests.support.solids import cuboid
@@ -211,3 +212,9 @@ def test_all_that_is_missing_is_listed_at_once(tmp_path):
     found = run_study(build(load(file)), jobs=1).verdict
     missing = {each.key for one in found.mechanisms if one.mechanism == "wall" for each in one.missing}
     assert {"mechanisms.wall.amplification", "records.synthetic", "materials.m.disintegration"} <= missing
+
+
+def test_a_spectrum_of_ts_1170_5_passes_on_the_condition_that_no_fault_is_near() -> None:
+    typed = spectrum("ts1170.5", pga_site=1.8, s_as=3.8, t_c=0.52, t_d=2.8)
+    assert [each.key for each in near_fault_conditions(typed)] == ["premise-near-fault"]
+    assert not [*near_fault_conditions(replace(typed, warnings=()))]

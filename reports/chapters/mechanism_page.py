@@ -13,7 +13,7 @@ from assess.results import MechanismResult, OscillatorResult, Results
 from reports import document as doc
 from reports import governing
 from reports.chapters import cells
-from reports.chapters.kinds import KINDS
+from reports.chapters.kinds import FALLING, KINDS
 from reports.chapters.mechanism_verdict import governing_steps, unanswered_methods, verdict_sentences, verdict_summary
 from reports.figures import capacity, comparison, key_plan, sketch
 from reports.figures.key_plan import BuildingScene
@@ -217,6 +217,8 @@ def _motion(mechanism: MechanismResult) -> Text:
         if mechanism.sides == "two":
             return say("{kind} that rocks to both sides.", kind=kind)
         return say("{kind} that rocks to one side only.", kind=kind)
+    if mechanism.kind in FALLING:
+        return say("{kind} that falls outwards, towards {direction}.", kind=kind, direction=direction)
     if mechanism.sides == "two":
         return say("{kind} that rocks to both sides, positive towards {direction}.", kind=kind, direction=direction)
     return say("{kind} that rocks to one side only, towards {direction}.", kind=kind, direction=direction)

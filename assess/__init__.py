@@ -31,7 +31,7 @@ if TYPE_CHECKING:
         two_block,
     )
     from assess.verbs import Run, answers, envelope, fragility, load, read_building, respond, run, write_report
-    from records.reading import read_record
+    from records.reading import read_record, read_records
     from records.record import Record
     from spectra.gravity import g
     from spectra.registry import spectrum
@@ -70,6 +70,7 @@ __all__ = [
     "profile",
     "read_building",
     "read_record",
+    "read_records",
     "respond",
     "run",
     "single_block",
@@ -109,7 +110,7 @@ _HOMES = {
         "run",
         "write_report",
     ),
-    "records.reading": ("read_record",),
+    "records.reading": ("read_record", "read_records"),
     "records.record": ("Record",),
     "spectra.gravity": ("g",),
     "spectra.registry": ("spectrum",),

@@ -45,26 +45,31 @@ def read_record(
     ------
     RecordError : as `read_with_overrides`
     """
-    overrides = HeaderOverrides(unit, step, None if response is None else _as_path(response))
-    records = read_with_overrides(_as_path(path), overrides)
+    records = read_records(path, unit=unit, step=step, response=response)
     return records[0] if len(records) == 1 else list(records)
 
 
 def read_records(
-    path: Path, *, unit: str | None = None, step: float | None = None, response: Path | None = None
+    path: str | Path, *, unit: str | None = None, step: float | None = None, response: str | Path | None = None
 ) -> tuple[Record, ...]:
-    """Read every record of the file at `path`.
+    """Read every record of a file: a tuple, also of one.
 
     Parameters
     ----------
-    path : file in one of the known formats
+    path : file in one of the formats of `records.formats`, recognised by its first bytes
     unit, step, response : as in `read_record`
 
     Returns
     -------
     tuple of Record : accelerations [m/s2], in the order of the file
+
+    Raises
+    ------
+    RecordError : names the file; it cannot be opened, matches no known format or more than one, holds something other
+        than a record, has a time step no instrument has, or shows no motion at all
     """
-    return read_with_overrides(path, HeaderOverrides(unit, step, response))
+    overrides = HeaderOverrides(unit, step, None if response is None else _as_path(response))
+    return read_with_overrides(_as_path(path), overrides)
 
 
 def read_with_overrides(path: Path, overrides: HeaderOverrides) -> tuple[Record, ...]:

@@ -22,7 +22,7 @@ from __future__ import annotations
 from collections.abc import Callable, Hashable, Sequence
 from dataclasses import dataclass, fields, replace
 from hashlib import sha256
-from math import inf, isclose, isfinite, isinf, log
+from math import inf, isclose, isfinite, isinf, log, nan
 from typing import Literal, TypeVar
 
 import numpy as np
@@ -528,7 +528,7 @@ class RockingResponse(ShortRepr):
     Attributes
     ----------
     overturned : whether the body can no longer return
-    max_ratio : largest |rotation| / overturning rotation of its branch, with rigid interfaces [-]; inf if it overturned
+    max_ratio : largest |rotation| / overturning rotation of its branch, with rigid interfaces [-]; nan if it overturned
     max_rotation : rotation of that ratio, signed [rad]; None if it overturned
     time_of_max : when it was reached [s]; None if it overturned, 0 if the body never moved
     impacts : number of impacts, until overturning or until the free motion after the record has peaked on each side
@@ -593,7 +593,7 @@ def respond(
     overturned = bool(found.overturned[0])
     return RockingResponse(
         overturned=overturned,
-        max_ratio=inf if overturned else float(found.max_ratio[0]),
+        max_ratio=nan if overturned else float(found.max_ratio[0]),
         max_rotation=None if overturned else float(found.max_rotation[0]),
         time_of_max=None if overturned else float(found.time_of_max[0]),
         impacts=int(found.impacts[0]),
@@ -623,13 +623,13 @@ def respond_at_worst_rebound(
         )
         for factor in rebounds
     ]
-    return max(motions, key=lambda motion: motion.max_ratio)
+    return max(motions, key=lambda motion: inf if motion.overturned else motion.max_ratio)
 
 
 def check_record(record: Record) -> None:
     """Raise RecordError for what is no record of finite samples at a time step."""
     if not isinstance(record, Record):
-        raise RecordError(f"record: {type(record).__name__} given; give one record, such as read_record(path)[0]")
+        raise RecordError(f"record: {type(record).__name__} given; give one record, such as read_records(path)[0]")
     samples = record.acceleration
     if not isinstance(samples, np.ndarray) or samples.ndim != 1 or samples.dtype.kind not in "iuf":
         raise RecordError(f'record "{record.id}": give its accelerations [m/s2] as an array of numbers [n]')

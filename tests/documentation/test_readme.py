@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from math import isnan
 from typing import Any
 
 import pytest
@@ -37,8 +38,8 @@ def test_python_and_the_project_file_have_the_same_wall(session):
 
 
 def test_the_motion_and_the_answers_are_there(session):
-    assert session["motion"].overturned in (True, False)
-    assert session["motion"].max_ratio > 0.0
+    motion = session["motion"]
+    assert isnan(motion.max_ratio) if motion.overturned else motion.max_ratio > 0.0
     assert [check.procedure for check in session["answers"]] == ["ntc2018-nonlinear"]
 
 

@@ -52,6 +52,10 @@ def test_one_record_comes_alone_and_several_as_a_list(tmp_path: Path) -> None:
     found = read_record(str(path), unit="m/s2")
     assert isinstance(found, Record)
     assert found.pga == 3.0
+    assert isinstance(read_records(str(path), unit="m/s2"), tuple)
+    assert [each.id for each in read_records(str(path), unit="m/s2")] == [found.id]
+    with pytest.raises(RecordError, match="3 is no path"):
+        read_records(3)
     three = read_record(write_file(tmp_path / "three.txt", afad(np.arange(15.0).reshape(5, 3), {})))
     assert isinstance(three, list)
     assert [one.component for one in three] == ["N-S", "E-W", "U-D"]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import inf
+from math import isnan
 from pathlib import Path
 
 import numpy as np
@@ -10,7 +10,7 @@ import pytest
 from scipy.constants import g
 
 from assess.oscillator import Oscillator, RockingBlock, plain_branch
-from assess.study.histories import find_envelope, respond, with_restitution_factor
+from assess.study.histories import find_envelope, respond, respond_at_worst_rebound, with_restitution_factor
 from assess.study.run import run_study
 from assess.study.suites import motions_of
 from records.errors import RecordError
@@ -49,7 +49,7 @@ def test_the_same_numbers_as_from_a_run(tmp_path: Path) -> None:
         motion = respond(body, records[one.record], scale=scale)
         assert (motion.overturned, motion.overturning_time) == (one.overturned, one.overturning_time_s)
         assert (motion.max_rotation, motion.time_of_max) == (one.max_rotation_rad, one.time_of_max_s)
-        assert motion.max_ratio == (inf if one.overturned else one.max_rotation_ratio)
+        assert isnan(motion.max_ratio) if one.overturned else motion.max_ratio == one.max_rotation_ratio
         assert motion.impacts == one.impacts
         if one.trace is not None:
             assert tuple(motion.time) == one.trace.time_s
@@ -74,7 +74,8 @@ def test_a_motion_that_overturns_has_no_largest_rotation() -> None:
     record = make_record("pulse", 20.0 * np.sin(np.linspace(0.0, 2.0 * np.pi, 101)), 0.01)
     motion = respond(BLOCK, record)
     assert motion.overturned
-    assert (motion.max_ratio, motion.max_rotation, motion.time_of_max) == (inf, None, None)
+    assert isnan(motion.max_ratio)
+    assert (motion.max_rotation, motion.time_of_max) == (None, None)
     assert motion.overturning_time is not None
     assert motion.time.size == motion.rotation.size <= record.npts
     assert len(repr(motion)) < 200
@@ -84,3 +85,12 @@ def test_a_motion_that_overturns_has_no_largest_rotation() -> None:
 def test_an_unknown_pulse_is_an_error_that_lists_the_known_ones() -> None:
     with pytest.raises(RecordError, match=r"'sin': no such shape; known are sine, cosine"):
         find_envelope(BLOCK, "sin", frequency=[1.0], amplitude=[1.0])
+
+
+def test_of_several_rebounds_the_one_that_overturns_counts() -> None:
+    record = make_record("four waves", 4.0 * np.sin(np.linspace(0.0, 8.0 * np.pi, 401)), 0.01)
+    bodies = [with_restitution_factor(BLOCK, factor) for factor in (0.2, 1.0)]
+    assert [respond(body, record).overturned for body in bodies] == [False, True]
+    for order in ((0.2, 1.0), (1.0, 0.2)):
+        worst = respond_at_worst_rebound(BLOCK, record, rebounds=order, scale=1.0, equation="exact")
+        assert (worst.overturned, worst.rebound) == (True, 1.0)

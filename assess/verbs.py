@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any, Literal, overload
 
 from assess.errors import AssessError, OutputError, ProjectError
 from assess.portfolio.tasks import Job, ProjectRow
@@ -36,6 +36,7 @@ if TYPE_CHECKING:
     from assess.results.fragility import FragilityResults
     from assess.study.block import Block
     from assess.study.histories import RockingResponse
+    from assess.study.motions import Motions
     from assess.study.study import Progress
     from records.pulses import PulseShape
     from records.record import Record
@@ -49,8 +50,18 @@ Tell = Callable[[str], None]
 """Called with a line about what was found."""
 
 
-def respond(block: Block, record: Record, *, scale: float = 1.0, equation: Equation | None = None) -> RockingResponse:
-    """Solve the rocking motion of a mechanism from rest under a record.
+@overload
+def respond(
+    block: Block, records: Record, *, scale: float = 1.0, equation: Equation | None = None
+) -> RockingResponse: ...
+@overload
+def respond(
+    block: Block, records: Sequence[Record], *, scale: float = 1.0, equation: Equation | None = None
+) -> Motions: ...
+def respond(
+    block: Block, records: Record | Sequence[Record], *, scale: float = 1.0, equation: Equation | None = None
+) -> RockingResponse | Motions:
+    """Solve the rocking motion of a mechanism from rest under a record, or under each of several.
 
     A block that rocks to one side is solved with its rebound, half of it and one and a half, and the worst is returned,
     as in a run.
@@ -58,34 +69,41 @@ def respond(block: Block, record: Record, *, scale: float = 1.0, equation: Equat
     Parameters
     ----------
     block : the mechanism
-    record : acceleration of the ground at its base [m/s2]
-    scale : factor on the record [-]; a negative one reverses its polarity
+    records : acceleration of the ground at its base [m/s2]: one record, or a list of them
+    scale : factor on every record [-]; a negative one reverses its polarity
     equation : "exact" or "linearised"; linearised for equivalent blocks and exact for all others where None
 
     Returns
     -------
-    The motion: `overturned`, `max_ratio` [-], and the history `time` [n] [s], `rotation` [n] [rad]
+    The motion: `overturned`, `max_ratio` [-], nan where it overturned, and the history `time` [n] [s], `rotation` [n]
+    [rad]. Of a list, the motions in its order: `motions[0]` is the first, and `motions.table()` a DataFrame with a row
+    for each
 
     Raises
     ------
     MechanismError : the mechanism stands only by ties or forces that are not shown to last
-    RecordError : it is not one horizontal record of finite samples, or the scale is no finite number
+    RecordError : something is not one horizontal record of finite samples, or the scale is no finite number
     """
-    from assess.study.histories import respond_at_worst_rebound as solve
+    from assess.study.histories import respond_at_worst_rebound
+    from assess.study.motions import Motions
     from records.errors import RecordError
     from records.record import Record as Known
     from records.record import is_vertical
 
     _check_block(block)
-    if isinstance(record, Known) and is_vertical(record.component):
-        raise RecordError(f'record "{record.id}" is vertical; give a horizontal ground motion')
-    return solve(
-        block.rocking,
-        record,
-        rebounds=block.mechanism.rebounds,
-        scale=scale,
-        equation=block.equation if equation is None else equation,
+    alone = not isinstance(records, tuple | list)
+    several: Any = [records] if alone else records
+    if not several:
+        raise RecordError("records: none; give one record or several")
+    for each in several:
+        if isinstance(each, Known) and is_vertical(each.component):
+            raise RecordError(f'record "{each.id}" is vertical; give a horizontal ground motion')
+    kind = block.equation if equation is None else equation
+    found = tuple(
+        respond_at_worst_rebound(block.rocking, each, rebounds=block.mechanism.rebounds, scale=scale, equation=kind)
+        for each in several
     )
+    return found[0] if alone else Motions(block.name, found)
 
 
 def envelope(

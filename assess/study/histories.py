@@ -537,6 +537,8 @@ class RockingResponse(ShortRepr):
     rebound : factor on the restitution of one-sided rocking, of which the worst counts [-]; 1 for all other rocking
     time : instants of the record's samples, up to overturning [n] [s]
     rotation, velocity : at these instants, signed [n] [rad], [n] [rad/s]
+    acceleration : of the ground at these instants, scaled [n] [m/s2]
+    limits : rotations of ratio 1 of the positive and of the negative side [rad]; one where it rocks to one side
     """
 
     overturned: bool
@@ -551,6 +553,8 @@ class RockingResponse(ShortRepr):
     time: FloatArray
     rotation: FloatArray
     velocity: FloatArray
+    acceleration: FloatArray
+    limits: tuple[float, ...]
     rebound: float = 1.0
 
 
@@ -591,6 +595,8 @@ def respond(
     found = peaks([oscillator], [record], Jobs(first, first, np.array([scale])), equation=equation, threads=1)
     path = trace(oscillator, record, scale=scale, equation=equation)
     overturned = bool(found.overturned[0])
+    acceleration = scale * record.acceleration[: path.time.size]
+    acceleration.flags.writeable = False
     return RockingResponse(
         overturned=overturned,
         max_ratio=nan if overturned else float(found.max_ratio[0]),
@@ -604,6 +610,8 @@ def respond(
         time=path.time,
         rotation=path.rotation,
         velocity=path.velocity,
+        acceleration=acceleration,
+        limits=tuple(_overturning(branch, equation) for branch in oscillator.branches),
     )
 
 

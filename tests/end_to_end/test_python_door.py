@@ -99,6 +99,23 @@ def test_motion_that_overturns_says_so(block, folder):
     assert motion.overturning_time < 8.0
 
 
+def test_several_records_have_the_motions_of_each_and_a_table(block, folder):
+    record = assess.read_record(folder / "motion.csv")
+    records = [record, replace(record, id="strong", acceleration=4.0 * record.acceleration)]
+    motions = assess.respond(block, records)
+    frame = motions.table()
+    for place, alone in enumerate(assess.respond(block, each) for each in records):
+        assert np.array_equal(motions[place].rotation, alone.rotation)
+        row = frame.iloc[place]
+        assert (row.id, row.overturned, row.impacts) == (records[place].id, alone.overturned, alone.impacts)
+        assert row.max_ratio == alone.max_ratio or (alone.overturned and np.isnan(row.max_ratio))
+    assert frame.overturned.tolist() == [False, True]
+    assert frame.describe().loc["max", "max_ratio"] == motions[0].max_ratio  # a warning of pandas would be an error
+    assert len(motions) == len(motions[:2]) == 2
+    assert repr(motions) == "Motions('block', 2 records, 1 overturned)"
+    assert "<table" in motions._repr_html_()
+
+
 def test_answers_are_the_checks_of_a_run(block, run):
     target = assess.spectrum("ec8", a_g=0.25 * assess.g, ground_type="C")
     asked = ["ntc2018-nonlinear", "nzsee2017-face-loaded", "asce43-05-sliding"]
@@ -294,7 +311,8 @@ def test_unknown_procedure_lists_the_known(block):
 @pytest.mark.parametrize(
     ("record", "said"),
     [
-        ([], "give one record"),
+        ([], "records: none; give one record or several"),
+        ([assess.Record(id="r", acceleration=np.ones(9), dt=0.01), "motion.csv"], "str given; give one record"),
         (assess.Record(id="r", acceleration=np.array([0.0, np.nan, 0.0]), dt=0.01), "finite"),
         (assess.Record(id="r", acceleration=np.zeros(3), dt=0.0), "time step"),
         (assess.Record(id="r", acceleration=np.zeros(0), dt=0.01), "samples"),

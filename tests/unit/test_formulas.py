@@ -28,7 +28,7 @@ from tests.support.projects import ASCE7, published, tables_toml
 
 WRITERS = {  # `csv_lines` and `table_text` escape every cell, `write_xlsx` writes text as text, quoted
     r"csv\.(writer|DictWriter)|to_csv|savetxt": {"reports/render/table_text.py", "assess/risk/exports.py"},
-    r"xlsxwriter|openpyxl|to_excel": {"reports/render/spreadsheet.py"},
+    r"xlsxwriter|openpyxl.*Workbook|to_excel": {"reports/render/spreadsheet.py"},
 }
 HOSTILE = "=cmd|'/c calc'!A1"
 LETTERS = st.text(alphabet="ab=+-@,;\"' \t:#1", max_size=30)

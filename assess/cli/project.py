@@ -75,8 +75,8 @@ def _draw(models: Sequence[Path], folder: Path, *, unit: str | None, up: Literal
     print(
         f"parts: {len(structure.parts)}; mechanisms: {stated}; found, to be assessed apart: {len(candidates) - stated}"
     )
-    for each in structure.left_out:
-        print(escape_text(f"left out: {each.name}: {each.reason}"))
+    for text in structure.left_out_texts:
+        print(escape_text(f"left out: {text}"))
     for gap in candidates.gaps:
         print(escape_text(f"not looked for: {gap}"))
     for message in candidates.without.values():

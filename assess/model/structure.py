@@ -5,6 +5,7 @@ A structure says what a drawing says, and no more: whether walls that meet are b
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -243,6 +244,12 @@ class Structure(ShortRepr):
             found[contact.first].append(contact)
             found[contact.second].append(contact)
         return {name: tuple(each) for name, each in found.items()}
+
+    @property
+    def left_out_texts(self) -> tuple[str, ...]:
+        """What is left out and why, a text for those that read alike, with their number."""
+        alike = Counter(f"{each.name}: {each.reason}" for each in self.left_out)
+        return tuple(text if number == 1 else f"{text} ({number} of them)" for text, number in alike.items())
 
     def part(self, name: str) -> Part:
         """Return a part by its name.

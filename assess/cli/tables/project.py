@@ -93,7 +93,7 @@ def mechanisms_text(
     lines += [f"{each.name}: {escape_text(each.found.why_not)}\n" for each in found.candidates if each.found.why_not]
     lines += [f"not looked for: {escape_text(str(gap))}\n" for gap in found.candidates.gaps]
     lines += [f"without a mechanism: {escape_text(str(why))}\n" for why in found.candidates.without.values()]
-    lines += [f"left out: {escape_text(f'{each.name}: {each.reason}')}\n" for each in found.structure.left_out]
+    lines += [f"left out: {escape_text(text)}\n" for text in found.structure.left_out_texts]
     name, least, *others = MECHANISM_HEADER
     held = () if values is None else ("PGA held / site's",) if overturning is None else ("half overturn [g]",)
     return text_table((name, least, *held, *others), rows) + "".join(lines)

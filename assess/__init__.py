@@ -30,7 +30,18 @@ if TYPE_CHECKING:
         single_block,
         two_block,
     )
-    from assess.verbs import Run, answers, envelope, fragility, load, read_building, respond, run, write_report
+    from assess.verbs import (
+        Run,
+        answers,
+        envelope,
+        fragility,
+        load,
+        plot,
+        read_building,
+        respond,
+        run,
+        write_report,
+    )
     from records.reading import read_record, read_records
     from records.record import Record
     from spectra.gravity import g
@@ -67,6 +78,7 @@ __all__ = [
     "horizontal_arch",
     "load",
     "mesh",
+    "plot",
     "profile",
     "read_building",
     "read_record",
@@ -105,6 +117,7 @@ _HOMES = {
         "envelope",
         "fragility",
         "load",
+        "plot",
         "read_building",
         "respond",
         "run",

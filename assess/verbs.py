@@ -325,6 +325,28 @@ def fragility(project: Project | str | Path, *, jobs: int = 0, progress: Progres
     return run_fragility(build(loaded), jobs=jobs, progress=progress or _ignore_progress)
 
 
+def plot(thing: Any) -> Figure:
+    """Make the figure of a thing, in English and SI units; a notebook shows it, `savefig` writes it.
+
+    Parameters
+    ----------
+    thing : a motion, a record, a spectrum, a mechanism, an envelope, a fragility, that of one mechanism or one of its
+        curves, or a building; `run.figure(name)` makes those of a run
+
+    Returns
+    -------
+    A matplotlib figure
+
+    Raises
+    ------
+    AssessError : there is no figure of it; the text lists of what there is
+    """
+    from reports.figures.session import draw_figure
+    from reports.language.locale import Locale
+
+    return draw_figure(thing, Locale())
+
+
 def write_report(
     run: Run, folder: str | Path, *, language: str | None = None, jobs: int = 0, progress: Progress | None = None
 ) -> Path:

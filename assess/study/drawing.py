@@ -72,7 +72,7 @@ def view_in_space(mechanism: Mechanism, scene: Scene) -> View:
     corners = np.concatenate([vertices for vertices, _, _ in surfaces])
     size = np.ptp(corners, axis=0)
     decimals = COORDINATE_FIGURES - 1 - floor(log10(float(size.max())))
-    simplified = _simplify_surfaces(surfaces)
+    simplified = simplify_surfaces(surfaces)
     starts = np.cumsum([0, *(len(vertices) for vertices, _, _ in simplified)])
     return View(
         vertices=rounded_points(np.concatenate([vertices for vertices, _, _ in simplified]), decimals),
@@ -231,7 +231,7 @@ def _join_surfaces(solids: Sequence[Solid]) -> tuple[FloatArray, IntArray]:
     return np.concatenate([solid.vertices for solid in solids]), np.concatenate(triangles)
 
 
-def _simplify_surfaces(surfaces: Sequence[tuple[FloatArray, IntArray, int]]) -> list[tuple[FloatArray, IntArray, int]]:
+def simplify_surfaces(surfaces: Sequence[tuple[FloatArray, IntArray, int]]) -> list[tuple[FloatArray, IntArray, int]]:
     """Simplify surfaces to no more than VIEW_TRIANGLES triangles in all, shared by area."""
     if sum(len(triangles) for _, triangles, _ in surfaces) <= VIEW_TRIANGLES:
         return list(surfaces)

@@ -445,9 +445,15 @@ class EnvelopeCase(ShortRepr):
     case: str = ""
 
 
-def envelope_result(computed: Envelope, oscillator: Oscillator) -> EnvelopeResult:
-    """Return the envelope in the units of results."""
-    form = min((branch.linearised for branch in oscillator.branches), key=lambda form: form.multiplier)
+def envelope_result(computed: Envelope, oscillator: Oscillator | None) -> EnvelopeResult:
+    """Return an envelope in the units of results.
+
+    Parameters
+    ----------
+    computed : the envelope
+    oscillator : of the mechanism; where None, what is dimensionless is left out
+    """
+    form = oscillator and min((branch.linearised for branch in oscillator.branches), key=lambda form: form.multiplier)
     bound = computed.lower_bound / g
     above = computed.amplitude[None, :] > computed.lower_bound[:, None]  # nowhere, if nothing overturns
     return EnvelopeResult(
@@ -463,8 +469,8 @@ def envelope_result(computed: Envelope, oscillator: Oscillator) -> EnvelopeResul
         islands=tuple((above & ~computed.overturned).sum(axis=1).tolist()),
         uplift_g=tuple((computed.uplift / g).tolist()),
         factor=tuple(computed.factor.tolist()),
-        omega=tuple((2 * np.pi * computed.frequency / form.p).tolist()),
-        lower_bound_ratio=_none_for_nan(bound * computed.factor / form.multiplier),
+        omega=tuple((2 * np.pi * computed.frequency / form.p).tolist()) if form else (),
+        lower_bound_ratio=_none_for_nan(bound * computed.factor / form.multiplier) if form else (),
     )
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from math import inf
 
 import numpy as np
@@ -61,20 +61,33 @@ def draw_states(curves: Sequence[FragilityCurve], locale: Locale) -> Figure:
     """Draw the shares of every state [%] over one measure: points, and lognormals as lines."""
     with style.report_style():
         figure = style.sheet(2.6, locale, width=style.HALF)
-        axes = figure.subplots()
-        for place, curve in enumerate(curves):
-            colour, marker = style.MECHANISMS[place % len(style.MECHANISMS)], MARKERS[place % len(MARKERS)]
-            _draw_points(axes, curve.empirical, colour, marker)
-            x = _intensities(curve)
-            fitted = np.full_like(x, np.nan) if curve.lognormal is None else _shares(curve.lognormal, x)
-            named = style.label(locale.text(state_text(curve.state)), 48)
-            axes.plot(
-                x, PERCENT * fitted, color=colour, marker=marker, markevery=[], markersize=POINT_SIZE, label=named
-            )
-        _frame_shares(axes, curves, locale)
-        axes.set_ylabel(locale.heading(say("records that reach the state"), "percent"))
+        _draw_states(figure.subplots(), curves, locale)
         style.legend_below(figure, columns=1)
         return figure
+
+
+def draw_states_of_each(mechanisms: Mapping[str, Sequence[FragilityCurve]], locale: Locale) -> Figure:
+    """Draw what `draw_states` does for each mechanism, by name, one below the other."""
+    with style.report_style():
+        figure = style.sheet(0.5 + 2.1 * len(mechanisms), locale)
+        panels = figure.subplots(len(mechanisms), 1, squeeze=False)[:, 0]
+        for axes, (name, curves) in zip(panels, mechanisms.items(), strict=True):
+            axes.set_title(style.label(name, 90))
+            _draw_states(axes, curves, locale)
+        style.legend_below(figure, columns=3)
+        return figure
+
+
+def _draw_states(axes: Axes, curves: Sequence[FragilityCurve], locale: Locale) -> None:
+    for place, curve in enumerate(curves):
+        colour, marker = style.MECHANISMS[place % len(style.MECHANISMS)], MARKERS[place % len(MARKERS)]
+        _draw_points(axes, curve.empirical, colour, marker)
+        x = _intensities(curve)
+        fitted = np.full_like(x, np.nan) if curve.lognormal is None else _shares(curve.lognormal, x)
+        named = style.label(locale.text(state_text(curve.state)), 48)
+        axes.plot(x, PERCENT * fitted, color=colour, marker=marker, markevery=[], markersize=POINT_SIZE, label=named)
+    _frame_shares(axes, curves, locale)
+    axes.set_ylabel(locale.heading(say("records that reach the state"), "percent"))
 
 
 def intensity_reach(curve: FragilityCurve) -> float:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from typing import Any, cast
 
 import numpy as np
@@ -35,13 +36,43 @@ def draw_history(
     mechanism: MechanismResult, history: HistoryResult, trace: HistoryTrace, allowable: float | None, locale: Locale
 ) -> Figure:
     """Draw acceleration [g], also at the base where amplified, and rotation / phi_ov [-] over time [s]."""
+    if history.max_rotation_ratio is None or history.time_of_max_s is None:
+        largest = None
+    else:
+        signed = float(np.copysign(abs(history.max_rotation_ratio), history.max_rotation_rad or 0.0))
+        largest = history.time_of_max_s, signed
+    course = RotationCourse(
+        rotation_ratio(mechanism, trace),
+        largest,
+        history.overturning_time_s,
+        two_sided=mechanism.oscillator_negative is not None,
+    )
+    return draw_course(trace, course, allowable, locale)
+
+
+@dataclass(frozen=True)
+class RotationCourse:
+    """The rotation of a history over that which overturns.
+
+    ratio : at the instants of its trace [n] [-]; two_sided : whether the mechanism rocks to both sides
+    largest : when, and what [s], [-]; None where it overturned; overturns : when [s]; None where it did not
+    """
+
+    ratio: FloatArray
+    largest: tuple[float, float] | None
+    overturns: float | None
+    two_sided: bool
+
+
+def draw_course(trace: HistoryTrace, course: RotationCourse, allowable: float | None, locale: Locale) -> Figure:
+    """Draw the acceleration of a trace [g] and the course of its rotation [-] over time [s]."""
     with style.report_style():
         figure = style.sheet(2.8, locale)
         ground, rotation = figure.subplots(2, 1, sharex=True, height_ratios=(1, 1.5))
         _draw_motion(ground, trace, locale)
-        _draw_rotation(rotation, mechanism, trace)
-        _draw_limits(rotation, allowable, locale, two_sided=mechanism.oscillator_negative is not None)
-        _draw_peak(rotation, history, locale)
+        _draw_rotation(rotation, course, trace)
+        _draw_limits(rotation, allowable, locale, two_sided=course.two_sided)
+        _draw_peak(rotation, course, locale)
         rotation.set_xlabel(locale.heading(say("time t"), "time"))
         rotation.set_ylabel(locale.heading(say("rotation φ / φₒᵥ"), "ratio"))
         rotation.set_xlim(trace.time_s[0], trace.time_s[-1])
@@ -160,11 +191,10 @@ def _draw_motion(axes: Axes, trace: HistoryTrace, locale: Locale) -> None:
     style.legend_above(axes, columns=2)
 
 
-def _draw_rotation(axes: Axes, mechanism: MechanismResult, trace: HistoryTrace) -> None:
-    values = rotation_ratio(mechanism, trace)
-    top = min(_MOST_ROTATION, 1.5 * float(np.max(np.abs(values), initial=0.0)))
-    axes.plot(trace.time_s, values, color="#0072b2", linewidth=0.9)
-    low = -1.0 if mechanism.oscillator_negative is not None else -0.12
+def _draw_rotation(axes: Axes, course: RotationCourse, trace: HistoryTrace) -> None:
+    top = min(_MOST_ROTATION, 1.5 * float(np.max(np.abs(course.ratio), initial=0.0)))
+    axes.plot(trace.time_s, course.ratio, color="#0072b2", linewidth=0.9)
+    low = -1.0 if course.two_sided else -0.12
     axes.set_ylim(low * max(top, 0.05), max(top, 0.05) * 1.25)
 
 
@@ -180,13 +210,12 @@ def _draw_limits(axes: Axes, allowable: float | None, locale: Locale, *, two_sid
             axes.axhline(side * height, color=colour, linestyle=dash, linewidth=1.0, label=named)
 
 
-def _draw_peak(axes: Axes, history: HistoryResult, locale: Locale) -> None:
-    if history.overturning_time_s is not None:
+def _draw_peak(axes: Axes, course: RotationCourse, locale: Locale) -> None:
+    if course.overturns is not None:
         name = locale.text(say("overturns"))
-        axes.axvline(history.overturning_time_s, color=style.FAIL, linewidth=0.8, linestyle=":", label=name)
-    elif history.max_rotation_ratio is not None and history.time_of_max_s is not None:
-        signed = np.copysign(abs(history.max_rotation_ratio), history.max_rotation_rad or 0.0)
-        axes.plot(history.time_of_max_s, signed, "o", color=style.INK, markersize=4, label=locale.text(say("largest")))
+        axes.axvline(course.overturns, color=style.FAIL, linewidth=0.8, linestyle=":", label=name)
+    elif course.largest is not None:
+        axes.plot(*course.largest, "o", color=style.INK, markersize=4, label=locale.text(say("largest")))
 
 
 def _draw_pair(axes: Axes, across: Series, ground: Series, base: Series, linewidth: float, locale: Locale) -> None:

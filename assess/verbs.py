@@ -37,7 +37,7 @@ if TYPE_CHECKING:
     from assess.study.block import Block
     from assess.study.histories import RockingResponse
     from assess.study.motions import Motions
-    from assess.study.study import Progress
+    from assess.study.study import Progress, Study
     from records.pulses import PulseShape
     from records.record import Record
     from spectra.arrays import FloatArray
@@ -303,12 +303,22 @@ def run(project: Project | str | Path, *, jobs: int = 0, progress: Progress | No
     return Run(loaded, assess(build(loaded), jobs=jobs, progress=progress or _ignore_progress))
 
 
-def fragility(project: Project | str | Path, *, jobs: int = 0, progress: Progress | None = None) -> FragilityResults:
-    """Find how likely each mechanism of a project is to rock and to overturn, and how often where the hazard is known.
+def fragility(
+    source: Project | str | Path | Block | Sequence[Block],
+    records: Record | Sequence[Record] = (),
+    *,
+    measures: Sequence[str] = (),
+    jobs: int = 0,
+    progress: Progress | None = None,
+) -> FragilityResults:
+    """Find how likely mechanisms are to rock and to overturn, and how often where the hazard of a project is known.
 
     Parameters
     ----------
-    project : as `load` reads it, or the path of its file
+    source : a project as `load` reads it, or the path of its file; or one mechanism or several
+    records : horizontal ground motions of the mechanisms, unscaled; a project has its own
+    measures : of intensity, for mechanisms, the one that records are scaled by first, such as "pga" or "sa(0.5 s)"; all
+        that apply where none are named
     jobs : threads, 0 for all cores; the results do not depend on it
     progress : is called with (stage, done, total)
 
@@ -320,9 +330,14 @@ def fragility(project: Project | str | Path, *, jobs: int = 0, progress: Progres
     from assess.project.project_file import Project
     from assess.study.fragility import run_fragility
 
-    loaded = project if isinstance(project, Project) else load(project)
     _check_jobs(jobs, progress)
-    return run_fragility(build(loaded), jobs=jobs, progress=progress or _ignore_progress)
+    if isinstance(source, Project | str | Path):
+        if measures or not isinstance(records, tuple | list) or records:
+            raise ProjectError("records, measures: a project has its own; give them with mechanisms alone")
+        study = build(source if isinstance(source, Project) else load(source))
+    else:
+        study = _study_of_blocks(source, records, measures)
+    return run_fragility(study, jobs=jobs, progress=progress or _ignore_progress)
 
 
 def plot(thing: Any) -> Figure:
@@ -500,6 +515,26 @@ def unit_fault(path: Path, tables: Mapping[str, Any], column: KeyColumn) -> str:
 
 def _ignore_progress(stage: str, done: int, total: int) -> None:
     """Show nothing of long work."""
+
+
+def _study_of_blocks(blocks: Block | Sequence[Block], records: Any, measures: Sequence[str]) -> Study:
+    """Return the study of the fragility of mechanisms."""
+    from assess.project.sections import measure_of
+    from assess.study.block import fragility_study
+    from assess.study.fragility_runs import measure
+    from assess.study.study import FragilityQuestion
+
+    several: Any = blocks if isinstance(blocks, tuple | list) and blocks else (blocks,)
+    for each in several:
+        _check_block(each)
+    if not isinstance(measures, tuple | list):
+        raise ProjectError(f'measures = {measures!r:.60}: give a list of names, such as ["pga"]')
+    try:
+        asked = tuple(measure(*measure_of(text)) for text in dict.fromkeys(measures))
+    except ValueError as error:
+        raise ProjectError(f"measures = {measures!r:.60}: {error}") from None
+    suite = records if isinstance(records, tuple | list) else (records,)
+    return fragility_study(several, suite, FragilityQuestion(measures=asked))
 
 
 def _check_block(block: Block) -> None:

@@ -48,7 +48,7 @@ from assess.study.histories import (
     without_runs,
 )
 from assess.study.mechanism_results import oscillator_result, rigid_branches
-from assess.study.study import Fitting, ScaledRecord, Study
+from assess.study.study import Fitting, FragilityQuestion, ScaledRecord, Study
 from assess.study.suites import ALL_PERIODS, motions_of, suite_faults
 from records.errors import RecordError
 from records.record import Record, is_vertical
@@ -488,21 +488,68 @@ def answers(
     suite = tuple(suite)
     _check_inputs(procedures, knowledge_level, suite, base_elevation)
     height = _height_above_ground(mechanism, base_elevation, lowest, building)
-    study = Study(
+    knowledge = {mechanism.name: dict.fromkeys(KNOWLEDGE_CODES, knowledge_level) if knowledge_level else {}}
+    study = replace(
+        _plain_study(((mechanism, height),), suite, spectrum),
+        building=building,
+        procedures=tuple(dict.fromkeys(procedures)),
+        knowledge=knowledge,
+    )
+    return _checks_of_block(study, mechanism, spectrum, threads=threads)
+
+
+def fragility_study(blocks: Sequence[Block], records: Sequence[Record], question: FragilityQuestion) -> Study:
+    """Return the study that `run_fragility` takes, of mechanisms on the ground or as high above it as they are drawn.
+
+    Parameters
+    ----------
+    blocks : the mechanisms
+    records : horizontal ground motions, unscaled
+    question : what is asked
+
+    Raises
+    ------
+    MechanismError : no history of a mechanism is answered, or two have one name
+    RecordError : something is no horizontal record of finite samples, or there is none
+    """
+    if not records:
+        raise RecordError("records: none; give recorded motions, as read_records returns them")
+    for record in records:
+        check_record(record)
+        if is_vertical(record.component):
+            raise RecordError(f'record "{record.id}" is vertical; give a horizontal ground motion')
+    names = [block.name for block in blocks]
+    if twice := sorted({name for name in names if names.count(name) > 1}):
+        raise MechanismError(f"several mechanisms are called {', '.join(twice)}; give each its name")
+    for block in blocks:
+        _ = block.rocking  # raises where no history of it is answered
+    placed = [(block.mechanism, _height_above_ground(block.mechanism, None, block.lowest, None)) for block in blocks]
+    return replace(_plain_study(placed, tuple(records), None), fragility=question)
+
+
+def _plain_study(
+    placed: Sequence[tuple[Mechanism, HeightAboveGround]], records: tuple[Record, ...], spectrum: Spectrum | None
+) -> Study:
+    """Return a study of mechanisms that says nothing but where they stand, the motions and the spectrum."""
+    pga = 0.0 if spectrum is None else spectrum.pga
+    equations: dict[str, Equation] = {
+        each.name: "linearised" if each.kind == "equivalent-block" else "exact" for each, _ in placed
+    }
+    return Study(
         spectrum=spectrum,
         vertical_ratio=VERTICAL_RATIO,
-        building=building,
-        records=suite,
+        building=None,
+        records=records,
         fitting=Fitting(ALL_PERIODS),
         artificial=None,
         scale_to="none",
-        levels=(spectrum.pga,),
-        procedures=tuple(dict.fromkeys(procedures)),
+        levels=(pga,),
+        procedures=(),
         offered=(),
         options=CodeOptions(),
-        mechanisms=(mechanism,),
-        equations={mechanism.name: "linearised" if mechanism.kind == "equivalent-block" else "exact"},
-        amplified={mechanism.name: NOT_AMPLIFIED},
+        mechanisms=tuple(mechanism for mechanism, _ in placed),
+        equations=equations,
+        amplified=dict.fromkeys(equations, NOT_AMPLIFIED),
         scenes={},
         inputs=(),
         resolved={},
@@ -511,15 +558,12 @@ def answers(
         pulses=None,
         hazard=None,
         free_periods={},
-        knowledge={
-            mechanism.name: dict.fromkeys(KNOWLEDGE_CODES, knowledge_level) if knowledge_level else {},
-        },
+        knowledge={},
         limit_state=None,
-        question=Question(None, Action(spectrum.pga / g, None)),
+        question=Question(None, Action(pga / g, None)),
         facts={},
-        heights={mechanism.name: height},
+        heights={mechanism.name: height for mechanism, height in placed},
     )
-    return _checks_of_block(study, mechanism, spectrum, threads=threads)
 
 
 def _wedged_block(

@@ -11,6 +11,7 @@ import assess
 from assess.errors import AssessError, GeometryError, MechanismError, ProcedureError
 from records.errors import RecordError
 from spectra.errors import SpectrumError
+from tests.support.motions import noise
 
 PROJECT = """
 format = 1
@@ -142,6 +143,60 @@ def test_envelope_holds_the_motion_it_maps(block):
             pulse = np.where(time <= 1.0 / f, factor * least * np.sin(2 * np.pi * f * time), 0.0)
             record = assess.Record(id="pulse", acceleration=pulse, dt=0.002)
             assert any(assess.respond(block, record, scale=way).overturned for way in (1.0, -1.0)) is overturns
+
+
+def test_fifty_records_to_a_plotted_fragility_in_eight_lines():
+    records = [noise(seed, peak=3.0, npts=300) for seed in range(50)]
+    wall = assess.box(thickness=0.6, length=4.0, height=4.5, density=2000.0)
+    block = assess.single_block(wall, direction=(1.0, 0.0, 0.0))
+    found = assess.fragility(block, records, measures=["pga"])
+    figure = assess.plot(found)
+    assert len(figure.axes) == len(found.mechanisms) == 1
+    rocks = next(each for each in found.mechanisms[0].curves if each.state.name == "rocking")
+    assert rocks.records == 50
+    for point in rocks.empirical:  # all rock from the PGA on that is the multiplier, b / h
+        assert point.share == (point.intensity > 0.6 / 4.5)
+
+
+def test_fragility_of_mechanisms_is_that_of_their_project(tmp_path):
+    records = [noise(seed, peak=3.0, npts=300) for seed in range(4)]
+    files = []
+    for place, each in enumerate(records):
+        files.append(f"motion{place}.csv")
+        rows = "\n".join(f"{each.dt * k!r},{a!r}" for k, a in enumerate(each.acceleration.tolist()))
+        (tmp_path / files[-1]).write_text(f"time [s],acceleration [m/s2]\n{rows}\n")
+    (tmp_path / "project.toml").write_text(
+        PROJECT.replace('["motion.csv"]', str(files)) + "[analysis.fragility]\nmeasures = ['pga']\n"
+    )
+    of_project = assess.fragility(tmp_path / "project.toml", jobs=1)
+    block = assess.single_block(WALL, name="W1")
+    read = [assess.read_records(tmp_path / name)[0] for name in files]
+    of_block = assess.fragility([block], read, measures=["pga"], jobs=1)
+    (one,), (other,) = of_project.mechanisms, of_block.mechanisms
+    assert (one.curves, one.runs, one.comparison) == (other.curves, other.runs, other.comparison)
+    assert assess.plot(of_block).axes[0].lines
+
+
+@pytest.mark.parametrize(
+    ("given", "said"),
+    [
+        (("project.toml", [noise(1)]), "a project has its own"),
+        (("project.toml", noise(1)), "a project has its own"),
+        (((), [noise(1)]), "tuple given; give a mechanism"),
+    ],
+)
+def test_fragility_of_what_is_none_is_refused(given, said):
+    with pytest.raises(AssessError, match=said):
+        assess.fragility(*given)
+
+
+def test_fragility_needs_records_names_and_known_measures(block):
+    with pytest.raises(RecordError, match="records: none; give"):
+        assess.fragility(block)
+    with pytest.raises(MechanismError, match="several mechanisms are called block"):
+        assess.fragility([block, block], [noise(1)])
+    with pytest.raises(AssessError, match="not a measure of intensity"):
+        assess.fragility(block, [noise(1)], measures=["pgx"])
 
 
 def test_report_of_a_run_stands_whole_in_its_folder(run, tmp_path):

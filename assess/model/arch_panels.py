@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from assess.errors import MechanismError
+from assess.errors import FallingError, MechanismError
 from assess.geometry.cut import Piece, Plane, level_plane
 from assess.geometry.planar import join_bodies, lowest_corners, planar_body
 from assess.geometry.solid import Solid
@@ -140,7 +140,7 @@ def _end_thrusts(
     found = []
     for part in beyond:
         if not part:
-            raise MechanismError(
+            raise FallingError(  # no thrust, no arch: also where thrusts that no source vouches for are left out
                 f"{where}: ends: nothing of the wall lies beyond a cross wall to hold the thrust of an arch; give what "
                 'each end holds, as of a tie, like ["20 kN", "20 kN"]'
             )

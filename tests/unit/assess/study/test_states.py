@@ -575,3 +575,45 @@ def test_four_hinges_where_they_are_stated_pass_on_the_condition_that_no_others_
     left = [f"mechanisms.wall.{key}" for key in ("hinges", "direction") if key not in vouched]
     told = [each.text.rpartition(": ")[2] for each in found.conditions if each.key == "not-sought"]
     assert told == ([", ".join(left)] if left else [])
+
+
+ARCH_IN_PLAN = {
+    "title": "arch",
+    "building": {"height": 6.0, "storeys": 2, "ground_elevation": 0.0},
+    "site": {
+        "spectrum": {"code": "ntc2018", "a_g": "0.10 g", "f_0": 2.4, "t_c_star": 0.3, "soil": "B"},
+        "limit_state": "SLV",
+    },
+    "procedures": {"ntc2018": {"knowledge_level": "LC1"}},
+    "materials": {"stone": {"density": 2000, "disintegration": "excluded"}},
+    "bodies": {
+        "front": {"material": "stone", "box": {"thickness": 0.6, "length": 8, "height": 6, "base": [0.3, 4, 0]}},
+        "side": {"material": "stone", "box": {"thickness": 6, "length": 0.5, "height": 6, "base": [3.6, 0.25, 0]}},
+        "far": {"material": "stone", "box": {"thickness": 6, "length": 0.5, "height": 6, "base": [3.6, 7.75, 0]}},
+    },
+    "mechanisms": {
+        "bay": {
+            "kind": "horizontal-arch",
+            "blocks": ["front"],
+            "between": ["side", "far"],
+            "direction": [-1, 0, 0],
+            "ends": ["40 kN", "40 kN"],
+        }
+    },
+}
+"""A front that ends with its cross walls: nothing beyond them holds a thrust."""
+
+
+def test_what_holds_the_ends_of_an_arch_needs_a_source() -> None:
+    sources = {"materials.stone.disintegration": "measured: flat jacks, 3 May 2026, R. Rossi"}
+    untold = verdict_on({**ARCH_IN_PLAN, "report": {"sources": sources}})
+    (line,) = (each for each in untold.overrides if each.key == "mechanisms.bay.ends")
+    assert (untold.state, untold.outcome, line.source) == (State.REPLACED, Decision.FAIL, "")
+    told = verdict_on(
+        {
+            **ARCH_IN_PLAN,
+            "report": {"sources": {**sources, "mechanisms.bay.ends": "measured: ties, 3 May 2026, R. Rossi"}},
+        }
+    )
+    (line,) = (each for each in told.overrides if each.key == "mechanisms.bay.ends")
+    assert (told.state, line.outcome_instead) == (State.AS_TYPED, Decision.FAIL)

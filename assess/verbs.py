@@ -149,7 +149,7 @@ def answers(
     block: Block,
     target: Spectrum,
     *,
-    procedures: Sequence[str],
+    procedures: Sequence[str] | None = None,
     knowledge_level: str | None = None,
     records: Record | Sequence[Record] = (),
     base_elevation: float | None = None,
@@ -165,7 +165,8 @@ def answers(
     ----------
     block : the mechanism
     target : elastic spectrum of the site, at its own peak ground acceleration
-    procedures : names such as "ntc2018-nonlinear"
+    procedures : names such as "ntc2018-nonlinear"; where None, those that decide under the code of the spectrum, by
+        histories only with records: a spectrum of ntc2018, ntc2008, ec8 or nzs1170.5 has such a default
     knowledge_level : "LC1", "LC2" or "LC3", for the Italian codes
     records : horizontal ground motions, taken unscaled; without any, histories are not answered
     base_elevation : height of the mechanism's base above the ground [m]; as it is drawn over the lowest body where
@@ -175,7 +176,8 @@ def answers(
 
     Raises
     ------
-    ProcedureError : a procedure or a level of knowledge is not known, or a record is vertical
+    ProcedureError : a procedure or a level of knowledge is not known, none is given and there is no default, or a
+        record is vertical; the text lists the procedures
     RecordError : something is no record of finite samples
     """
     from assess.study.block import answers as find

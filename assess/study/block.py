@@ -12,6 +12,7 @@ from math import isfinite
 from typing import Any, Literal
 
 from assess.codes.asce43_05 import VERTICAL_RATIO
+from assess.codes.bases import BASES, BY_SITE, Acceptance
 from assess.codes.check import Check
 from assess.codes.context import Building, Context
 from assess.codes.italian_limit_states import FACTORS_BY_LEVEL
@@ -447,7 +448,7 @@ def answers(
     mechanism: Mechanism,
     spectrum: Spectrum,
     *,
-    procedures: Sequence[str],
+    procedures: Sequence[str] | None = None,
     knowledge_level: str | None = None,
     records: Record | Sequence[Record] = (),
     base_elevation: float | None = None,
@@ -463,7 +464,7 @@ def answers(
     ----------
     mechanism : the collapse mechanism
     spectrum : elastic spectrum of the site, at its own peak ground acceleration
-    procedures : names of `assess.codes.procedures.PROCEDURES`
+    procedures : names of `assess.codes.procedures.PROCEDURES`; None: those of the basis of the spectrum's code
     knowledge_level : "LC1", "LC2" or "LC3", which the Italian codes ask for where crushing is modelled; None: not given
     records : horizontal ground motions, taken unscaled as those of the spectrum; without any, procedures by time
         histories are not answered
@@ -486,6 +487,8 @@ def answers(
     if not isinstance(suite, Sequence) or isinstance(suite, str):
         raise RecordError(f"records = {records!r:.60}: give one record, or a list of them")
     suite = tuple(suite)
+    if procedures is None:
+        procedures = _default_procedures(spectrum, suite)
     _check_inputs(procedures, knowledge_level, suite, base_elevation)
     height = _height_above_ground(mechanism, base_elevation, lowest, building)
     knowledge = {mechanism.name: dict.fromkeys(KNOWLEDGE_CODES, knowledge_level) if knowledge_level else {}}
@@ -525,6 +528,27 @@ def fragility_study(blocks: Sequence[Block], records: Sequence[Record], question
         _ = block.rocking  # raises where no history of it is answered
     placed = [(block.mechanism, _height_above_ground(block.mechanism, None, block.lowest, None)) for block in blocks]
     return replace(_plain_study(placed, tuple(records), None), fragility=question)
+
+
+def _default_procedures(spectrum: Spectrum, records: Sequence[Record]) -> tuple[str, ...]:
+    """Return the procedures that the basis of a spectrum's code accepts, those by histories only with records.
+
+    Raises ProcedureError where the code has no basis of its own; the text lists the procedures.
+    """
+    if spectrum.code not in BY_SITE:
+        raise ProcedureError(
+            f"procedures: none given, and a spectrum of {spectrum.code} has no default; known are: "
+            f"{', '.join(PROCEDURES)}"
+        )
+    states = BASES[BY_SITE[spectrum.code]].states
+    accepted = {
+        method.procedure
+        for state in states
+        for rank in state.ranks
+        for method in rank
+        if method.acceptance == Acceptance.ACCEPTED
+    }
+    return tuple(name for name in PROCEDURES if name in accepted and (records or not uses_histories(name)))
 
 
 def _plain_study(

@@ -280,6 +280,7 @@ def test_whole_numbers_are_floats():
     assert assess.model.crack(wall, direction=(1, 0, 0), method=2).elevation == 2.0
 
 
+NTC = assess.spectrum("ntc2018", a_g=0.188 * assess.g, f_0=2.36, t_c_star=0.33, soil="B", topography="T1")
 PORTAL = ((1.0, 0.0), (0.0, 3.0), (4.0, 3.0), (5.0, 0.0))
 
 
@@ -361,6 +362,25 @@ def test_unknown_procedure_lists_the_known(block):
     target = assess.spectrum("ec8", a_g=2.0, ground_type="A")
     with pytest.raises(ProcedureError, match="ntc2018-nonlinear"):
         assess.answers(block, target, procedures=["ntc2018"])
+
+
+@pytest.mark.parametrize(
+    ("target", "records", "asked"),
+    [
+        (assess.spectrum("ec8", a_g=2.0, ground_type="A"), [], {"ec8-element"}),
+        (NTC, [], {"ntc2018-linear", "ntc2018-nonlinear"}),
+    ],
+)
+def test_procedures_by_default_are_those_of_the_code_of_the_spectrum(block, target, records, asked):
+    found = assess.answers(block, target, records=records)
+    assert {each.procedure for each in found} == asked
+    assert found == assess.answers(block, target, procedures=[each.procedure for each in found])
+
+
+def test_spectrum_without_a_basis_needs_procedures(block):
+    table = assess.spectrum("asce7-16", s_ds=8.0, s_d1=4.0, t_l=8.0)
+    with pytest.raises(ProcedureError, match=r"a spectrum of asce7-16 has no default; known are: .*ntc2018-nonlinear"):
+        assess.answers(block, table)
 
 
 @pytest.mark.parametrize(

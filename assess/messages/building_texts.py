@@ -31,6 +31,6 @@ BUILDING_TEXTS: Mapping[str, str] = {
     "left-out-material": "its material is no masonry: {material}",
     "left-out-thin": "too thin for masonry: {thickness}",
     "left-out-frame": "a beam, a lintel or a member of a frame",
-    "left-out-twice": "most of it lies in other parts: it is drawn twice",
+    "left-out-twice": "{share} of its volume lies in other parts: it is drawn twice, or in the wrong place",
     "left-out-unknown": "its shape is none of a wall, a floor, a roof, a vault, an arch, a pier or a tower",
 }

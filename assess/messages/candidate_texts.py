@@ -37,6 +37,7 @@ CANDIDATE_TEXTS: Mapping[str, str] = {
     "gap-tower-corners": "the corners of its shaft are not looked for",
     "gap-facade-top": "it may be the façade, and nothing is found that turns above its foot",
     "gap-which-arch": "the drawing does not tell which arch is the triumphal arch",
+    "left-out-title": "{body} is left out and may be a wall",
     # parts without a mechanism
     "no-mechanism": "{part}: no mechanism found; nothing is free to turn, and no two levels hold it with a load above",
     "no-mechanism-built": "{part}: its mechanisms have no multiplier: {why}",

@@ -122,11 +122,13 @@ class Candidates(ShortRepr):
     ranked : by multiplier; those without one last
     without : name of each upright part that no mechanism with a multiplier moves, and why
     gaps : what is possible and not looked for
+    unread : what was left out of the building and may be a wall, for each entry that a wall can have
     """
 
     ranked: tuple[Candidate, ...]
     without: Mapping[str, Message]
     gaps: tuple[Gap, ...] = ()
+    unread: tuple[Gap, ...] = ()
 
     def __iter__(self) -> Iterator[Candidate]:
         return iter(self.ranked)
@@ -160,12 +162,13 @@ class Candidates(ShortRepr):
         stated : names of the candidates that are examined
         """
         found: dict[str, OpenEntry] = {}
-        possible = [*(each.examines for each in self.ranked), *(each.examines for each in self.gaps)]
+        not_sought = (*self.gaps, *self.unread)
+        possible = [*(each.examines for each in self.ranked), *(each.examines for each in not_sought)]
         for entry in dict.fromkeys(each[building_type] for each in possible if building_type in each):
             own = [each for each in self.ranked if each.examines.get(building_type) == entry]
             known = [each for each in own if each.name in stated]
             left = tuple(each for each in own if each.name not in stated and not _is_covered(each, known))
-            gaps = tuple(each for each in self.gaps if each.examines.get(building_type) == entry)
+            gaps = tuple(each for each in not_sought if each.examines.get(building_type) == entry)
             if left or gaps:
                 found[entry] = OpenEntry(left, gaps)
         return found
@@ -240,7 +243,31 @@ def find_candidates(structure: Structure) -> Candidates:
     rows = {row.key: row for row in CLASSES}
     gaps += [_gap(rows[key], each, {"church": entry}) for key, entry, each in church.open_elements(tops)]
     ranked = sorted(found, key=lambda each: (each.multiplier is None, each.multiplier or 0.0))
-    return Candidates(tuple(ranked), _without(structure, ranked), tuple(gaps))
+    return Candidates(tuple(ranked), _without(structure, ranked), tuple(gaps), tuple(_unread(structure)))
+
+
+def _unread(structure: Structure) -> Iterator[Gap]:
+    """Yield what was left out and may be a wall, for each entry of the lists that a wall can have."""
+    for each in structure.left_out:
+        if each.may_be_wall:
+            title = note("left-out-title", body=each.shown)
+            for building_type, entries in ENTRIES_OF_WALLS.items():
+                yield from (Gap("overturning", title, each.reason, {building_type: entry}) for entry in entries)
+
+
+ENTRIES_OF_WALLS: Mapping[BuildingType, tuple[str, ...]] = {
+    "house": (
+        "simple-overturning",
+        "compound-overturning",
+        "corner",
+        "gable",
+        "vertical-bending",
+        "horizontal-bending",
+        "two-way-bending",
+    ),
+    "church": ("facade", "facade-top", "nave-transverse", "transept-end", "apse", "bell-tower", "bell-cell"),
+}
+"""The entries of each list that a wall can have whose place in the building is not known."""
 
 
 def _gap(row: MechanismClass, seed: Unexamined, examines: Mapping[BuildingType, str]) -> Gap:

@@ -20,8 +20,8 @@ from assess.geometry.solid import Solid
 from assess.geometry.surface import Surface, connected_groups, find_edges, merge_vertices, neighbours, volume
 from assess.mechanisms.mechanism import Vector
 from assess.messages.message import Message, Quantity, note, whole_number
-from assess.model.part_kinds import is_classed, reason_by_class
-from assess.model.structure import LeftOut
+from assess.model.part_kinds import is_classed, may_be_wall, reason_by_class
+from assess.model.structure import NAMELESS, LeftOut
 from spectra.arrays import FloatArray
 
 SPLINTER = 1e-3  # m3: smaller shells are nails and drawing errors
@@ -94,10 +94,11 @@ def source_of(element: Element, file: str, shell: int | None = None) -> str:
     return file if shell is None else f"{file}, shell {shell}"
 
 
-def leave_out(body: DrawnBody, reason: Message) -> LeftOut:
-    """Return a body as left out for a reason."""
-    size = _box(body.solid.vertices)
-    return LeftOut(body.name or "without name", reason, size, body.solid.mass, body.source)
+def leave_out(body: DrawnBody, reason: Message, *, told: bool = True) -> LeftOut:
+    """Return a body as left out for a reason; told: whether that tells that it is no wall."""
+    size, low = _box(body.solid.vertices)
+    open_to_doubt = not told and may_be_wall(body.element, size, body.solid.mass)
+    return LeftOut(body.name or NAMELESS, reason, size, body.solid.mass, body.source, low, open_to_doubt)
 
 
 def _bodies_of(
@@ -107,18 +108,21 @@ def _bodies_of(
     element, name = mesh.element, file.name
     shown = short_name(element.names[0]) if element.names else ""
     source, no_masonry = source_of(element, name), reason_by_class(element)
+    doubt = no_masonry is None and may_be_wall(element)
     if mesh.fault:
-        yield LeftOut(shown or element.shown, note("left-out-without-body", why=mesh.fault), source=source)
+        without = note("left-out-without-body", why=mesh.fault)
+        yield LeftOut(shown or element.shown, without, source=source, may_be_wall=doubt)
         return
     selected = SelectedMeshes(file, (mesh,), content.unit, content.up)
     try:
         surface = assemble_mesh(selected, selected.meshes, scale=unit, up=up, where="")
     except GeometryError as problem:
-        yield LeftOut(shown or element.shown, note("left-out-without-body", why=fault_of(problem, name)), source=source)
+        without = note("left-out-without-body", why=fault_of(problem, name))
+        yield LeftOut(shown or element.shown, without, source=source, may_be_wall=doubt)
         return
     if no_masonry is not None:
-        at = surface[0][np.unique(surface[1])]
-        yield LeftOut(shown or element.shown, no_masonry, _box(at), abs(volume(*surface)), source)
+        box = _box(surface[0][np.unique(surface[1])])
+        yield LeftOut(shown or element.shown, no_masonry, box[0], abs(volume(*surface)), source, box[1])
         return
     shells = [surface] if is_classed(element) else list(_shells(merge_vertices(*surface)))
     small = [shell for shell in shells if len(shells) > 1 and abs(volume(*shell)) < SPLINTER]
@@ -129,15 +133,20 @@ def _bodies_of(
         try:
             solid = solid_from_meshes(upright, density=1.0, name="")
         except GeometryError as problem:
-            why, at = note("left-out-not-closed", why=fault_of(problem, name)), shell[0][np.unique(shell[1])]
-            yield LeftOut(shown or element.shown, why, _box(at), source=source_of(element, name, k))
+            why, (size, low) = (
+                note("left-out-not-closed", why=fault_of(problem, name)),
+                _box(shell[0][np.unique(shell[1])]),
+            )
+            doubt = may_be_wall(element, size)
+            yield LeftOut(shown or element.shown, why, size, None, source_of(element, name, k), low, doubt)
             continue
         yield DrawnBody(shown, solid, element, name, k)
     if small:
         corners = np.concatenate([shell[0][np.unique(shell[1])] for shell in small])
         total = sum(abs(volume(*shell)) for shell in small)
         reason = note("left-out-splinters", number=whole_number(len(small)), volume=Quantity(total, "volume", 2))
-        yield LeftOut(shown or element.shown, reason, _box(corners), total, source)
+        size, low = _box(corners)
+        yield LeftOut(shown or element.shown, reason, size, total, source, low)
 
 
 def _shells(surface: Surface) -> Iterator[Surface]:
@@ -168,7 +177,7 @@ def _shells(surface: Surface) -> Iterator[Surface]:
         yield shells[k][0], np.concatenate([triangles for _, triangles in joined[k]])
 
 
-def _box(points: FloatArray) -> Vector:
-    """Return the sides of the box around points [n, 3] [m]."""
-    x, y, z = np.ptp(points, axis=0).tolist()
-    return (x, y, z)
+def _box(points: FloatArray) -> tuple[Vector, Vector]:
+    """Return the sides of the box around points [n, 3], and its lowest corner [m]."""
+    (x, y, z), (a, b, c) = np.ptp(points, axis=0).tolist(), points.min(axis=0).tolist()
+    return (x, y, z), (a, b, c)

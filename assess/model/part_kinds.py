@@ -6,7 +6,7 @@ What cannot be masonry, and what cannot be told, is left out with the reason.
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 from assess.geometry.formats.mesh_file import Element
 from assess.messages.message import Message, Quantity, note
@@ -140,6 +140,28 @@ def reason_to_leave_out(element: Element, shape: Shape) -> Message | None:
     if class_of(element) in FRAME_CLASSES and not is_tie(element, shape):
         return note("left-out-frame")
     return None
+
+
+def may_be_wall(element: Element, size: Sequence[float] | None = None, volume: float | None = None) -> bool:
+    """Return whether what could not be read may be a masonry wall, by its names, its class and its size.
+
+    Parameters
+    ----------
+    element : as the file names it
+    size : sides of the box around it [m]; None where it has no body
+    volume : [m3]; None where it is not closed
+    """
+    name = " ".join(element.names)
+    patterns = (FINISH, TIE_WORDS, *THINGS.values())
+    if not WALL_WORDS.search(name) and any(words.search(name) for words in patterns):
+        return False
+    kind = class_of(element)
+    other = kind in (*FRAME_CLASSES, *LEFT_OUT_CLASSES) or KINDS_BY_CLASS.get(kind) in (*COVERINGS, "tie")
+    small = size is not None and (max(size) < LEAST_WALL or sorted(size)[1] < LEAST_WALL / 2.0)
+    return not other and not small and (volume is None or volume >= LEAST_VOLUME)
+
+
+LEAST_WALL, LEAST_VOLUME = 1.0, 0.1  # m, half of it across, and m3: what is smaller may be left out
 
 
 def is_tie(element: Element, shape: Shape) -> bool:

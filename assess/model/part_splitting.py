@@ -57,13 +57,14 @@ def split_body(body: DrawnBody, shape: Shape) -> tuple[list[Piece], list[LeftOut
             pieces.append(wall)
             rest = None if rest is None else subtract(rest, [wall[0].solid], film=SLIVER)
     if not pieces:
-        return [], [leave_out(body, note("left-out-unknown"))]
+        return [], [leave_out(body, note("left-out-unknown"), told=False)]
+    unknown = note("left-out-unknown")
     for each in _separate(rest, body) if rest is not None else ():
         kind = first_kind(body.element, each[1])
-        reason = note("left-out-unknown") if kind is None or each[1].kind == "bar" else None
+        reason = unknown if kind is None or each[1].kind == "bar" else None
         reason = reason or reason_to_leave_out(body.element, each[1])
         if reason is not None or kind is None:
-            left_out.append(leave_out(each[0], reason or note("left-out-unknown")))
+            left_out.append(leave_out(each[0], reason or unknown, told=reason not in (None, unknown)))
         else:
             pieces.append((each[0], each[1], kind))
     return pieces, left_out

@@ -203,6 +203,8 @@ class LeftOut:
     size : of the box around it, x, y, z [m]; None where it has no body
     volume : [m3]; None where it is not closed
     source : class and GlobalId, or the file and the shell
+    low : lowest corner of the box around it [m]; None where it has no body
+    may_be_wall : whether it may be a masonry wall all the same, as one whose surface is open
     """
 
     name: str
@@ -210,6 +212,20 @@ class LeftOut:
     size: Vector | None = None
     volume: float | None = None
     source: str = ""
+    low: Vector | None = None
+    may_be_wall: bool = False
+
+    @property
+    def shown(self) -> str:
+        """Its name; of what has none, its size and place too."""
+        if self.name != NAMELESS or self.size is None or self.low is None:
+            return self.name
+        size, middle = self.size, [low + side / 2.0 for low, side in zip(self.low, self.size, strict=True)]
+        place = ", ".join(f"{each + 0.0:.3g}" for each in middle)
+        return f"{NAMELESS}, {' by '.join(f'{side:.3g}' for side in size)} m, around ({place}) m"
+
+
+NAMELESS = "without name"
 
 
 @dataclass(frozen=True, repr=False)
@@ -248,7 +264,7 @@ class Structure(ShortRepr):
     @property
     def left_out_texts(self) -> tuple[str, ...]:
         """What is left out and why, a text for those that read alike, with their number."""
-        alike = Counter(f"{each.name}: {each.reason}" for each in self.left_out)
+        alike = Counter(f"{each.shown}: {each.reason}" for each in self.left_out)
         return tuple(text if number == 1 else f"{text} ({number} of them)" for text, number in alike.items())
 
     def part(self, name: str) -> Part:

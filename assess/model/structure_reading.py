@@ -21,7 +21,10 @@ from assess.model.structure import COVERINGS, KINDS, LeftOut, Part, PartContact,
 
 MASONRY_DENSITY = 1800.0  # kg/m3: between rubble and solid brick of Circolare 7/2019, Table C8.5.I (19 and 18 kN/m3)
 COVERING_DENSITY = 1000.0  # kg/m3: 0.25 m of it weigh 250 kg/m2, as a floor of timber with screed or of hollow blocks
-LARGEST_OVERLAP = 0.5  # of a part's volume: one that lies in others by more is drawn twice
+LARGEST_OVERLAP = 0.5  # of a part's volume: one that lies in others by more is left out
+SAME_BODY = (
+    0.95  # of a part's volume: one that lies in others by more is in them, and nothing of the building is missing
+)
 Densities = float | Mapping[str, float]
 
 
@@ -76,10 +79,11 @@ def structure_of_models(
     placed: list[Part] = []
     for part in parts:
         draft = by_name[part.name]
-        twice = found.shared[part.name] > LARGEST_OVERLAP * part.volume
-        kind = note("left-out-twice") if twice else kind_in_place(part, draft.shape, draft.body.element, first)
+        share = found.shared[part.name] / part.volume
+        twice = note("left-out-twice", share=Quantity(100.0 * share, "percent", 2)) if share > LARGEST_OVERLAP else None
+        kind = twice or kind_in_place(part, draft.shape, draft.body.element, first)
         if isinstance(kind, Message):
-            left_out.append(leave_out(draft.body, kind))
+            left_out.append(leave_out(draft.body, kind, told=twice is None or share > SAME_BODY))
         else:
             placed.append(replace(part, kind=kind, shared=found.shared[part.name]))
     if not placed:

@@ -68,6 +68,7 @@ def draw_project(
     lines = [
         *_comment(f"Drawn from {', '.join(structure.files)} by `assess new --from`."),
         *(line for each in structure.warnings for line in _comment(f"- Warning: {each}.")),
+        *(line for each in structure.left_out_texts for line in _comment(f"- Left out: {each}.")),
         "# What only a survey can tell is to be filled in at the end; until then, what needs it is not answered.",
         "",
         f"title = {_text(title)}",

@@ -226,3 +226,27 @@ def test_names_of_models_hold_anything(drawn) -> None:
     text = draw_project(renamed, candidates, title='a"\x7f\n[site]').text
     assert tomllib.loads(text)["title"] == 'a"\x7f\n[site]'
     assert "site" not in tomllib.loads(text)
+
+
+@pytest.mark.parametrize(("name", "asked"), [("Wall_B", True), ("Wardrobe", False)])
+@pytest.mark.parametrize("how", ["open", "half within"])
+def test_what_is_left_out_and_may_be_a_wall_keeps_the_list_open(tmp_path, name, asked, how) -> None:
+    """A wall without its top, or 0.4 m thick of which 0.2 m lie in another: the head names it, and why."""
+    wall = part_of("Wall A", block((0, 0.4), (0, 4), (0, 3)))
+    other = part_of(name, block((9, 9.4), (0, 4), (0, 3)) if how == "open" else block((0.19, 0.59), (0, 4), (0, 3)))
+    text = obj_of((wall, other))
+    lines = text.rstrip().split("\n")
+    (tmp_path / "m.obj").write_text("\n".join(lines[:-2] if how == "open" else lines) + "\n")
+    write_project([tmp_path / "m.obj"], tmp_path / "new")
+    text = (tmp_path / "new" / "project.toml").read_text(encoding="utf-8")
+    assert f"# - Left out: {name}:" in text.split("title =")[0]
+    report = tomllib.loads(text)["report"].get("not_examined", {})
+    assert ("simple-overturning" in report and f"{name} is left out" in report["simple-overturning"]) is asked
+
+
+def test_the_share_of_what_is_drawn_twice_is_named(tmp_path) -> None:
+    parts = [part_of(name, block((x, x + 0.4), (0, 4), (0, 3))) for name, x in (("A", 0.0), ("B", 0.18))]
+    (tmp_path / "m.obj").write_text(obj_of(parts))
+    structure, _ = write_project([tmp_path / "m.obj"], tmp_path / "new")
+    (text,) = structure.left_out_texts
+    assert "55 % of its volume lies in other parts" in text

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from hashlib import sha256
+from math import dist, radians
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -15,7 +16,7 @@ from assess.geometry.mesh import MeshesBySelection
 from assess.geometry.solid import scale_density
 from assess.loads.load import BodyLoad
 from assess.mechanisms.kinds import Definition
-from assess.mechanisms.mechanism import BlockMechanism
+from assess.mechanisms.mechanism import BlockMechanism, CutAngle, CutPlane
 from assess.model.candidates import BuildingType, Candidate, Candidates, OpenEntry
 from assess.model.part_bodies import DrawnBody, DrawnModel
 from assess.model.part_kinds import TIE_WORDS
@@ -35,6 +36,7 @@ if TYPE_CHECKING:
     from pandas import DataFrame
 
 SAME_CUT = 0.1  # m: cuts of a wall this near each other are one
+SAME_ANGLE = radians(2.5)  # cuts inclined this alike are one
 SAME_WAY = 0.999  # cosine: directions within 2.5 degrees are one
 CLASS_OF_ROLE: Mapping[str, str] = {"floor": "IfcSlab", "roof": "IfcRoof", "vault": "IfcSlab"}
 """The class of a body that the project loads a mechanism with, by the role that it states."""
@@ -152,9 +154,23 @@ def _is_same(candidate: Candidate, other: Definition, structure: Structure) -> b
     same_way = other.direction is None or max(float(np.array(way) @ other.along) for way in ways) >= SAME_WAY
     base = min(structure.part(body).base for body in one.bodies)
     cuts = [base if each.cut is None else each.cut for each in (one, other)]
-    level = [each if isinstance(each, float) else None for each in cuts]
-    near = level[0] is not None and level[1] is not None and abs(level[0] - level[1]) <= SAME_CUT
-    return same_way and (near or cuts[0] == cuts[1])
+    return same_way and _is_same_cut(cuts[0], cuts[1], turned=float(np.array(one.towards) @ other.along) < SAME_WAY)
+
+
+Cut = float | CutPlane | CutAngle
+
+
+def _is_same_cut(one: Cut, other: Cut, *, turned: bool) -> bool:
+    """Return whether two cuts lie near each other, as project files state them rounded.
+
+    turned : towards another side, where a crack begins at the same height
+    """
+    if isinstance(one, CutAngle) and isinstance(other, CutAngle):
+        apart = abs(one.point[2] - other.point[2]) if turned else dist(one.point, other.point)
+        return apart <= SAME_CUT and abs(one.angle - other.angle) <= SAME_ANGLE
+    if isinstance(one, float) and isinstance(other, float):
+        return abs(one - other) <= SAME_CUT
+    return one == other
 
 
 def find_margins(project: Project, found: FoundMechanisms, *, jobs: int = 0) -> dict[str, float]:

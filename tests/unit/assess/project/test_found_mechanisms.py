@@ -15,7 +15,7 @@ from assess.study.run import find_outcome
 from assess.study.study import require_spectrum
 from assess.study.suites import motions_of
 from spectra.gravity import g
-from tests.support.buildings import house
+from tests.support.buildings import block, house, part_of
 from tests.support.command import ended
 from tests.support.drawings import obj_of
 from tests.support.houses import House, Planted, prism, write_groups, write_ifc
@@ -115,6 +115,22 @@ def test_a_mechanism_stated_in_another_way_as_weak_is_the_same(tmp_path) -> None
     rest = "".join(f"[mechanisms.{each}" for each in table.split("[mechanisms.")[1:])
     file.write_text(f"{head}[mechanisms.chimney-chimney]" + "\n".join(lines) + rest, encoding="utf-8")
     assert find_mechanisms(load(file)).in_file["chimney-chimney"] == "chimney-chimney"
+
+
+def test_an_inclined_crack_is_known_as_it_was_drawn(tmp_path) -> None:
+    """A tower's crack is written rounded; one that begins 1 m higher is another."""
+    tower = part_of("Tower", block((1.0 / 3, 10.1 / 3), (0.0, 3.3), (0.0, 14.3)), "tower")
+    (tmp_path / "tower.obj").write_text(obj_of((tower,)))
+    write_project([tmp_path / "tower.obj"], tmp_path / "new")
+    file = tmp_path / "new" / "project.toml"
+    loaded = load(file)
+    assert find_mechanisms(loaded).in_file["tower-tower"] == "tower-tower"
+    assert not add_mechanisms(loaded, find_mechanisms(loaded))
+    height = loaded.content.mechanisms["tower-tower"].cut.point[2]
+    text = file.read_text(encoding="utf-8")
+    assert text.count(f", {height:.10g}], angle") == 1
+    file.write_text(text.replace(f", {height:.10g}], angle", f", {height + 1.0:.10g}], angle"), encoding="utf-8")
+    assert "tower-tower" not in find_mechanisms(load(file)).in_file
 
 
 def test_a_name_that_is_taken_gets_a_number(file) -> None:

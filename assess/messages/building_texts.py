@@ -9,6 +9,8 @@ BUILDING_TEXTS: Mapping[str, str] = {
     "{covering} for floors, roofs and vaults",
     "split-body": "{body} is one closed body: it is split into {number} parts between opposite faces, and where its "
     "floors bear is not drawn",
+    "one-shell": "most of the building is one closed body that had to be split: towers, apses and the kind of building "
+    "cannot be told from it, so that no list of mechanisms is ticked; draw its parts apart, or fill in what it is",
     "bears-on-nothing": "floors, roofs or vaults that bear on no wall, so that no mechanism has their weight: {number} "
     "({names}); draw them down to what carries them, within 5 cm, or give their loads",
     "layers-of-finish": "walls of which some layers are no masonry, as insulation, air or plaster: {number} ({names}); "

@@ -298,6 +298,13 @@ class Structure(ShortRepr):
         return sum(part.mass - part.shared * part.density for part in self.parts)
 
     @property
+    def is_one_shell(self) -> bool:
+        """Whether pieces of one closed body that had to be split make up most of it: what they were is a guess."""
+        pieces = Counter((part.source, part.element) for part in self.parts if not part.whole)
+        split = [part.volume for part in self.parts if not part.whole and pieces[part.source, part.element] > 1]
+        return sum(split) > sum(part.volume for part in self.parts) / 2.0
+
+    @property
     def lowest(self) -> float:
         """The lowest elevation of all parts [m]."""
         return min(part.base for part in self.parts)

@@ -96,7 +96,7 @@ def structure_of_models(
     ]
     order = sorted(finished, key=lambda part: (KINDS.index(part.kind), round(part.base, 2)))
     names = _names(order, by_name)
-    return Structure(
+    structure = Structure(
         parts=tuple(
             replace(part, name=names[part.name], solid=replace(part.solid, name=names[part.name])) for part in order
         ),
@@ -111,6 +111,8 @@ def structure_of_models(
         ),
         files=tuple(files),
     )
+    guessed = [warning("one-shell")] if structure.is_one_shell else []
+    return replace(structure, warnings=(*guessed, *structure.warnings))
 
 
 LISTED_FAULTS = 2  # of a file in which nothing is masonry: most of its parts have the same one

@@ -62,7 +62,8 @@ def draw_project(
     unit, up : of the model files, as project files write them; the files' own where None
     """
     names = _body_names(structure.parts)
-    building_type: BuildingType = "church" if is_church(structure) else "house"
+    likely: BuildingType = "church" if is_church(structure) else "house"
+    building_type = None if structure.is_one_shell else likely
     stated = [each for each in candidates if is_stated(each)]
     meshes = {_mesh_path(names[part.name]): part.solid for part in structure.parts if not _is_element(part, structure)}
     lines = [
@@ -74,10 +75,7 @@ def draw_project(
         f"title = {_text(title)}",
         "",
         *_building(structure),
-        "[report]",
-        f'building_type = "{building_type}"',
-        "",
-        *_not_examined(candidates, stated, building_type),
+        *_report(candidates, stated, building_type),
         "[bodies]",
         *(_body(part, names, structure, unit=unit, up=up) for part in structure.parts),
         "",
@@ -85,7 +83,7 @@ def draw_project(
     for each in stated:
         lines += mechanism_lines(each, names, building_type)
     lines += _unstated(candidates, stated)
-    lines += _survey(structure, stated)
+    lines += _survey(structure, stated, likely)
     return DrawnProject("\n".join(lines) + "\n", meshes)
 
 
@@ -118,10 +116,24 @@ def _building(structure: Structure) -> Iterator[str]:
     tops = [part.top for part in structure.parts if part.kind not in (*COVERINGS, "chimney", "pinnacle", "tie")]
     yield "[building]"
     yield f'height = "{max(tops) - structure.lowest:.6g} m"'
-    if storeys := [each for each in structure.storeys if each.height is not None]:
-        yield f"storeys = {len(storeys)}"
+    if (storeys := number_of_storeys(structure)) is not None:
+        yield f"storeys = {storeys}"
     yield f'ground_elevation = "{structure.lowest + 0.0:.6g} m"'
     yield ""
+
+
+LEAST_STOREY, HIGHEST_STOREY = 1.8, 4.5  # m: a lower one is a loft; a higher one may be two, whose floor is not drawn
+
+
+def number_of_storeys(structure: Structure) -> int | None:
+    """Return the levels above the ground where floors and the roof bear; None where the drawing does not tell them."""
+    tops = [part.top if part.eaves is None else part.eaves for part in structure.walls]
+    if not structure.storeys or not tops:
+        return None
+    last = structure.storeys[-1]
+    heights = [each.height for each in structure.storeys if each.height is not None]
+    heights += [above] if (above := max(tops) - last.elevation) > LEAST_STOREY else []
+    return len(heights) if heights and max(heights) <= HIGHEST_STOREY else None
 
 
 def _body(part: Part, names: Mapping[str, str], structure: Structure, *, unit: str | None, up: Up | None) -> str:
@@ -235,8 +247,11 @@ def _runners_up(candidate: Candidate) -> str:
     return f"; as weak: {', '.join(ties)}" if ties else ""
 
 
-def _not_examined(candidates: Candidates, stated: Sequence[Candidate], building_type: BuildingType) -> Iterator[str]:
-    """Yield what the list of the report says of mechanisms that are possible and that no table here examines."""
+def _report(candidates: Candidates, stated: Sequence[Candidate], building_type: BuildingType | None) -> Iterator[str]:
+    """Yield whose list the report goes through, and what it says of mechanisms that no table here examines."""
+    if building_type is None:
+        return
+    yield from ("[report]", f'building_type = "{building_type}"', "")
     found = candidates.open_entries(building_type, stated={each.name for each in stated})
     if not found:
         return
@@ -299,18 +314,28 @@ SURVEY = f"""\
 # knowledge_level = "LC1"
 # A tie, and a bond of the side walls that was seen, go into the table of their mechanism:
 #     [[mechanisms.NAME.loads]] with kind = "tie", force = "30 kN", at = [0, 0, 6], anchor = [0, 7, 6]
-#     side_walls = {{ bond = "toothed", course = "0.25 m", overlap = "0.12 m", thickness = "0.5 m" }}
+#     side_walls = {{ bond = "toothed", course = "0.25 m", overlap = "0.12 m", thickness = "0.5 m" }}"""
+WHO_SAYS = """\
 # Who says that the masonry does not fall apart and that roofs are tied; when, and by which test.
 # [report.sources]"""
 SOURCE = '"measured: …, by whom and when"'
 
 
-def _survey(structure: Structure, stated: Sequence[Candidate]) -> Iterator[str]:
+def _survey(structure: Structure, stated: Sequence[Candidate], likely: BuildingType) -> Iterator[str]:
     """Yield the block to be filled in, and the materials, which end it."""
     seen: dict[str, Part] = {}
     for part in structure.parts:
         seen.setdefault(_material(part), part)
     yield SURVEY
+    if number_of_storeys(structure) is None:
+        yield "# The storeys above the ground, which the drawing does not tell, go into [building]:"
+        yield "#     storeys = 2"
+    if structure.is_one_shell:
+        yield "# The kind of building, which one shell does not tell: house or church. Its list is open then: say what"
+        yield '# each mechanism examines with examines = "…" in its table.'
+        yield "# [report]"
+        yield f'# building_type = "{likely}"'
+    yield WHO_SAYS
     masonry = [name for name, part in seen.items() if part.kind not in COVERINGS]
     yield from (f'# "materials.{name}.disintegration" = {SOURCE}' for name in masonry)
     for each in stated:

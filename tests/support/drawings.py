@@ -5,8 +5,17 @@ from pathlib import Path
 
 from assess.model.structure import Part
 
-HEADINGS = ("The site", "A tie", "Who says", "The masonry", "---- To fill")
-EXAMPLES = ("    [[", "    side_walls", *HEADINGS)
+HEADINGS = (
+    "The site",
+    "A tie",
+    "Who says",
+    "The masonry",
+    "The storeys",
+    "The kind",
+    "each mechanism",
+    "---- To fill",
+)
+EXAMPLES = ("    [[", "    side_walls", "    storeys", *HEADINGS)
 
 
 def obj_of(parts: Sequence[Part], *, named: bool = True) -> str:

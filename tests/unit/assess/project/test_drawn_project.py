@@ -250,3 +250,54 @@ def test_the_share_of_what_is_drawn_twice_is_named(tmp_path) -> None:
     structure, _ = write_project([tmp_path / "m.obj"], tmp_path / "new")
     (text,) = structure.left_out_texts
     assert "55 % of its volume lies in other parts" in text
+
+
+def building(*floors: float, top: float) -> Structure:
+    """Walls up to an elevation, with a slab 0.2 m thick whose top lies at each of some elevations [m]."""
+    slabs = [part_of(f"Floor {z}", block((0, 6), (0, 6), (z - 0.2, z)), "floor", normal=(0, 1)) for z in floors]
+    return Structure(parts=(part_of("Wall", block((0, 0.5), (0, 6), (0, top))), *slabs))
+
+
+@pytest.mark.parametrize(
+    ("floors", "top", "storeys"),
+    [((), 3.0, 1), ((3.2,), 6.2, 2), ((3.2, 6.2), 6.2, 2), ((3.2,), 4.2, 1), ((), 6.2, None), ((3.2,), 9.2, None)],
+)
+def test_storeys_are_the_levels_where_floors_and_the_roof_bear(tmp_path, floors, top, storeys) -> None:
+    """Two floors, one of them the roof's, are two storeys; a wall of 6 m without a floor may be one or two."""
+    (tmp_path / "m.obj").write_text(obj_of(building(*floors, top=top).parts))
+    write_project([tmp_path / "m.obj"], tmp_path / "new")
+    text = (tmp_path / "new" / "project.toml").read_text(encoding="utf-8")
+    assert tomllib.loads(text)["building"].get("storeys") == storeys
+    assert ("#     storeys = 2" in text) is (storeys is None)
+
+
+def test_one_shell_leaves_the_kind_of_building_to_the_survey(tmp_path) -> None:
+    """The walls of a room as one closed ring: four walls are read, and whether it was a tower nobody knows."""
+    ring = [(0, 0), (5, 0), (5, 5), (0, 5)], [(0.6, 0.6), (4.4, 0.6), (4.4, 4.4), (0.6, 4.4)]
+    (tmp_path / "m.obj").write_text(ring_obj(*ring, height=4.0))
+    structure, _ = write_project([tmp_path / "m.obj"], tmp_path / "new")
+    assert len(structure.walls) == 4
+    assert "one-shell" in {each.key for each in structure.warnings}
+    file = tmp_path / "new" / "project.toml"
+    text = file.read_text(encoding="utf-8")
+    assert "report" not in tomllib.loads(text)
+    assert not any("examines" in each for each in tomllib.loads(text)["mechanisms"].values())
+    fill_in(file)
+    report = load(file).content.report
+    assert report.building_type == "house"
+
+
+def ring_obj(outer, inner, *, height: float) -> str:
+    """A closed ring of walls between two squares of four corners [m] as an OBJ file of one shell."""
+    corners = [(x, y, z) for z in (0.0, height) for x, y in (*outer, *inner)]
+    faces = []
+    for i in range(4):
+        j = (i + 1) % 4
+        faces += [
+            (i, j, j + 8, i + 8),
+            (j + 4, i + 4, i + 12, j + 12),
+            (j, i, i + 4, j + 4),
+            (i + 8, j + 8, j + 12, i + 12),
+        ]
+    lines = [f"v {x} {y} {z}" for x, y, z in corners]
+    return "\n".join([*lines, *("f " + " ".join(str(each + 1) for each in face) for face in faces)]) + "\n"

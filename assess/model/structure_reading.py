@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
 from assess.errors import GeometryError
 from assess.geometry.formats.mesh_file import MAX_LISTED, Up
+from assess.geometry.formats.readers import WITHOUT_UNIT
+from assess.geometry.mesh import size_warning
 from assess.geometry.solid import scale_density
 from assess.messages.message import Message, Quantity, first_names, note, warning, whole_number
 from assess.model.part_bodies import DrawnBody, DrawnModel, leave_out, read_bodies
@@ -45,7 +47,22 @@ def read_structure(
     GeometryError : a file cannot be read, or nothing in them is masonry
     """
     models = [read_bodies(file, unit=unit, up=up) for file in files]
-    return structure_of_models(models, files=[file.name for file in files], density=density)
+    structure = structure_of_models(models, files=[file.name for file in files], density=density)
+    return replace(structure, warnings=(*_sizes(structure.parts, unit), *structure.warnings))
+
+
+def _sizes(parts: Sequence[Part], unit: float | None) -> Iterator[Message]:
+    """Yield a warning of each kind on sizes and places that suggest a slip, of the first part that has it.
+
+    unit : that the files were read in, where the caller states it [m]
+    """
+    told: set[str] = set()
+    for part in parts:
+        used = unit or (1.0 if Path(part.file).suffix.lower() in WITHOUT_UNIT else None)
+        found = size_warning(part.solid, unit=used)
+        if found is not None and found.key not in told:
+            told.add(found.key)
+            yield found
 
 
 def structure_of_models(

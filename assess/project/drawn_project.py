@@ -15,7 +15,7 @@ from math import degrees
 from pathlib import Path
 from typing import Any
 
-from assess.errors import ProjectError
+from assess.errors import GeometryError, ProjectError
 from assess.examples import name_schema
 from assess.examples.surfaces import ClosedSurface, ply
 from assess.geometry.formats.mesh_file import Up
@@ -409,7 +409,7 @@ def write_project(
         raise ProjectError(f"{models[-1]}: another model has its name, and both are copied into {folder}; rename one")
     with new_folder(folder, command="assess new") as made:
         structure = read_structure(models, unit=None if unit is None else length_of_unit(unit), up=up)
-        candidates = structure.mechanisms()
+        candidates = _mechanisms_of(structure, models[0], up)
         drawn = draw_project(structure, candidates, title=models[0].stem, unit=unit, up=up)
         for path, solid in drawn.meshes.items():
             (made / path).parent.mkdir(exist_ok=True)
@@ -419,3 +419,13 @@ def write_project(
         (made / PROJECT).write_text(drawn.text, encoding="utf-8", newline="\n")
         name_schema(made, PROJECT)
     return structure, candidates
+
+
+def _mechanisms_of(structure: Structure, model: Path, up: Up | None) -> Candidates:
+    """Return the mechanisms of a building; where it cannot be cut as buildings are, it may lie on its side."""
+    try:
+        return structure.mechanisms()
+    except GeometryError as error:
+        stated = f"--up {up} is stated" if up else "--up is not stated"
+        cure = f"check which axis points up ({stated}) and the unit (--unit)"
+        raise GeometryError(f"{model}: its parts do not stand as those of a building do ({error}); {cure}") from None

@@ -25,6 +25,7 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 from assess.errors import Faults, ProjectError, locate_errors
+from assess.geometry.formats.readers import READERS
 from assess.messages.message import Message, Quantity, escape_text, note, warning
 from assess.project.key_errors import KeyPath, key_text, look_up, value_text
 from assess.project.keys import (
@@ -96,6 +97,9 @@ def load(path: Path | str) -> Project:
     Raises ProjectError for a file that is missing, is not TOML, or breaks the schema.
     """
     file = _project_file(Path(path))
+    if file.suffix.lower() in READERS and file.is_file():
+        cure = f"`assess new DIR --from {file}` makes a project of it"
+        raise ProjectError(f"{file}: a model, and no project file; {cure}")
     data = _bytes(file)
     try:
         tables = parse_toml(_text(data))

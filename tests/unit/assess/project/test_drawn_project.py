@@ -7,6 +7,7 @@ from math import cos, pi, radians, sin
 import pytest
 
 from assess.errors import GeometryError, ProjectError
+from assess.examples import house as example_house
 from assess.examples.surfaces import ClosedSurface, ply
 from assess.geometry.solid import profile
 from assess.mechanisms.chain import uplift_multiplier
@@ -301,3 +302,28 @@ def ring_obj(outer, inner, *, height: float) -> str:
         ]
     lines = [f"v {x} {y} {z}" for x, y, z in corners]
     return "\n".join([*lines, *("f " + " ".join(str(each + 1) for each in face) for face in faces)]) + "\n"
+
+
+def test_a_house_in_a_unit_that_is_ten_times_too_large_is_asked_about(tmp_path, drawn) -> None:
+    """Walls of 90 m that are 5 m thick; as they are meant, of 9 m and 0.5 m, nothing is asked."""
+    _, as_meant, _ = drawn
+    (tmp_path / "house.obj").write_text(placed(obj_of(house(caps=True).parts), unit=1e-3))
+    structure, _ = write_project([tmp_path / "house.obj"], tmp_path / "new", unit="cm")
+    told = [str(each) for each in structure.warnings if each.key.startswith("size")]
+    assert told
+    assert all("is its unit right?" in each for each in told)
+    assert not [each for each in as_meant.warnings if each.key.startswith("size")]
+
+
+def test_a_house_on_its_side_is_an_error_about_the_axis_that_is_up(tmp_path) -> None:
+    model = tmp_path / "house.ifc"
+    model.write_text(example_house.model())
+    with pytest.raises(GeometryError, match=r"check which axis points up \(--up y is stated\)"):
+        write_project([model], tmp_path / "new", up="y")
+    assert not (tmp_path / "new").exists()
+
+
+def test_a_model_in_place_of_a_project_file_is_told_what_reads_it(drawn) -> None:
+    folder, _, _ = drawn
+    with pytest.raises(ProjectError, match=r"a model, and no project file; `assess new DIR --from .*house\.obj`"):
+        load(folder / "house.obj")

@@ -17,8 +17,8 @@ ROOT = Path(__file__).resolve().parents[2]
 PACKAGES = ("assess", "records", "reports", "spectra")
 KINDS = (".py", ".typed", ".toml", ".csv", ".md", ".po", ".html", ".css", ".js")
 """Endings of files that a wheel may hold; whatever else lies in a folder of the packages is rubbish."""
-INPUTS = ("assess/verification/cases/", (".AT2", ".ply"))
-"""The folder in which records and meshes lie too, and their endings: inputs of solved cases, to be run again."""
+INPUTS = ("assess/verification/cases/", (".AT2", ".ply", ".json"))
+"""The folder in which records, meshes and replies of hazard services lie too, and their endings: inputs of solved cases, to be run again."""
 NO_PART = (".venv", "__pycache__", ".pyc", "_cache/", ".hypothesis", "build/", "dist/")
 MEGABYTE = 1e6
 

@@ -18,7 +18,7 @@ PACKAGES = ("assess", "records", "reports", "spectra")
 KINDS = (".py", ".typed", ".toml", ".csv", ".md", ".po", ".html", ".css", ".js")
 """Endings of files that a wheel may hold; whatever else lies in a folder of the packages is rubbish."""
 INPUTS = ("assess/verification/cases/", (".AT2", ".ply", ".json"))
-"""The folder in which records, meshes and replies of hazard services lie too, and their endings: inputs of solved cases, to be run again."""
+"""The folder in which records, meshes and replies of services lie too, and their endings: inputs of solved cases."""
 NO_PART = (".venv", "__pycache__", ".pyc", "_cache/", ".hypothesis", "build/", "dist/")
 MEGABYTE = 1e6
 

@@ -371,7 +371,7 @@ def missing_texts(results: Results, verdict: Verdict) -> list[Text]:
 
 def blocks_to_paste(results: Results, verdict: Verdict) -> list[Block]:
     """Return the lines to paste under their title; nothing where no line is known."""
-    lines = _lines_to_paste(results, verdict)
+    lines = toml_lines(verdict.missing, [key for key, each in results.project.items() if each.given])
     if not lines:
         return []
     title = say("To complete the verdict, add these lines to the project file with your own values:")
@@ -448,8 +448,3 @@ def _missing_text(results: Results, key: str, group: Sequence[Missing]) -> Text:
         return say("{key}: {why}", key=value_name(results, first.key), why=why)
     name = value_title(f"mechanisms.*.{key}") or Verbatim(key)
     return say("{key} of {mechanisms}: {why}", key=name, mechanisms=mechanism_list(results, owners), why=why)
-
-
-def _lines_to_paste(results: Results, verdict: Verdict) -> tuple[str, ...]:
-    """Return the missing keys as lines of a project file."""
-    return toml_lines(verdict.missing, [key for key, each in results.project.items() if each.given])

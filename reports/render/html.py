@@ -185,7 +185,7 @@ class Elements:
     @element.register
     def _(self, block: Sheet) -> str:
         heads = [_head(self.text(text)) for text in SHEET_HEADS]
-        return self._wide(block, "Sheet", "sheet", heads, map(_step, sheet_rows(block, self.locale)))
+        return self._wide(block, "Sheet", "sheet", heads, map(_step, sheet_rows(block.steps, self.locale)))
 
     @element.register
     def _(self, block: Equations) -> str:

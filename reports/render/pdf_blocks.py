@@ -457,7 +457,7 @@ def _table_grid(table: Table, locale: Locale, width: float) -> PagedTable:
 def _sheet_grid(sheet: Sheet, locale: Locale, width: float) -> PagedTable:
     """Return a calculation sheet, `width` [pt] wide."""
     heads = [paragraph(locale.text(head), "head") for head in SHEET_HEADS]
-    rows = [_step(row) for row in sheet_rows(sheet, locale)]
+    rows = [_step(row) for row in sheet_rows(sheet.steps, locale)]
     return _grid([list(heads), *rows], [share * width for share in _SHEET_SHARES], [])
 
 

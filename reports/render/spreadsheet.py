@@ -144,7 +144,7 @@ def _worksheets(document: Document, plain: PlainTables, *, taken: Iterable[str])
         kind = table.name.removeprefix(f"{stem}-") if stem else table.name
         heads = (locale.heading(column.label, column.dimension) for column in table.columns)
         of_subject = found.setdefault(subjects.get(kind, table.name), {})
-        of_subject.setdefault((kind if part else table.name, *heads), []).append((part, table, rows))
+        of_subject.setdefault((f"*-{kind}" if stem else table.name, *heads), []).append((part, table, rows))
     joined = [
         (subject, sorted((_join(parts, locale) for parts in alike.values()), key=_length))
         for subject, alike in found.items()

@@ -110,9 +110,9 @@ class SheetRow:
     beside: str
 
 
-def sheet_rows(sheet: Sheet, locale: Locale) -> Iterator[SheetRow]:
+def sheet_rows(steps: Iterable[Step], locale: Locale) -> Iterator[SheetRow]:
     """Yield the steps of a sheet in the letters of a locale: in SI, and in US units where the locale has them."""
-    for step in sheet.steps:
+    for step in steps:
         yield SheetRow(
             step.symbol,
             ", ".join(part for part in (_word(step.description, locale), step.subject) if part),
@@ -126,7 +126,7 @@ def sheet_rows(sheet: Sheet, locale: Locale) -> Iterator[SheetRow]:
 
 def equations(steps: Sequence[Step], locale: Locale) -> Iterator[tuple[str, str]]:
     """Yield the left side and the result of each step: "T = 2 π √(d / a)" and "1.6 s"."""
-    for row in sheet_rows(Sheet("", Verbatim(""), tuple(steps)), locale):
+    for row in sheet_rows(steps, locale):
         repeated = row.formula == row.symbol
         left = row.symbol if repeated or not row.formula else f"{row.symbol} = {row.formula}"
         yield left, f"{row.result} ({row.beside})" if row.beside else row.result
@@ -150,7 +150,7 @@ def sheet_as_table(sheet: Sheet, locale: Locale) -> Table:
     columns = tuple(map(Column, (*_SHEET_COLUMNS, *(_US_COLUMNS if besides else ()))))
     rows = tuple(
         (*_cells_in_si(step, row, locale), *(_cells_in_locale_unit(step, locale) if besides else ()))
-        for step, row in zip(sheet.steps, sheet_rows(sheet, locale), strict=True)
+        for step, row in zip(sheet.steps, sheet_rows(sheet.steps, locale), strict=True)
     )
     return Table(sheet.name, sheet.caption, columns, rows)
 

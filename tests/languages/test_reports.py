@@ -53,7 +53,7 @@ def unknown_words(results: Results, language: str) -> set[str]:
     listener = Listener(language, titles=document.numbers)
     for text in texts_in((document, tuple(tables(results)))):
         if isinstance(text, Sheet):
-            assert list(sheet_rows(text, listener))
+            assert list(sheet_rows(text.steps, listener))
         else:
             listener.text(text)
     return listener.unknown

@@ -74,7 +74,7 @@ def test_page(tmp_path: Path, locale: Locale) -> None:
         assert [[cell.text_content() for cell in row] for row in rows] == written
     (sheet,) = document.sheets
     text = without_spaces(tree.xpath("//table[@id='sheet-1']/tbody")[0].text_content())
-    for row in sheet_rows(sheet, document.writer):
+    for row in sheet_rows(sheet.steps, document.writer):
         assert without_spaces(visible(row.description)) in text
         assert without_spaces(row.result) in text
         assert without_spaces(row.beside) in text

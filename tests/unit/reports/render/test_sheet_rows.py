@@ -5,7 +5,6 @@ from __future__ import annotations
 import pytest
 
 from assess.codes.calculation_sheet import Step, step
-from reports.document import NOTHING, Sheet
 from reports.language.locale import Locale
 from reports.render.table_text import SheetRow, sheet_rows
 
@@ -14,7 +13,7 @@ WITH_INPUTS = step("a", "acceleration", "C8.7.1", "1.35 a_0 / e*", 1.928571, "m/
 
 
 def row(made: Step, locale: Locale | None = None) -> SheetRow:
-    (found,) = sheet_rows(Sheet("sheet", NOTHING, (made,)), locale or Locale())
+    (found,) = sheet_rows((made,), locale or Locale())
     return found
 
 

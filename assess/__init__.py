@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from assess.mechanisms.side_walls import SideWalls
     from assess.mechanisms.wedged_block import Wedge
     from assess.model.bodies import Body, Material, box, mesh, profile
+    from assess.project.suites import catalogue, select_records
     from assess.study.block import (
         Block,
         corner,
@@ -33,6 +34,7 @@ if TYPE_CHECKING:
     from assess.verbs import (
         Run,
         answers,
+        batch,
         envelope,
         fragility,
         load,
@@ -44,6 +46,7 @@ if TYPE_CHECKING:
     )
     from records.reading import read_record, read_records
     from records.record import Record
+    from records.synthetic import artificial_records
     from spectra.gravity import g
     from spectra.registry import spectrum
 
@@ -66,8 +69,11 @@ __all__ = [
     "TieLoad",
     "Wedge",
     "answers",
+    "artificial_records",
+    "batch",
     "box",
     "building",
+    "catalogue",
     "corner",
     "envelope",
     "equivalent_block",
@@ -85,6 +91,7 @@ __all__ = [
     "read_records",
     "respond",
     "run",
+    "select_records",
     "single_block",
     "spectrum",
     "two_block",
@@ -101,6 +108,7 @@ _HOMES = {
     "assess.mechanisms.side_walls": ("SideWalls",),
     "assess.mechanisms.wedged_block": ("Wedge",),
     "assess.model.bodies": ("Body", "Material", "box", "mesh", "profile"),
+    "assess.project.suites": ("catalogue", "select_records"),
     "assess.study.block": (
         "Block",
         "corner",
@@ -114,6 +122,7 @@ _HOMES = {
     "assess.verbs": (
         "Run",
         "answers",
+        "batch",
         "envelope",
         "fragility",
         "load",
@@ -125,6 +134,7 @@ _HOMES = {
     ),
     "records.reading": ("read_record", "read_records"),
     "records.record": ("Record",),
+    "records.synthetic": ("artificial_records",),
     "spectra.gravity": ("g",),
     "spectra.registry": ("spectrum",),
 }

@@ -25,17 +25,20 @@ from assess.study.study import Fitting, ScaledRecord, Study, require_spectrum
 from assess.study.suites import (
     MULTIPLE_OF_LONGEST,
     SHARE_OF_SHORTEST,
+    OfferedRecords,
     apply_given_factors,
     artificial_band,
     motions_of,
     scale_together,
 )
+from assess.workers import process_pool
 from records.candidates import PERIODS
 from records.code_suites import SuiteTarget, band_for, select_for
 from records.compliance import REQUIREMENTS, SELECTION_RULES, CodeName
 from records.errors import RecordError
 from records.formats.header import HeaderOverrides
 from records.reading import read_with_overrides
+from records.record import Record, scale
 from records.scaling import Scaling, band, misfit, scale_to_ordinate, truncate_band
 from records.selection import CandidateFilters, Components, Fit, Range, ScaleTo, SuiteCriteria, select
 from spectra.errors import SpectrumError
@@ -210,6 +213,11 @@ class SelectedSuite:
     fitting: Fitting
     scale_to: ScaleTo
 
+    @property
+    def records(self) -> tuple[Record, ...]:
+        """The records times their factors."""
+        return tuple(scale(each.record, each.scaling.factor) for each in self.motions)
+
 
 def select_for_target(
     target: Path,
@@ -240,13 +248,114 @@ def select_for_target(
     spectrum, criteria = _spectrum_at(target), _criteria_of_options(options)
     if kept is not None and sum(place.is_dir() for place in places) > 1:
         raise AssessError(f"--catalogue {kept}: one catalogue is of one folder; give one folder")
+    code: CodeName | None = None if options.code is None else _one_of("--for", options.code, CodeName)
     offer = suites.candidate_records(places, overrides=overrides, flatfile=flatfile, kept=kept, executor=executor)
-    if options.code is None:
+    return select_for_spectrum(spectrum, offer, criteria, code=code)
+
+
+def select_records(
+    target: Spectrum,
+    records: OfferedRecords | str | Path | Sequence[str | Path],
+    *,
+    count: int = 7,
+    periods: Range = (0.1, 2.0),
+    scale_limits: Range = (0.25, 4.0),
+    fit: Fit = "suite",
+    components: Components = "single",
+    scale_to: ScaleTo = "spectrum",
+    one_per_event: bool = True,
+    magnitude: Range | None = None,
+    distance: Range | None = None,
+    vs30: Range | None = None,
+    pga: Range | None = None,
+    duration: Range | None = None,
+    events: Sequence[str] = (),
+    code: CodeName | None = None,
+) -> SelectedSuite:
+    """Select the records that best fit a target spectrum, and scale them, as `assess records select` does.
+
+    Parameters
+    ----------
+    target : elastic spectrum, 5 % damping
+    records : what `catalogue` returns, or files and folders of records
+    count : of records, or of recordings where their components are kept together
+    periods : range over which to fit [s]
+    scale_limits : smallest and largest scale factor [-]
+    fit : the mean of the "suite", or "each" record
+    components : each "single", or those of a recording "together" with one factor
+    scale_to : "spectrum", "pga" or "none"
+    one_per_event : whether no two may be of one earthquake
+    magnitude, distance, vs30, pga, duration : least and largest [-], [m], [m/s], [m/s2], [s]; None for any
+    events : parts of the names of the earthquakes allowed; all if empty
+    code : whose rules to meet, such as "ntc2018"; the periods are then 0.2 to 1.2 T
+
+    Returns
+    -------
+    The suite: `records` scaled, `motions` as read with their factors
+
+    Raises
+    ------
+    AssessError : an argument cannot be followed
+    RecordError : a file cannot be read, or too few records are left; lists how many after each step
+    """
+    if not isinstance(target, Spectrum):
+        raise AssessError(f"target: {type(target).__name__} given; give a spectrum, as assess.spectrum returns it")
+    spans = {"magnitude": magnitude, "distance": distance, "vs30": vs30, "pga": pga, "duration": duration}
+    _check_spans({**spans, "scale_limits": scale_limits, "periods": periods}, "")
+    if not isinstance(count, int) or count < 1:
+        raise AssessError(f"count = {count!r:.60}: give a whole number from 1 up")
+    criteria = SuiteCriteria(
+        count=count,
+        band=band(*periods),
+        filters=CandidateFilters(**spans, events=tuple(events)),
+        scale_limits=scale_limits,
+        one_per_event=one_per_event,
+        fit=_one_of("fit", fit, Fit),
+        components=_one_of("components", components, Components),
+        scale_to=_one_of("scale_to", scale_to, ScaleTo),
+    )
+    rules: CodeName | None = None if code is None else _one_of("code", code, CodeName)
+    places = (records,) if isinstance(records, str | Path) else records
+    offer = places if isinstance(places, OfferedRecords) else catalogue(*places)
+    return select_for_spectrum(target, offer, criteria, code=rules)
+
+
+def catalogue(*places: str | Path, flatfile: str | Path | None = None, jobs: int = 1) -> OfferedRecords:
+    """Catalogue the records of folders and files: metadata, measures and 5 % spectra, as `assess records index` does.
+
+    A folder keeps its catalogue in a file of its own; later calls read only new and changed files.
+
+    Parameters
+    ----------
+    places : folders of records with their subfolders, and files
+    flatfile : table of magnitudes and distances of the recordings
+    jobs : processes that share the reading, 0 for all cores; more than one only under `if __name__ == "__main__":`
+
+    Returns
+    -------
+    `candidates`, and `problems` with the files that could not be read
+
+    Raises
+    ------
+    RecordError : a file that is named cannot be read
+    """
+    if not places:
+        raise AssessError("catalogue: no place given; give folders or files of records")
+    with process_pool(jobs) as executor:
+        return suites.candidate_records(
+            [Path(each) for each in places], flatfile=None if flatfile is None else Path(flatfile), executor=executor
+        )
+
+
+def select_for_spectrum(
+    spectrum: Spectrum, offer: OfferedRecords, criteria: SuiteCriteria, *, code: CodeName | None
+) -> SelectedSuite:
+    """Select the suite that fits a spectrum, by the rules of a code where one is named."""
+    if code is None:
         found, own = select(offer.candidates, spectrum, criteria), {}
         chosen = suites.record_set(found, criteria.band, folder=Path.cwd())
         motions = scale_together(chosen.records, spectrum, chosen.fitting, scale_to=criteria.scale_to)
     else:
-        code: CodeName = _one_of("for", options.code, CodeName)
         making = SELECTION_RULES[code]
         low, high = truncate_band(criteria.band, spectrum.longest_period).ends
         goal = SuiteTarget(spectrum, spectrum, low / SHARE_OF_SHORTEST, high / MULTIPLE_OF_LONGEST)
@@ -290,7 +399,7 @@ def write_scaled_files(
     found = suites.with_unique_names([record for file in files for record in read_with_overrides(file, overrides)])
     records = horizontal_records(found)
     if at is None:
-        motions = scale_together(records, spectrum, fitting, scale_to=_one_of("to", to, ScaleTo))
+        motions = scale_together(records, spectrum, fitting, scale_to=_one_of("--to", to, ScaleTo))
     else:
         factors = [scale_to_ordinate(record, spectrum, period=at) for record in records]
         over = vars(truncate_band(fitting.band, spectrum.longest_period))
@@ -317,12 +426,7 @@ def _suite_of(study: Study, motions: tuple[ScaledRecord, ...]) -> ScaledSuite:
 
 def _criteria_of_options(options: SuiteOptions) -> SuiteCriteria:
     """Return the criteria in SI; raise AssessError for an unknown word or a range that falls."""
-    spans = {**options.spans, "scale-limits": options.scale_limits}
-    for name, span in spans.items():
-        if span is not None and (isnan(span[0]) or isnan(span[1])):
-            raise AssessError(f"--{name} {span[0]:g} {span[1]:g}: not a number; give two numbers, the lesser first")
-        if span is not None and span[0] > span[1]:
-            raise AssessError(f"--{name} {span[0]:g} {span[1]:g}: the first is larger than the second")
+    _check_spans({**options.spans, "scale-limits": options.scale_limits}, "--")
     si = {
         name: None if span is None else (span[0] * UNITS[name], span[1] * UNITS[name])
         for name, span in options.spans.items()
@@ -333,10 +437,21 @@ def _criteria_of_options(options: SuiteOptions) -> SuiteCriteria:
         filters=CandidateFilters(**si, events=options.events),
         scale_limits=options.scale_limits,
         one_per_event=options.one_per_event,
-        fit=_one_of("fit", options.fit, Fit),
-        components=_one_of("components", options.components, Components),
-        scale_to=_one_of("scale-to", options.scale_to, ScaleTo),
+        fit=_one_of("--fit", options.fit, Fit),
+        components=_one_of("--components", options.components, Components),
+        scale_to=_one_of("--scale-to", options.scale_to, ScaleTo),
     )
+
+
+def _check_spans(spans: Mapping[str, Range | None], dashes: str) -> None:
+    """Raise AssessError for a range that is not a number or falls."""
+    for name, span in spans.items():
+        if span is not None and (isnan(span[0]) or isnan(span[1])):
+            raise AssessError(
+                f"{dashes}{name} {span[0]:g} {span[1]:g}: not a number; give two numbers, the lesser first"
+            )
+        if span is not None and span[0] > span[1]:
+            raise AssessError(f"{dashes}{name} {span[0]:g} {span[1]:g}: the first is larger than the second")
 
 
 def _check_period(at: float | None) -> None:
@@ -362,5 +477,5 @@ def _spectrum_at(target: Path) -> Spectrum:
 def _one_of(option: str, word: str, known: Any) -> Any:
     words = get_args(known)
     if word not in words:
-        raise AssessError(f'--{option} "{word}": not known; choose one of {", ".join(words)}')
+        raise AssessError(f'{option} "{word}": not known; choose one of {", ".join(words)}')
     return word

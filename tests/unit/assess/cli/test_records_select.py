@@ -5,11 +5,14 @@ import io
 import json
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
 from scipy.constants import g
 
+import assess
+from assess.errors import AssessError
 from records import candidates
 from records.catalogue import NAME
 from records.processing import at2_text
@@ -75,6 +78,36 @@ def test_select_prints_records_and_requirements(folder: Path, capsys: pytest.Cap
     assert len(out.split("\n\n")[0].splitlines()) == 4
     assert "NZS 1170.5:2004" in out
     assert "5 of different earthquakes" in out
+
+
+def test_python_selects_as_the_command_line_does(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    limits = {"scale_limits": (0.001, 1000.0), "count": 3}
+    assert select(folder, "--count", 3, "--pga", 0.0, 100.0, "--json") == 0
+    printed = json.loads(capsys.readouterr().out)["records"]
+    target, known = read_table(folder.parent / "target.csv"), assess.catalogue(folder)
+    found = assess.select_records(target, known, pga=(0.0, 100.0 * g), **limits)
+    assert [(each.record.id, each.scaling.factor) for each in found.motions] == [
+        (each["id"], each["scale_factor"]) for each in printed
+    ]
+    for scaled, each in zip(found.records, found.motions, strict=True):
+        np.testing.assert_allclose(scaled.acceleration, each.scaling.factor * each.record.acceleration, rtol=1e-15)
+    assert len(known.candidates) == 5
+    assert known.problems[0][0].endswith(".txt")
+    assert assess.select_records(target, folder, **limits).records[0].id == found.records[0].id
+
+
+@pytest.mark.parametrize(
+    ("given", "said"),
+    [
+        ({"fit": "best"}, 'fit "best": not known; choose one of suite, each'),
+        ({"code": "ntc"}, 'code "ntc": not known'),
+        ({"pga": (2.0, 1.0)}, "pga 2 1: the first is larger"),
+        ({"count": 0}, "count = 0: give a whole number"),
+    ],
+)
+def test_python_refuses_an_argument_that_cannot_be_followed(folder: Path, given: dict[str, Any], said: str) -> None:
+    with pytest.raises(AssessError, match=said):
+        assess.select_records(read_table(folder.parent / "target.csv"), folder, **given)
 
 
 def test_select_as_json_and_csv_agree_and_each_fits_best(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:

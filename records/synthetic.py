@@ -122,7 +122,7 @@ def seed_of_target(spectrum: Spectrum, *, duration: float) -> int:
 
 DAMPING = 0.05
 ROUNDS = 40
-RECORDS_KEPT, SETS_KEPT = 128, 4  # in the memory of a process, of those used last
+RECORDS_KEPT, SETS_KEPT = 256, 16  # in the memory of a process, of those used last
 RISE, STATIONARY = 0.1, 0.5  # shares of the duration
 END_LEVEL = 0.05  # of the envelope at the end of the duration
 TAPER = 0.05  # share of the duration over which the end is brought to zero

@@ -478,7 +478,8 @@ def spectrum_of_rules(code: str, study: Study, spectrum: Spectrum) -> Spectrum:
 def artificial_band(study: Study, spectrum: Spectrum, *, duration: float) -> Range:
     """Return the range of periods over which artificial records are made to fit [s]: as the rules require, if possible.
 
-    A record holds periods up to a share of its duration; further than the target or 10 s nothing is compared.
+    The longest period is rounded up to a whole second, so that walls that differ a little have the same records. A
+    record holds periods up to a share of its duration; further than the target or 10 s nothing is compared.
 
     Parameters
     ----------
@@ -490,7 +491,7 @@ def artificial_band(study: Study, spectrum: Spectrum, *, duration: float) -> Ran
         Of the records [s].
     """
     ranges = [RULES[code].fitted(longest=RULES[code].periods(study)[1]) for code in _codes_that_decide(study)]
-    longest = max([MATCHED_PERIODS[1], *(high for _, high in ranges)])
+    longest = ceil(max([MATCHED_PERIODS[1], *(high for _, high in ranges)]))
     return MATCHED_PERIODS[0], min(longest, duration / LONGEST_PERIOD_SHARE, float(FINE[-1]), spectrum.longest_period)
 
 

@@ -7,7 +7,7 @@ from math import radians
 
 from assess.results import Picture, Results
 from reports.document import NOTHING, Photograph
-from reports.language.texts import Text, Verbatim, listing, quantity, say
+from reports.language.texts import Date, Text, Verbatim, listing, quantity, say
 from reports.project_values import project_text
 
 Fact = tuple[Text, Text]
@@ -58,7 +58,7 @@ def facts(results: Results) -> tuple[Fact, ...]:
         *_coordinates(results),
         *_people(results),
         (say("Reference"), reference(results)),
-        (say("Date"), date(results)),
+        (say("Date"), Date(given) if (given := date(results)) else ""),
         (say("Status"), matter.status),
         *_latest_revision(results),
         (say("Seismic zone"), matter.seismic_zone),
@@ -127,8 +127,8 @@ def _latest_revision(results: Results) -> Iterator[tuple[Text, Text | str]]:
     if not results.report.revisions:
         return
     latest = results.report.revisions[-1]
-    parts = [Verbatim(text) for text in (latest.number, latest.date, latest.description) if text]
-    yield say("Latest revision"), listing(parts, "")
+    parts = [Verbatim(latest.number), Date(latest.date), Verbatim(latest.description)]
+    yield say("Latest revision"), listing([part for part in parts if part.text], "")
 
 
 def _life(results: Results) -> Iterator[tuple[Text, Text | str]]:

@@ -11,7 +11,7 @@ from reports.chapters.front_matter import photograph
 from reports.document import Block, Cell, Column, Figure, Prose, Section, Table
 from reports.figures import key_plan
 from reports.figures.key_plan import BuildingScene
-from reports.language.texts import Term, Text, Verbatim, count, listing, say, say_count
+from reports.language.texts import Date, Term, Text, Verbatim, count, listing, say, say_count
 from reports.mechanisms import mechanism_list
 
 
@@ -130,8 +130,7 @@ def _revisions(results: Results) -> list[Section]:
         Column(say("By"), share=0.22),
     )
     rows = tuple(
-        (Verbatim(each.number), Verbatim(each.date), Verbatim(each.description), Verbatim(each.author))
-        for each in given
+        (Verbatim(each.number), Date(each.date), Verbatim(each.description), Verbatim(each.author)) for each in given
     )
     return [Section(say("Revisions"), 1, (Table("revisions", say("Issues of this report."), columns, rows),))]
 

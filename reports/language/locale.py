@@ -9,6 +9,7 @@ import re
 import unicodedata
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
+from datetime import date
 from functools import cache
 from gettext import GNUTranslations, NullTranslations
 from io import BytesIO
@@ -18,7 +19,7 @@ from typing import Literal
 
 from assess.messages.message import Message, Quantity
 from assess.messages.texts import TEXTS
-from reports.language.texts import Kind, Listing, Paragraph, Phrase, Reference, Term, Text, Verbatim
+from reports.language.texts import Date, Kind, Listing, Paragraph, Phrase, Reference, Term, Text, Verbatim
 from spectra.gravity import g
 
 _NARROW = "\u00a0"  # between a number and its unit and within units, so that no line breaks there
@@ -59,6 +60,8 @@ class Locale:
         match text:
             case Verbatim():
                 return text.text
+            case Date():
+                return long_date(text.text, self.language if self.language != ENGLISH else _ENGLISH_OF[self.system])
             case Quantity():
                 unit = UNITS[self.system][text.dimension].unit_for(text.value)
                 return self.with_unit(numeral(text.value / unit.size, figures=text.figures, point=self.point), unit)
@@ -280,6 +283,19 @@ def decimal_point(language: str) -> str:
     from babel.numbers import get_decimal_symbol
 
     return get_decimal_symbol(language)
+
+
+_ENGLISH_OF: Mapping[System, str] = {"SI": "en_GB", "US": "en_US"}
+
+
+def long_date(text: str, language: str) -> str:
+    """Return a day written like 2026-11-28 in words of a language: "28 novembre 2026"; another text as it is."""
+    from babel.dates import format_date
+
+    try:
+        return format_date(date.fromisoformat(text), "long", language)
+    except ValueError:
+        return text
 
 
 _HIDDEN = {"Cc", "Cf", "Cs", "Co", "Cn", "Zl", "Zp"}

@@ -24,6 +24,13 @@ class Verbatim:
 
 
 @dataclass(frozen=True)
+class Date:
+    """A day, as the project writes it; one that is not written like 2026-11-28 stands as it is."""
+
+    text: str
+
+
+@dataclass(frozen=True)
 class Phrase:
     """English words written by the report, with named gaps; made by `say` and `say_count`.
 
@@ -66,7 +73,7 @@ class Reference:
     name: str
 
 
-Text = Verbatim | Term | Phrase | Message | Quantity | Listing | Paragraph | Reference
+Text = Verbatim | Date | Term | Phrase | Message | Quantity | Listing | Paragraph | Reference
 
 
 def say(english: str, /, **values: Text) -> Phrase:

@@ -49,7 +49,7 @@ from reports.render.table_text import (
     SIGNATURE_HEADS,
     SheetRow,
     column_texts,
-    equations,
+    equations_line,
     is_numeric,
     program_and_stamp,
     sheet_rows,
@@ -189,8 +189,8 @@ class Elements:
 
     @element.register
     def _(self, block: Equations) -> str:
-        each = [f"{_formula(left)} = {markup(result)}" for left, result in equations(block.steps, self.locale)]
-        return f'<p class="equations"><strong>{self.text(block.lead)}</strong> {"; ".join(each)}</p>'
+        line = equations_line(block.steps, self.locale, _formula)
+        return f'<p class="equations"><strong>{self.text(block.lead)}</strong> {line}</p>'
 
     @element.register
     def _(self, block: Figure) -> str:

@@ -51,7 +51,7 @@ from reports.render.table_text import (
     SIGNATURE_HEADS,
     SheetRow,
     column_texts,
-    equations,
+    equations_line,
     is_numeric,
     sheet_rows,
     verdict_word,
@@ -134,8 +134,7 @@ class BlockFlowables:
     @flowables.register
     def _(self, block: Equations) -> list[Flowable]:
         lead = f"<b>{markup(self.text(block.lead))}</b> "
-        each = [f"{formula(left)} = {markup(result)}" for left, result in equations(block.steps, self.locale)]
-        return [Paragraph(lead + "; ".join(each), STYLES["equations"])]
+        return [Paragraph(lead + equations_line(block.steps, self.locale, formula), STYLES["equations"])]
 
     @flowables.register
     def _(self, block: Figure) -> list[Flowable]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import csv
 import io
 import re
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TypeGuard
@@ -124,12 +124,14 @@ def sheet_rows(steps: Iterable[Step], locale: Locale) -> Iterator[SheetRow]:
         )
 
 
-def equations(steps: Sequence[Step], locale: Locale) -> Iterator[tuple[str, str]]:
-    """Yield the left side and the result of each step: "T = 2 π √(d / a)" and "1.6 s"."""
+def equations_line(steps: Sequence[Step], locale: Locale, formula: Callable[[str], str]) -> str:
+    """Return the steps in one line: "T = 2 π √(d / a) = 1.6 s; …". formula : escapes and marks up what it is given."""
+    written = []
     for row in sheet_rows(steps, locale):
         repeated = row.formula == row.symbol
         left = row.symbol if repeated or not row.formula else f"{row.symbol} = {row.formula}"
-        yield left, f"{row.result} ({row.beside})" if row.beside else row.result
+        written.append(f"{formula(left)} = {formula(f'{row.result} ({row.beside})' if row.beside else row.result)}")
+    return "; ".join(written)
 
 
 _SHEET_COLUMNS = (

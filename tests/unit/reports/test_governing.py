@@ -15,7 +15,7 @@ from reports.chapters import data_tables
 from reports.chapters.cells import BEYOND, OVERTURNED
 from reports.chapters.mechanism_verdict import governing_steps
 from reports.language.locale import Locale
-from reports.render.table_text import equations
+from reports.render.table_text import equations_line
 from tests.support.examples import example_results
 
 
@@ -105,7 +105,8 @@ def test_the_number_that_decides_is_redone_from_what_the_page_prints() -> None:
     church = example_results("chiesa")
     for mechanism in church.mechanisms[:3]:
         (line,) = governing_steps(church, mechanism)
-        shown = {left.split(" = ")[0]: result for left, result in equations(line.steps, Locale())}
+        steps = (each.split(" = ") for each in equations_line(line.steps, Locale(), str).split("; "))
+        shown = {parts[0]: parts[-1] for parts in steps}
         value = {symbol: float(text.split()[0].split("\N{NO-BREAK SPACE}")[0]) for symbol, text in shown.items()}
         assert value["a0*"] == pytest.approx(value["α0"] * g / (value["e*"] * value["FC"]), rel=2e-3)
         assert value["a(d_SLV)"] == pytest.approx(value["λ"] * g / (value["e*"] * value["FC"]), rel=2e-3)

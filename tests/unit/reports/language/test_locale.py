@@ -8,7 +8,7 @@ from scipy.constants import foot, g, psi
 from assess.messages.message import UNITS as MESSAGE_UNITS
 from assess.messages.message import Message, Quantity, Severity, note
 from reports.language.locale import UNITS, Locale
-from reports.language.texts import Listing, Paragraph, Reference, Verbatim, count, quantity, say, say_count
+from reports.language.texts import Date, Listing, Paragraph, Reference, Verbatim, count, quantity, say, say_count
 from tests.support.letters import letters
 
 SI, US, ITALIAN = Locale(), Locale("en", "US"), Locale("it")
@@ -34,6 +34,19 @@ def test_quantities_are_converted_from_their_whole_value(value: float, dimension
 def test_every_dimension_of_a_message_has_units() -> None:
     assert set(MESSAGE_UNITS) <= set(UNITS["SI"])
     assert set(UNITS["SI"]) == set(UNITS["US"])
+
+
+@pytest.mark.parametrize(
+    ("day", "italian", "british", "american"),
+    [
+        ("2026-11-28", "28 novembre 2026", "28 November 2026", "November 28, 2026"),
+        ("2026-05-01", "1 maggio 2026", "1 May 2026", "May 1, 2026"),
+        ("12 May", "12 May", "12 May", "12 May"),
+        ("2026-02-30", "2026-02-30", "2026-02-30", "2026-02-30"),
+    ],
+)
+def test_a_day_is_written_as_the_language_does(day: str, italian: str, british: str, american: str) -> None:
+    assert tuple(each.text(Date(day)) for each in (ITALIAN, SI, US)) == (italian, british, american)
 
 
 def test_texts_of_the_user_stay_letter_for_letter() -> None:

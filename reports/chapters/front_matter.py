@@ -127,7 +127,7 @@ def _latest_revision(results: Results) -> Iterator[tuple[Text, Text | str]]:
     if not results.report.revisions:
         return
     latest = results.report.revisions[-1]
-    parts = [Verbatim(latest.number), Date(latest.date), Verbatim(latest.description)]
+    parts: list[Verbatim | Date] = [Verbatim(latest.number), Date(latest.date), Verbatim(latest.description)]
     yield say("Latest revision"), listing([part for part in parts if part.text], "")
 
 

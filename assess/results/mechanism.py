@@ -125,7 +125,8 @@ class Drawing(ShortRepr):
     """The mechanism in its plane of motion, to scale [m]: closed outlines of the blocks, hinges, loads, centroid.
 
     block_of: block of the positive branch that each outline belongs to, from 0 at the base, -1 if it does not move (an
-    arch may divide into other blocks each way); centroids: of each block; displaced, displaced_negative: turned to
+    arch may divide into other blocks each way); centroids, masses_kg: of each block, without loads, the latter empty
+    where none has weight in this plane or it is not known; displaced, displaced_negative: turned to
     either side, far enough to be seen but not beyond overturning; fixed: outlines of masonry that does not move, as
     below a cut.
     """
@@ -139,6 +140,7 @@ class Drawing(ShortRepr):
     displaced: DisplacedDrawing
     displaced_negative: DisplacedDrawing | None
     fixed: tuple[Ring, ...]
+    masses_kg: tuple[float, ...] = ()
 
 
 @dataclass(frozen=True, repr=False)

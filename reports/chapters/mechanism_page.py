@@ -74,10 +74,12 @@ def sections(
 
 def sketch_caption(mechanism: MechanismResult) -> Text:
     """Return the caption of the drawing of a mechanism, whose x may be another than the axis of the model."""
-    shape = _shape_caption(mechanism)
-    if mechanism.direction is None or mechanism.direction[0] > ALONG_X:
-        return shape
-    return Paragraph((shape, say("This x is not the axis of the model.")))
+    said = [_shape_caption(mechanism)]
+    if mechanism.hinge_forces:
+        said.append(say("Forces: weights and loads at rest; reactions of the hinges as motion starts."))
+    if mechanism.direction is not None and mechanism.direction[0] <= ALONG_X:
+        said.append(say("This x is not the axis of the model."))
+    return Paragraph(tuple(said))
 
 
 AMPLIFICATIONS: Mapping[str, Text] = {

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from math import atan2, radians
+from math import atan2, hypot, radians
 
 import numpy as np
 import shapely
@@ -17,7 +17,7 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Polygon
 from matplotlib.ticker import MaxNLocator
 
-from assess.results import DisplacedDrawing, Drawing, DrawnLoad, MechanismResult, NamedPoint, Point, View
+from assess.results import DisplacedDrawing, Drawing, DrawnLoad, LoadResult, MechanismResult, NamedPoint, Point, View
 from reports.document import ColouredFaces, SpatialModel, Wire
 from reports.document import Point as PointInSpace
 from reports.figures.projection import (
@@ -54,11 +54,13 @@ from reports.figures.style import (
 from reports.language.locale import Locale
 from reports.language.texts import Phrase, Verbatim, quantity, say
 from spectra.arrays import FloatArray, IntArray
+from spectra.gravity import g
 
 TALLEST, LOWEST = 2.5, 0.9  # of the figure, of a panel [in]
 LEFT, BOTTOM, TOP, GAP = 0.42, 0.36, 0.2, 0.08  # around and between the panels [in]
 MASONRY_BESIDE = 0.35  # of the mechanism's size: what is shown of the masonry that stays, at either side
 SEEN_FROM_ABOVE = frozenset({"horizontal-arch"})  # kinds that move in a level plane
+_ARROW = {"arrowstyle": "-|>", "linewidth": 1.1, "shrinkA": 0, "shrinkB": 0}
 LOAD_ARROW = 0.16  # length of a load's arrow, as a part of the mechanism's size
 
 
@@ -89,8 +91,8 @@ def draw_sketch(mechanism: MechanismResult, locale: Locale) -> Figure:
         figure = bare_sheet(panel[1] + BOTTOM + TOP, locale, width=HALF)
         upwards = say("along the wall, s") if mechanism.kind in SEEN_FROM_ABOVE else say("elevation z")
         rest, turned = (_add_panel(figure, column, panel, window, metres, upwards) for column in (0, 1))
-        _draw_at_rest(rest, drawing, window, locale)
-        _draw_displaced(turned, drawing, window, locale)
+        _draw_at_rest(rest, mechanism, window, locale)
+        _draw_displaced(turned, mechanism, window, locale)
         return figure
 
 
@@ -100,6 +102,7 @@ def common_window(drawing: Drawing) -> SketchWindow:
     points = np.array([point for scene in scenes for point in _drawn_points(scene)])
     arrow = LOAD_ARROW * float(np.ptp(points, axis=0).max())
     ends = [end for scene in scenes for load in scene.loads for end in _arrow_ends(load, arrow)]
+    ends += [(x, z - arrow) for x, z in drawing.centroids if drawing.masses_kg]
     points = np.concatenate([points, np.array(ends).reshape(-1, 2)])
     size = float(np.ptp(points, axis=0).max())
     (left, low), (right, high) = points.min(axis=0).tolist(), points.max(axis=0).tolist()
@@ -234,7 +237,14 @@ def _add_panel(
     return axes
 
 
-def _draw_at_rest(axes: Axes, drawing: Drawing, window: SketchWindow, locale: Locale) -> None:
+def force_text(newtons: float, locale: Locale) -> str:
+    """Return a force in the unit of tables, kN or kip."""
+    scale = table_scale("force", locale)
+    return locale.with_unit(locale.number(newtons / scale.unit.size, figures=3), scale.unit)
+
+
+def _draw_at_rest(axes: Axes, mechanism: MechanismResult, window: SketchWindow, locale: Locale) -> None:
+    drawing = mechanism.drawing
     axes.set_title(locale.text(say("at rest")), loc="left")
     _draw_support(axes, drawing, window)
     _draw_outlines(axes, drawing, linewidth=0.9)
@@ -242,12 +252,19 @@ def _draw_at_rest(axes: Axes, drawing: Drawing, window: SketchWindow, locale: Lo
     if len(drawing.centroids) > 1:
         axes.plot(*drawing.centroid, marker="x", markersize=5, markeredgewidth=1.2, color=INK)
     _draw_loads(axes, drawing.loads, window)
+    weights = [((x, z), (x, z - window.arrow)) for x, z in drawing.centroids if drawing.masses_kg]
+    for tail, head in weights:
+        axes.annotate("", head, xytext=tail, arrowprops={**_ARROW, "color": INK}, annotation_clip=False)
     for hinge, colour in _hinges_with_colour(drawing):
         _draw_hinge(axes, hinge, colour)
     _draw_direction(axes)
-    arrows = [np.array(_arrow_ends(load, window.arrow)) for load in drawing.loads if load.towards is not None]
-    shafts = [Label("", (x, z)) for tail, head in arrows for x, z in np.linspace(tail, head, 5).tolist()]
-    write_labels(axes, [*_point_names(drawing, window), *shafts])
+    arrows = [_arrow_ends(load, window.arrow) for load in drawing.loads if load.towards is not None]
+    write_labels(axes, [*_point_names(mechanism, window, locale), *_shafts([*arrows, *weights])])
+
+
+def _shafts(arrows: Sequence[Sequence[Point]]) -> list[Label]:
+    """Return what keeps names off arrows, each given by its ends."""
+    return [Label("", (x, z)) for tail, head in arrows for x, z in np.linspace(tail, head, 5).tolist()]
 
 
 def _hinges_with_colour(drawing: Drawing) -> list[tuple[NamedPoint, str]]:
@@ -257,21 +274,39 @@ def _hinges_with_colour(drawing: Drawing) -> list[tuple[NamedPoint, str]]:
     return list(zip(drawing.hinges, colours, strict=True))
 
 
-def _point_names(drawing: Drawing, window: SketchWindow) -> list[Label]:
-    """Return the names of hinges, centroids and loads at rest, that of an arrow at its free end."""
+def _point_names(mechanism: MechanismResult, window: SketchWindow, locale: Locale) -> list[Label]:
+    """Return the names of hinges, centroids and loads at rest with their forces, that of an arrow at its free end."""
+    drawing = mechanism.drawing
+    masses = drawing.masses_kg or (None,) * len(drawing.centroids)
+    weights = ["" if mass is None else f" {force_text(mass * g, locale)}" for mass in masses]
     made = [Label(label(hinge.name, 14), hinge.at, colour) for hinge, colour in _hinges_with_colour(drawing)]
     if len(drawing.centroids) > 1:
-        made += [Label(f"G{place}", at) for place, at in enumerate(drawing.centroids, start=1)]
-    made.append(Label("G", drawing.centroid))
-    for load in drawing.loads:
+        made += [
+            Label(f"G{place}{weight}", at)
+            for place, (at, weight) in enumerate(zip(drawing.centroids, weights, strict=True), start=1)
+        ]
+    made.append(Label(f"G{weights[0] if len(weights) == 1 else ''}", drawing.centroid))
+    for load, used in zip(drawing.loads, mechanism.loads, strict=False):
         tail, head = _arrow_ends(load, window.arrow) or (load.at, load.at)
         at = {"force": tail, "tie": head, "mass": load.at}[load.kind]
-        made.append(Label(label(load.name, 24), at, LOAD))
+        made.append(Label(f"{label(load.name, 18)}: {_load_text(used, locale)}", at, LOAD))
     return made
 
 
-def _draw_displaced(axes: Axes, drawing: Drawing, window: SketchWindow, locale: Locale) -> None:
-    """Draw the mechanism displaced to its positive side over its outlines at rest and on its negative side."""
+def _load_text(load: LoadResult, locale: Locale) -> str:
+    """Return the force of a load at rest; of one that has none its mass."""
+    if load.force_n is not None:
+        return force_text(hypot(*load.force_n), locale)
+    mass = load.mass_kg or 0.0
+    return force_text(mass * g, locale) if load.bearing else locale.text(quantity(mass, "mass", 3))
+
+
+def _draw_displaced(axes: Axes, mechanism: MechanismResult, window: SketchWindow, locale: Locale) -> None:
+    """Draw the mechanism displaced to its positive side over its outlines at rest and on its negative side.
+
+    At its hinges are the reactions with which it starts to move.
+    """
+    drawing = mechanism.drawing
     displaced, back = drawing.displaced, drawing.displaced_negative
     angle = quantity(displaced.rotation_rad, "rotation", 2)
     axes.set_title(locale.text(say("displaced, φ = {angle}", angle=angle)), loc="left")
@@ -283,9 +318,28 @@ def _draw_displaced(axes: Axes, drawing: Drawing, window: SketchWindow, locale: 
         axes.add_artist(Polygon(ring, fill=False, edgecolor=MUTED, linewidth=0.6, linestyle=(0, (1, 1.5))))
     _draw_centroids(axes, displaced.centroids)
     _draw_loads(axes, displaced.loads, window)
+    reactions, arrows = dict(_reactions(mechanism)), []
     for hinge in displaced.hinges:
+        size = hypot(*reactions.get(hinge.name, (0.0, 0.0)))
+        if size > 0.0:
+            along, up = (window.arrow * part / size for part in reactions[hinge.name])
+            arrows.append(((hinge.at[0] - along, hinge.at[1] - up), hinge.at))
+            axes.annotate(
+                "", hinge.at, xytext=arrows[-1][0], arrowprops={**_ARROW, "color": POSITIVE}, annotation_clip=False
+            )
         _draw_hinge(axes, hinge, POSITIVE)
-    write_labels(axes, [Label(label(hinge.name, 14), hinge.at, POSITIVE) for hinge in displaced.hinges])
+    named = [
+        Label(f"{label(hinge.name, 14)}{f' {force_text(hypot(*force), locale)}' if force else ''}", hinge.at, POSITIVE)
+        for hinge, force in ((each, reactions.get(each.name)) for each in displaced.hinges)
+    ]
+    write_labels(axes, [*named, *_shafts(arrows)])
+
+
+def _reactions(mechanism: MechanismResult) -> Iterator[tuple[str, Point]]:
+    """Yield the force of each hinge of the positive side on the block that presses there, as motion starts [N]."""
+    for force in mechanism.hinge_forces:
+        if force.branch == "positive":
+            yield force.hinge, (force.horizontal_n, force.vertical_n)
 
 
 def _draw_outlines(axes: Axes, scene: Drawing | DisplacedDrawing, *, linewidth: float) -> None:
@@ -319,20 +373,26 @@ def _draw_centroids(axes: Axes, centroids: Sequence[Point]) -> None:
 
 def _draw_loads(axes: Axes, loads: Sequence[DrawnLoad], window: SketchWindow) -> None:
     """Draw a dot for a mass, an arrow for what has a direction."""
-    style = {"arrowstyle": "-|>", "color": LOAD, "linewidth": 1.1, "shrinkA": 0, "shrinkB": 0}
     for load in loads:
         if load.kind == "mass":
             axes.plot(*load.at, marker="o", markersize=4.5, color=LOAD)
         if load.towards is not None:
             tail, head = _arrow_ends(load, window.arrow)
-            axes.annotate("", head, xytext=tail, arrowprops=style, annotation_clip=False)
+            axes.annotate("", head, xytext=tail, arrowprops={**_ARROW, "color": LOAD}, annotation_clip=False)
 
 
 def _draw_direction(axes: Axes) -> None:
     """Draw the direction of motion, along +x, as an arrow above the panel."""
-    arrow = {"arrowstyle": "-|>", "color": INK, "linewidth": 1.0, "shrinkA": 0, "shrinkB": 0}
     end = 1.0, 1.0 + 7.0 / axes.get_window_extent().height
-    axes.annotate("", end, (-26.0, 0.0), "axes fraction", "offset points", arrowprops=arrow, annotation_clip=False)
+    axes.annotate(
+        "",
+        end,
+        (-26.0, 0.0),
+        "axes fraction",
+        "offset points",
+        arrowprops={**_ARROW, "color": INK},
+        annotation_clip=False,
+    )
 
 
 def _sharp_angle(view: View) -> float:

@@ -43,7 +43,7 @@ def test_the_x_of_a_sketch_is_told_from_that_of_the_model(results: Results) -> N
     wall = results.mechanisms[0]
     along, back = (replace(wall, direction=way) for way in ((1.0, 0.0, 0.0), (-1.0, 0.0, 0.0)))
     assert other not in lines_of([mechanism_page.sketch_caption(along)])
-    assert lines_of([mechanism_page.sketch_caption(back)]).endswith(f"crosses: centroids. {other}")
+    assert lines_of([mechanism_page.sketch_caption(back)]).endswith(f"as motion starts. {other}")
 
 
 def test_heights_follow_the_units(results: Results) -> None:

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from matplotlib.patches import Polygon
 
-from assess.results import Drawing, NamedPoint, Results
+from assess.results import Drawing, DrawnLoad, HingeForceResult, NamedPoint, Results
 from reports.figures.sketch import MASONRY_BESIDE, common_window, draw_sketch, extent_between, panel_size
 from reports.figures.style import HALF
 from reports.language.locale import Locale
@@ -50,6 +50,35 @@ def test_displaced_panels_show_the_displaced_shape_over_the_one_at_rest(results:
     assert displaced == pytest.approx(np.array(drawing.displaced.blocks[0]))
     assert rest == pytest.approx(np.array(drawing.blocks[0]))
     assert rings(figure.axes[0])[0] == pytest.approx(np.array(drawing.blocks[0]))
+
+
+@pytest.mark.parametrize(
+    ("system", "weight", "floor", "reaction"),
+    [
+        ("SI", "G 98.1 kN", "floor <beam>: 11.4 kN", "A 6.6 kN"),
+        ("US", "G 22 kip", "floor <beam>: 2.56 kip", "A 1.48 kip"),
+    ],
+)
+def test_forces_are_written_in_the_units_of_the_project(
+    results: Results, system: str, weight: str, floor: str, reaction: str
+) -> None:
+    """By hand: 10 t and 1.16 t times g; the hypotenuse of 4310 N and 5000 N; 4448.2 N to the kip."""
+    mechanism = results.mechanisms[0]
+    at = mechanism.drawing.displaced.hinges[0].at
+    displaced = replace(mechanism.drawing.displaced, hinges=(NamedPoint("A", at),))
+    drawing = replace(
+        mechanism.drawing,
+        masses_kg=(1e4,),
+        displaced=displaced,
+        loads=(DrawnLoad("floor <beam>", (0.2, 6.1), "mass", (0.0, -1.0)),),
+    )
+    loaded = replace(mechanism, drawing=drawing, loads=results.mechanisms[1].loads, hinge_forces=_FORCES)
+    rest, turned = draw_sketch(loaded, Locale(system=system)).axes
+    names = {text.get_text().replace("\xa0", " ") for axes in (rest, turned) for text in axes.texts}
+    assert {weight, floor, reaction} <= names
+
+
+_FORCES = (HingeForceResult("A", "positive", -4310.0, 5000.0, 0.862, 0.6, 5e3, -4310.0, (0, 1), True, 0.4, 0.3, False),)
 
 
 def test_nothing_lies_outside_the_window(results: Results) -> None:

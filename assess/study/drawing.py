@@ -45,7 +45,9 @@ def draw(mechanism: Mechanism, oscillator: Oscillator, scene: Scene | None = Non
         displaced=_draw_rotation(chain, oscillator.positive, pieces, mark=""),
         displaced_negative=_draw_negative_side(mechanism, oscillator),
         fixed=() if scene is None else _fixed_outlines(scene, level=chain.level),
-        masses_kg=() if chain.level or not any(mechanism.faces) else tuple(block.mass for block in chain.blocks),
+        masses_kg=()
+        if chain.level or mechanism.kind == "equivalent-block"
+        else tuple(block.mass for block in chain.blocks),
     )
 
 

@@ -309,7 +309,10 @@ def fragility(
     source: Project | str | Path | Block | Sequence[Block],
     records: Record | Sequence[Record] = (),
     *,
+    spectrum: Spectrum | None = None,
     measures: Sequence[str] = (),
+    states: Sequence[str | float] = (),
+    hazard: Sequence[tuple[float, float]] | str | Path = (),
     jobs: int = 0,
     progress: Progress | None = None,
 ) -> FragilityResults:
@@ -318,9 +321,14 @@ def fragility(
     Parameters
     ----------
     source : a project as `load` reads it, or the path of its file; or one mechanism or several
-    records : horizontal ground motions of the mechanisms, unscaled; a project has its own
-    measures : of intensity, for mechanisms, the one that records are scaled by first, such as "pga" or "sa(0.5 s)"; all
-        that apply where none are named
+    records : horizontal ground motions of the mechanisms, unscaled; a project has these and what follows as its own
+    spectrum : elastic spectrum for which seven artificial records are made where `records` are none, as in a project
+    measures : of intensity, the one that records are scaled by first, such as "pga" or "sa(0.5 s)"; all that apply
+        where none are named
+    states : to be reached: "rocking", shares of the overturning rotation, "overturning"; these with 0.5 where none are
+        named
+    hazard : of the site: rows of peak ground acceleration [m/s2] and annual rate of exceedance [1/year], or the file of
+        a hazard curve
     jobs : threads, 0 for all cores; the results do not depend on it
     progress : is called with (stage, done, total)
 
@@ -334,11 +342,14 @@ def fragility(
 
     _check_jobs(jobs, progress)
     if isinstance(source, Project | str | Path):
-        if measures or not isinstance(records, tuple | list) or records:
-            raise ProjectError("records, measures: a project has its own; give them with mechanisms alone")
+        given = {"records": records, "spectrum": spectrum, "measures": measures, "states": states, "hazard": hazard}
+        if told := [
+            key for key, each in given.items() if not (each is None or (isinstance(each, tuple | list) and not each))
+        ]:
+            raise ProjectError(f"{', '.join(told)}: a project has its own; give them with mechanisms alone")
         study = build(source if isinstance(source, Project) else load(source))
     else:
-        study = _study_of_blocks(source, records, measures)
+        study = _study_of_blocks(source, records, spectrum, measures=measures, states=states, hazard=hazard)
     return run_fragility(study, jobs=jobs, progress=progress or _ignore_progress)
 
 
@@ -519,24 +530,25 @@ def _ignore_progress(stage: str, done: int, total: int) -> None:
     """Show nothing of long work."""
 
 
-def _study_of_blocks(blocks: Block | Sequence[Block], records: Any, measures: Sequence[str]) -> Study:
-    """Return the study of the fragility of mechanisms."""
-    from assess.project.sections import measure_of
+def _study_of_blocks(
+    blocks: Block | Sequence[Block], records: Any, spectrum: Spectrum | None, *, hazard: Any, **given: Any
+) -> Study:
+    """Return the study of the fragility of mechanisms; given : keys of [analysis.fragility], those without are left."""
+    from assess.project.question import read_fragility_question
     from assess.study.block import fragility_study
-    from assess.study.fragility_runs import measure
-    from assess.study.study import FragilityQuestion
 
     several: Any = blocks if isinstance(blocks, tuple | list) and blocks else (blocks,)
     for each in several:
         _check_block(each)
-    if not isinstance(measures, tuple | list):
-        raise ProjectError(f'measures = {measures!r:.60}: give a list of names, such as ["pga"]')
-    try:
-        asked = tuple(measure(*measure_of(text)) for text in dict.fromkeys(measures))
-    except ValueError as error:
-        raise ProjectError(f"measures = {measures!r:.60}: {error}") from None
+    if spectrum is not None:
+        _check_site(spectrum, None)
+    asked: dict[str, Any] = {key: value for key, value in given.items() if not isinstance(value, tuple) or value}
+    if isinstance(hazard, str | Path):
+        asked["curve"] = str(hazard)
+    elif len(hazard):
+        asked["hazard"] = [dict(zip(("pga", "rate"), map(float, row), strict=True)) for row in hazard]
     suite = records if isinstance(records, tuple | list) else (records,)
-    return fragility_study(several, suite, FragilityQuestion(measures=asked))
+    return fragility_study(several, suite, read_fragility_question(**asked), spectrum=spectrum)
 
 
 def _check_block(block: Block) -> None:

@@ -190,7 +190,12 @@ def study_of(project: Project, *, executor: Executor | None = None, known: Known
         study,
         annex=annex,
         inputs=inputs,
-        fragility=fragility_question(content, study.hazard, folder=project.folder),
+        fragility=fragility_question(
+            content.analysis.fragility or sections.Fragility(),
+            content.analysis.risk or sections.Risk(),
+            study.hazard,
+            folder=project.folder,
+        ),
         report=report,
         resolved=with_procedures_run(resolve(project), content),
         messages=(*_input_messages(project, study, files, messages), *annex_messages),

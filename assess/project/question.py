@@ -9,6 +9,9 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import fields, replace
 from itertools import chain
 from pathlib import Path
+from typing import Any
+
+from pydantic import ValidationError
 
 from assess.codes.bases import BASES, BY_SITE, DESIGN_BASIS, Basis, IndexKind, stated_basis
 from assess.codes.check import TABLE_SPECTRUM, Premise
@@ -26,6 +29,7 @@ from assess.mechanisms.wedged_block import WEDGED_KINDS
 from assess.messages.message import Message, Quantity, Severity, Value, message, whole_number
 from assess.project import sections
 from assess.project.key_errors import key_text, value_text
+from assess.project.keys import error_line
 from assess.project.section import fill, plain_data
 from assess.results import ResolvedValue
 from assess.results.fragility import HazardResult, StateResult
@@ -554,10 +558,10 @@ def _require_mechanisms(content: sections.Content, key: str, names: Iterable[str
             raise ProjectError(f"{key}: {value_text(name)}: no such mechanism; known: {known}")
 
 
-def fragility_question(content: sections.Content, hazard: SiteHazard | None, *, folder: Path) -> FragilityQuestion:
-    """Return what is asked of fragility; `hazard`: of an Italian site, used where the project gives no other."""
-    section = content.analysis.fragility or sections.Fragility()
-    risk = content.analysis.risk or sections.Risk()
+def fragility_question(
+    section: sections.Fragility, risk: sections.Risk, hazard: SiteHazard | None, *, folder: Path
+) -> FragilityQuestion:
+    """Return what is asked of fragility; `hazard`: of an Italian site, used where `risk` gives no other."""
     measures = tuple(measure(*sections.measure_of(text)) for text in section.measures or ())
     is_pga = not measures or measures[0].dimension == "ground acceleration"
     return fill(
@@ -569,6 +573,24 @@ def fragility_question(content: sections.Content, hazard: SiteHazard | None, *, 
         hazard=_hazard_result(risk, hazard, folder),
         target_rate=risk.target,
     )
+
+
+def read_fragility_question(**given: Any) -> FragilityQuestion:
+    """Return what is asked of fragility by keys of [analysis.fragility] and [analysis.risk].
+
+    Raises
+    ------
+    ProjectError : a project file would be refused for it; one line that names the key
+    """
+    own = {key: value for key, value in given.items() if key in sections.Fragility.model_fields}
+    raw = {"fragility": own, "risk": {key: value for key, value in given.items() if key not in own}}
+    try:
+        found = sections.Analysis.model_validate(raw, context={"folder": Path()})
+    except ValidationError as error:
+        raise ProjectError(error_line(error, raw=raw)) from None
+    assert found.fragility is not None
+    assert found.risk is not None
+    return fragility_question(found.fragility, found.risk, None, folder=Path())
 
 
 def hazard_files(content: sections.Content) -> list[Path]:

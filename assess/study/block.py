@@ -53,6 +53,7 @@ from assess.study.study import Fitting, FragilityQuestion, ScaledRecord, Study
 from assess.study.suites import ALL_PERIODS, motions_of, suite_faults
 from records.errors import RecordError
 from records.record import Record, is_vertical
+from records.synthetic import ArtificialRecords
 from spectra.arrays import is_number
 from spectra.gravity import g
 from spectra.spectrum import Spectrum
@@ -501,7 +502,9 @@ def answers(
     return _checks_of_block(study, mechanism, spectrum, threads=threads)
 
 
-def fragility_study(blocks: Sequence[Block], records: Sequence[Record], question: FragilityQuestion) -> Study:
+def fragility_study(
+    blocks: Sequence[Block], records: Sequence[Record], question: FragilityQuestion, *, spectrum: Spectrum | None
+) -> Study:
     """Return the study that `run_fragility` takes, of mechanisms on the ground or as high above it as they are drawn.
 
     Parameters
@@ -509,14 +512,15 @@ def fragility_study(blocks: Sequence[Block], records: Sequence[Record], question
     blocks : the mechanisms
     records : horizontal ground motions, unscaled
     question : what is asked
+    spectrum : that artificial records are made for where there are no others
 
     Raises
     ------
     MechanismError : no history of a mechanism is answered, or two have one name
     RecordError : something is no horizontal record of finite samples, or there is none
     """
-    if not records:
-        raise RecordError("records: none; give recorded motions, as read_records returns them")
+    if not records and spectrum is None:
+        raise RecordError("records: none; give recorded motions, as read_records returns them, or a spectrum")
     for record in records:
         check_record(record)
         if is_vertical(record.component):
@@ -527,7 +531,8 @@ def fragility_study(blocks: Sequence[Block], records: Sequence[Record], question
     for block in blocks:
         _ = block.rocking  # raises where no history of it is answered
     placed = [(block.mechanism, _height_above_ground(block.mechanism, None, block.lowest, None)) for block in blocks]
-    return replace(_plain_study(placed, tuple(records), None), fragility=question)
+    artificial = None if records else ArtificialRecords()
+    return replace(_plain_study(placed, tuple(records), spectrum), fragility=question, artificial=artificial)
 
 
 def _default_procedures(spectrum: Spectrum, records: Sequence[Record]) -> tuple[str, ...]:

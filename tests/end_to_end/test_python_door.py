@@ -146,16 +146,36 @@ def test_envelope_holds_the_motion_it_maps(block):
 
 
 def test_fifty_records_to_a_plotted_fragility_in_eight_lines():
-    records = [noise(seed, peak=3.0, npts=300) for seed in range(50)]
     wall = assess.box(thickness=0.6, length=4.0, height=4.5, density=2000.0)
     block = assess.single_block(wall, direction=(1.0, 0.0, 0.0))
+    target = assess.spectrum("ec8", a_g=0.25 * assess.g, ground_type="C")
+    records = assess.artificial_records(target, count=50, duration=10.0)
+    table = assess.respond(block, records).table()
+    table.describe()
     found = assess.fragility(block, records, measures=["pga"])
     figure = assess.plot(found)
     assert len(figure.axes) == len(found.mechanisms) == 1
+    assert table["max_ratio"].isna().sum() == table["overturned"].sum()
     rocks = next(each for each in found.mechanisms[0].curves if each.state.name == "rocking")
     assert rocks.records == 50
     for point in rocks.empirical:  # all rock from the PGA on that is the multiplier, b / h
         assert point.share == (point.intensity > 0.6 / 4.5)
+
+
+def test_fragility_with_a_spectrum_states_and_a_hazard_is_that_of_their_project(tmp_path):
+    asked = "[analysis.fragility]\nmeasures = ['pga']\nstates = ['overturning', 0.3]\n[analysis.risk]\n"
+    asked += "hazard = [{ rate = 0.1, pga = '0.05 g' }, { rate = 2e-3, pga = '0.2 g' }, { rate = 1e-4, pga = '0.9 g' }]"
+    (tmp_path / "project.toml").write_text(
+        PROJECT.replace('files = ["motion.csv"]', "synthetic = { count = 7 }") + asked
+    )
+    (one,) = assess.fragility(tmp_path / "project.toml", jobs=1).mechanisms
+    hazard = [(0.05 * assess.g, 0.1), (0.2 * assess.g, 2e-3), (0.9 * assess.g, 1e-4)]
+    target = assess.spectrum("ec8", a_g=0.25 * assess.g, ground_type="C")
+    states, block = ["overturning", 0.3], assess.single_block(WALL, name="W1")
+    found = assess.fragility(block, spectrum=target, measures=["pga"], states=states, hazard=hazard, jobs=1)
+    (other,) = found.mechanisms
+    assert (one.curves, one.runs, one.risks) == (other.curves, other.runs, other.risks)
+    assert len(other.risks) == 6  # of two states by three curves
 
 
 def test_fragility_of_mechanisms_is_that_of_their_project(tmp_path):
@@ -195,8 +215,15 @@ def test_fragility_needs_records_names_and_known_measures(block):
         assess.fragility(block)
     with pytest.raises(MechanismError, match="several mechanisms are called block"):
         assess.fragility([block, block], [noise(1)])
-    with pytest.raises(AssessError, match="not a measure of intensity"):
-        assess.fragility(block, [noise(1)], measures=["pgx"])
+    for given, said in (
+        ({"measures": ["pgx"]}, "not a measure of intensity"),
+        ({"states": [1.5]}, "not a state; write one of"),
+        ({"hazard": [(1.0, 0.1), (0.5, 0.2)]}, "rows rise in pga and fall in rate"),
+    ):
+        with pytest.raises(AssessError, match=said):
+            assess.fragility(block, [noise(1)], **given)
+    with pytest.raises(ProcedureError, match="give a spectrum"):
+        assess.fragility(block, spectrum="ec8")
 
 
 def test_report_of_a_run_stands_whole_in_its_folder(run, tmp_path):

@@ -5,6 +5,7 @@ The sentence below a key is its description in the JSON Schema and in the messag
 
 from assess.project.sections.analysis import (
     SHARE,
+    Analysis,
     Change,
     Fragility,
     Pulses,
@@ -37,6 +38,7 @@ from assess.project.sections.procedures import VerdictSection
 
 __all__ = [
     "SHARE",
+    "Analysis",
     "BodySection",
     "BoxBody",
     "BuildingSection",

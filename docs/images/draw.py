@@ -18,6 +18,7 @@ from flow import draw_verdict
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.patches import Arc, FancyArrowPatch, FancyBboxPatch, Polygon
+from placing import draw_placing
 from scipy.constants import g
 
 import assess
@@ -229,6 +230,7 @@ PICTURES: dict[str, Callable[[], Figure]] = {
     "signs": draw_signs,
     "waist": draw_waist,
     "verdict": draw_verdict,
+    "placing": draw_placing,
 }
 
 

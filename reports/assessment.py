@@ -176,7 +176,11 @@ def assessment(results: Results, *, detail: Detail | None = None) -> Document:
         paper="letter" if project_text(results, "report.paper").lower() == "letter" else "A4",
         facts=front_matter.facts(results),
         sections=_numbered(
-            [*_main_sections(by_own_code(results)), *(_annex_sections(results) if is_full(results, detail) else ())]
+            [
+                *_main_sections(by_own_code(results)),
+                *(_annex_sections(results) if is_full(results, detail) else ()),
+                *verification.annex_sections(results),
+            ]
         ),
         data=tuple(data_tables.tables(results)),
         worksheets=WORKSHEETS,

@@ -39,6 +39,9 @@ def run(
     ] = None,
     jobs: JobsOption = None,
     no_report: Annotated[bool, flag("--no-report", "Write only results.json.")] = False,
+    verify: Annotated[
+        bool, flag("--verify", "First do what `assess verify --for PROJECT` does; its page ends the report.")
+    ] = False,
 ) -> None:
     """Assess every mechanism and write the report.
 
@@ -46,7 +49,7 @@ def run(
     that of each mechanism and the path of the report; notes that bear on nothing that decides only with -v. The exit
     code is 0 for a pass, 1 for a fail and 3 for an incomplete verdict; the last lines then say what is missing.
     """
-    results, path = _run_project(project, output, jobs, report=not no_report)
+    results, path = _run_project(project, output, jobs, report=not no_report, verify=verify)
     from assess.cli.tables.analysis import exit_code, run_text
 
     print(run_text(results, verbose=is_verbose()), end="")
@@ -237,11 +240,20 @@ def fragility(
         print(output / "fragility.pdf")
 
 
-def _run_project(project: Path, output: Path | None, jobs: int | None, *, report: bool) -> tuple[Results, Path]:
-    """Run the study and write its files; return the results and the path of the report, or of results.json."""
+def _run_project(
+    project: Path, output: Path | None, jobs: int | None, *, report: bool, verify: bool
+) -> tuple[Results, Path]:
+    """Run the study and write its files; return the results and the path of the report, or of results.json.
+
+    verify : whether solved cases are run before, into the folder of the annex that the project names
+    """
     from assess.project.project_file import load
 
     loaded = load(project)  # before the physics is imported, which takes seconds, so that an error is reported at once
+    if verify:
+        from assess.cli.verify import verify_project
+
+        verify_project(loaded, jobs=jobs)
     from assess.outputs.manifest import REPORT, RESULTS
     from assess.outputs.writing import output_folder
     from assess.project.build import build

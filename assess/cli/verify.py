@@ -85,7 +85,7 @@ def verify(
         raise AssessError("these cases take long; leave out --quick")
     folder = output
     if folder is None and not (names or as_json):
-        folder = Path("verification") if loaded is None else loaded.folder / f"{loaded.path.stem}-verification"
+        folder = Path("verification") if loaded is None else _default_folder(loaded)
     results = _run_cases(chosen, folder, loaded, uses, quick=quick, jobs=jobs, language=language)
     if as_json:
         from assess.results.json import dumps_verification
@@ -96,6 +96,30 @@ def verify(
         if folder is not None:
             print(folder / "verification.pdf")
     raise typer.Exit(1 if results.failures else 0)
+
+
+def verify_project(loaded: Project, *, jobs: int | None) -> VerificationResults:
+    """Run the cases that concern a project into the folder of its annex, as `assess verify --for PROJECT` does.
+
+    Parameters
+    ----------
+    loaded : the project as read
+    jobs : processes to use, None for as many as there are cores
+
+    Raises
+    ------
+    ProjectError : the project names a file of another name than what is written
+    """
+    from assess.errors import ProjectError
+    from assess.outputs.manifest import VERIFICATION
+    from assess.project.build import uses_of_project
+    from assess.verification.case_files import cases_for, read_cases
+
+    uses, named = uses_of_project(loaded), loaded.content.report.verification
+    if named is not None and named.name != VERIFICATION:
+        raise ProjectError(f'report.verification: "{named.name}" is not what --verify writes: name a {VERIFICATION}')
+    folder = _default_folder(loaded) if named is None else named.parent
+    return _run_cases(cases_for(read_cases(), uses), folder, loaded, uses, quick=False, jobs=jobs, language=None)
 
 
 def verification_text(results: VerificationResults, *, seconds: float) -> str:
@@ -127,6 +151,10 @@ def _load_project(path: Path) -> tuple[Project, tuple[str, ...]]:
     from assess.project.build import uses_of_project
 
     return loaded, uses_of_project(loaded)
+
+
+def _default_folder(loaded: Project) -> Path:
+    return loaded.folder / f"{loaded.path.stem}-verification"
 
 
 def _run_cases(

@@ -342,6 +342,7 @@ def _read_annex(file: Path, project: Project, uses: Sequence[str]) -> AnnexResul
         left_out=len(keys_for(exercised_by_case(), uses) - run),
         foreign=len(found.foreign),
         pdf_as_written=bool(pdf_sha256) and pdf_sha256 == found.pdf_sha256,
+        solved=tuple(each.line for each in found.cases),
     )
 
 

@@ -167,6 +167,29 @@ class CaseResult(ShortRepr):
         """Differences over what the tolerance of each allows [-]."""
         return tuple(share for each in self.quantities for share in each.shares)
 
+    @property
+    def line(self) -> SolvedCase:
+        """The case in one line."""
+        worst, source = max(self.shares, default=None), self.source
+        return SolvedCase(self.key, self.title, source.citation, source.standing, len(self.values), worst, self.outcome)
+
+
+@dataclass(frozen=True, repr=False)
+class SolvedCase(ShortRepr):
+    """A solved case in one line.
+
+    citation, standing : of its source; values : their number
+    worst : largest difference over what its tolerance allows [-], None where values are exact
+    """
+
+    key: str
+    title: str
+    citation: str
+    standing: Standing
+    values: int
+    worst: float | None
+    outcome: CaseOutcome
+
 
 @dataclass(frozen=True, repr=False)
 class Coverage(ShortRepr):
@@ -254,7 +277,7 @@ class AnnexResult(ShortRepr):
     program : that made it; cases, failures : their numbers; quick : whether only the quick cases were run
     uncovered : what the project uses, in the words of `assess.results.verification`, and no case that passes exercises;
         cases that are only indicative are not counted
-    left_out, foreign : numbers of cases, as in `VerificationResults`
+    left_out, foreign : numbers of cases, as in `VerificationResults`; solved : its cases, a line each
     pdf_as_written : whether the PDF is there and the one that was written with the results
     """
 
@@ -269,6 +292,7 @@ class AnnexResult(ShortRepr):
     left_out: int = 0
     foreign: int = 0
     pdf_as_written: bool = True
+    solved: tuple[SolvedCase, ...] = ()
 
 
 CASES = Path(__file__).parents[1] / "verification" / "cases"

@@ -50,7 +50,7 @@ def sections(results: Results) -> list[doc.Section]:
         doc.Section(
             say("Program"),
             1,
-            (doc.Facts(tuple(_program_facts(results))), doc.Prose((documentation(), *_verification_annex(results)))),
+            (doc.Facts(tuple(_program_facts(results))), doc.Prose((documentation(), *annex_texts(results)))),
         ),
         doc.Section(say("Automatic controls"), 1, tuple(_control_blocks(results))),
         doc.Section(say("Judgement"), 1, tuple(_judgement())),
@@ -240,7 +240,7 @@ def _program_facts(results: Results) -> Iterator[tuple[Text, Text]]:
         yield say("Stamp of the results"), Verbatim(results.stamp)
 
 
-def _verification_annex(results: Results) -> Iterator[Text]:
+def annex_texts(results: Results) -> Iterator[Text]:
     """Yield what the annex of verification says: cases, failures, its hashes, and what no case exercises."""
     annex = results.verification
     if annex is None:

@@ -3,19 +3,31 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from functools import partial
 
 from assess.codes.procedures import THESIS_READINGS
-from assess.results.verification import USES, CaseResult, QuantityResult, Tolerance, ValueResult, VerificationResults
+from assess.results import Results
+from assess.results.verification import (
+    USES,
+    CaseResult,
+    QuantityResult,
+    SolvedCase,
+    Tolerance,
+    ValueResult,
+    VerificationResults,
+)
 from reports import document as doc
 from reports.chapters.cells import OUTCOMES
+from reports.chapters.declaration import annex_texts
 from reports.chapters.kinds import THEORY
 from reports.figures import verification as drawing
 from reports.figures.verification import STANDINGS
 from reports.intensity_measures import PERCENT
 from reports.language.texts import Text, Verbatim, count, listing, quantity, say, say_count
 from reports.mechanisms import file_stem
+
+MARK = "F"
 
 
 def sections(results: VerificationResults) -> list[doc.Section]:
@@ -30,6 +42,19 @@ def sections(results: VerificationResults) -> list[doc.Section]:
         doc.Section(say("What is not covered"), 0, tuple(_uncovered_blocks(results))),
         doc.Section(say("Judgement"), 0, tuple(_judgement_blocks())),
     ]
+
+
+def annex_sections(results: Results) -> list[doc.Section]:
+    """Return the page of the solved cases in the report of a run: that of the annex which the run names."""
+    annex = results.verification
+    if annex is None or not annex.solved:
+        return []
+    said = say(
+        "Cases solved again with this program, those that concern what the project uses; every value stands in {file}.",
+        file=Verbatim(annex.path.replace(".json", ".pdf")),
+    )
+    blocks = (doc.Prose((said, *annex_texts(results))), _cases_table(annex.solved))
+    return [doc.Section(say("Verification of the program by solved cases"), 0, blocks, starts_page=True, mark=MARK)]
 
 
 ComparedValue = tuple[QuantityResult, ValueResult]
@@ -61,7 +86,7 @@ def _outcome_blocks(results: VerificationResults) -> Iterator[doc.Block]:
     partial = results.quick or results.left_out or results.foreign or bare or not results.evidence
     yield doc.Banner("fail" if results.failures else "incomplete" if partial else "pass", _headline(results))
     yield doc.Prose(tuple(_totals(results)))
-    yield _cases_table(results)
+    yield _cases_table([each.line for each in results.cases])
 
 
 def _headline(results: VerificationResults) -> Text:
@@ -153,25 +178,25 @@ def _totals(results: VerificationResults) -> Iterator[Text]:
         )
 
 
-def _cases_table(results: VerificationResults) -> doc.Table:
-    """Tabulate the cases: source, standing, number of values, largest difference, outcome."""
-    fields: tuple[doc.Field[CaseResult], ...] = (
+def _cases_table(cases: Sequence[SolvedCase]) -> doc.Table:
+    """Tabulate cases: source, standing, number of values, largest difference, outcome."""
+    fields: tuple[doc.Field[SolvedCase], ...] = (
         (doc.Column(say("Case"), share=0.36), lambda case: Verbatim(case.title)),
-        (doc.Column(say("Source")), lambda case: Verbatim(_author_and_year(case.source.citation))),
-        (doc.Column(say("Standing"), share=0.12), lambda case: STANDINGS[case.source.standing]),
-        (doc.Column(say("Values"), "ratio"), lambda case: len(case.values)),
+        (doc.Column(say("Source")), lambda case: Verbatim(_author_and_year(case.citation))),
+        (doc.Column(say("Standing"), share=0.12), lambda case: STANDINGS[case.standing]),
+        (doc.Column(say("Values"), "ratio"), lambda case: case.values),
         (
             doc.Column(say("Largest difference over tolerance"), "ratio", 2, share=0.13),
-            lambda case: max(case.shares, default=None),
+            lambda case: case.worst,
         ),
         (doc.Column(say("Outcome")), _outcome_cell),
     )
-    return doc.tabulate("cases", say("Solved cases, in the order of their pages."), fields, results.cases, small=True)
+    return doc.tabulate("cases", say("Solved cases, in the order of their pages."), fields, cases, small=True)
 
 
-def _outcome_cell(case: CaseResult) -> doc.OutcomeCell:
+def _outcome_cell(case: SolvedCase) -> doc.OutcomeCell:
     """Return the outcome of a case; one that agrees and is no evidence is not coloured as one that is."""
-    quiet = case.is_indicative and case.outcome == "pass"
+    quiet = case.standing == "indicative" and case.outcome == "pass"
     return doc.OutcomeCell("comparison" if quiet else case.outcome, OUTCOMES[case.outcome])
 
 

@@ -11,7 +11,7 @@ from io import StringIO
 
 import pytest
 
-from assess.cli.verify import verification_text
+from assess.cli.verify import verification_text, verify_project
 from assess.errors import ProjectError
 from assess.examples import EXAMPLES, copy_example
 from assess.project.build import build, uses_of_project
@@ -19,7 +19,11 @@ from assess.project.project_file import load
 from assess.project.report import uses_of
 from assess.results.json import dumps_verification, read_verification
 from assess.results.verification import USES, exercised_by_case
+from assess.study.run import run_study
+from assess.verification import case_files
 from assess.verification.case_files import cases_for, read_cases
+from reports.assessment import assessment
+from reports.document import Table
 from tests.support.command import ended
 from tests.support.examples import example_study
 from tests.support.projects import project_toml, study_of
@@ -151,6 +155,31 @@ def test_run_names_the_annex_and_what_has_no_case(written, tmp_path):
     (message,) = [each for each in study.messages if each.key == "annex-uncovered"]
     assert "spectrum of ASCE 7-16" in message.text
     assert "asce7-16" not in message.text
+
+
+def test_run_verifies_first_and_its_report_ends_with_the_solved_cases(tmp_path, monkeypatch):
+    project = tmp_path / "wall.toml"
+    project.write_text(project_toml(report={"detail": "main"}), encoding="utf-8")
+    quick = tuple(each for each in read_cases() if each.key == KEY)
+    monkeypatch.setattr(case_files, "read_cases", lambda: quick)
+    monkeypatch.setattr(case_files, "cases_for", lambda cases, _: tuple(cases))
+    verify_project(load(project), jobs=1)
+    results = run_study(build(load(project)))
+    (case,) = read_verification(tmp_path / "wall-verification" / "verification.json").cases
+    assert results.verification.solved == (case.line,)
+    document = assessment(results)
+    assert document.sections[-1].mark == "F"
+    (table,) = [each for each in document.sections[-1].blocks if isinstance(each, Table)]
+    assert table.rows[0][3] == len(case.values)
+    assert assessment(replace(results, verification=None)).sections[-1].mark != "F"
+
+
+def test_run_refuses_to_verify_into_a_file_of_another_name(tmp_path):
+    (tmp_path / "v.json").write_text("{}", encoding="utf-8")
+    project = tmp_path / "wall.toml"
+    project.write_text(project_toml(report={"verification": "v.json"}), encoding="utf-8")
+    with pytest.raises(ProjectError, match="is not what --verify writes"):
+        verify_project(load(project), jobs=1)
 
 
 def test_annex_of_other_sources_is_told(written, tmp_path):

@@ -307,7 +307,7 @@ def run(project: Project | str | Path, *, jobs: int = 0, progress: Progress | No
 
 def fragility(
     source: Project | str | Path | Block | Sequence[Block],
-    records: Record | Sequence[Record] = (),
+    records: Record | Sequence[Record] | Mapping[float, Sequence[Record]] = (),
     *,
     spectrum: Spectrum | None = None,
     measures: Sequence[str] = (),
@@ -321,7 +321,9 @@ def fragility(
     Parameters
     ----------
     source : a project as `load` reads it, or the path of its file; or one mechanism or several
-    records : horizontal ground motions of the mechanisms, unscaled; a project has these and what follows as its own
+    records : horizontal ground motions of the mechanisms, unscaled; or, for stripes with records of their own, those
+        of each intensity of the first measure, PGA where none is named, to which they are scaled [SI]; a project has
+        these and what follows as its own
     spectrum : elastic spectrum for which seven artificial records are made where `records` are none, as in a project
     measures : of intensity, the one that records are scaled by first, such as "pga" or "sa(0.5 s)"; all that apply
         where none are named
@@ -536,6 +538,7 @@ def _study_of_blocks(
     """Return the study of the fragility of mechanisms; given : keys of [analysis.fragility], those without are left."""
     from assess.project.question import read_fragility_question
     from assess.study.block import fragility_study
+    from assess.study.suites import with_unique_names
 
     several: Any = blocks if isinstance(blocks, tuple | list) and blocks else (blocks,)
     for each in several:
@@ -548,6 +551,12 @@ def _study_of_blocks(
     elif len(hazard):
         asked["hazard"] = [dict(zip(("pga", "rate"), map(float, row), strict=True)) for row in hazard]
     suite = records if isinstance(records, tuple | list) else (records,)
+    if isinstance(records, Mapping):
+        each_once = {id(record): record for own in records.values() for record in own}
+        suite = with_unique_names(tuple(each_once.values()))
+        names = {known: record.id for known, record in zip(each_once, suite, strict=True)}
+        rows = sorted((float(level), [names[id(record)] for record in own]) for level, own in records.items())
+        asked |= {"method": "stripes", "stripes": [{"intensity": level, "records": own} for level, own in rows]}
     return fragility_study(several, suite, read_fragility_question(**asked), spectrum=spectrum)
 
 

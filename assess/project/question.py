@@ -35,7 +35,7 @@ from assess.results import ResolvedValue
 from assess.results.fragility import HazardResult, StateResult
 from assess.risk.hazard import read_hazard
 from assess.study.fragility_runs import measure
-from assess.study.study import FragilityQuestion, deciding_limit_states
+from assess.study.study import FragilityQuestion, Stripe, deciding_limit_states
 from records.reading import relative_path
 from spectra import ntc
 from spectra.design_spectra import (
@@ -570,6 +570,7 @@ def fragility_question(
         measures=measures,
         states=tuple(map(_fragility_state, section.states)),
         largest=None if section.largest is None else float(section.largest) / (g if is_pga else 1.0),
+        stripes=tuple(Stripe(float(e.intensity) / (g if is_pga else 1.0), e.records) for e in section.stripes or ()),
         hazard=_hazard_result(risk, hazard, folder),
         target_rate=risk.target,
     )

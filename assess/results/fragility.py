@@ -153,6 +153,7 @@ class RecordRunsResult(ShortRepr):
 class Trend(ShortRepr):
     """The slope of the residuals of ln intensity at first overturning on a property of the records, and its p-value.
 
+    The p-value is corrected for the number of trends of the mechanism, by all measures and in all states.
     on : "magnitude", "distance" (of its natural logarithm) or "scale" (of its natural logarithm); n : records
     """
 

@@ -414,6 +414,18 @@ def trend(residual: ArrayLike, on: ArrayLike, *, event: Sequence[str] | None = N
     return TrendSlope(slope, float(2.0 * stdtr(freedom, -abs(slope) / error)) if error > 0.0 else 0.0, int(x.size))
 
 
+def holm(p_values: ArrayLike) -> FloatArray:
+    """Return p-values corrected for their number: the chance that any of them comes to be so small, at most [n].
+
+    Source: Holm 1979, Scandinavian J. Statistics 6, 65-70.
+    """
+    p = np.asarray(p_values, dtype=np.float64)
+    order = np.argsort(p, kind="stable")
+    corrected = np.empty_like(p)
+    corrected[order] = np.maximum.accumulate(np.minimum(p[order] * np.arange(p.size, 0, -1), 1.0))
+    return corrected
+
+
 def fit_clouds(intensity: FloatArray, demand: FloatArray, counts: FloatArray) -> FloatArray:
     """Return the clouds of draws [draws, 7]; nan where fewer than three records at two intensities rock on.
 

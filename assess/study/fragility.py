@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
+from fnmatch import fnmatchcase
 from functools import partial
 from itertools import cycle
 from math import hypot
@@ -47,6 +48,7 @@ from assess.study.fragility_curves import (
     Origins,
     compare_measure,
     convert_curve,
+    correct_trends,
     epistemic_messages,
     factor_between,
     fragility_curve,
@@ -73,6 +75,7 @@ from assess.study.suites import motions_of
 from assess.workers import available_cores
 from records.record import Record
 from records.scaling import Scaling
+from spectra.arrays import FloatArray
 
 
 @dataclass(frozen=True, repr=False)
@@ -117,12 +120,12 @@ def run_fragility(study: Study, *, jobs: int = 0, progress: Progress = no_progre
     """
     question = question_with_measures(study)
     progress("ground motions", 0, 1)
-    records = _unscaled_records(study, jobs=jobs)
+    records, stripe = _records_in_stripes(_unscaled_records(study, jobs=jobs), question)
     with_runs = []
     for count, mechanism in enumerate(study.mechanisms):
         progress("rocking histories", count, len(study.mechanisms))
         if mechanism.rocks and mechanism.variants.collapse is not None:
-            with_runs.append(run_records(study, mechanism, records, question, jobs=jobs))
+            with_runs.append(run_records(study, mechanism, records, question, stripe=stripe, jobs=jobs))
     origins = origins_of(records)
     with ThreadPoolExecutor(jobs or available_cores()) as pool:
         found = list(pool.map(lambda runs: _mechanism_fragility(study, runs, records, origins, question), with_runs))
@@ -154,7 +157,13 @@ def question_with_measures(study: Study) -> FragilityQuestion:
 
 
 def run_records(
-    study: Study, mechanism: Mechanism, records: Sequence[Record], question: FragilityQuestion, *, jobs: int
+    study: Study,
+    mechanism: Mechanism,
+    records: Sequence[Record],
+    question: FragilityQuestion,
+    *,
+    stripe: FloatArray | None = None,
+    jobs: int,
 ) -> MechanismRuns:
     """Run all records on a mechanism.
 
@@ -168,6 +177,8 @@ def run_records(
         At the ground.
     question : FragilityQuestion
         Method, measures and levels.
+    stripe : array [records], optional
+        Intensity of the stripe of each record, where each stripe has records of its own.
     jobs : int
         Number of threads; 0 for all cores.
 
@@ -193,7 +204,16 @@ def run_records(
         for (each, _), unit in zip(places, units, strict=True)
     )
     if question.method == "cloud":
-        runs = run_once(case, study.record_factor, threads=jobs)
+        runs = run_once(case, np.full(len(records), study.record_factor), threads=jobs)
+    elif stripe is not None:
+        factor = stripe / all_intensities[0].unit
+        most = int(np.argmax(factor))
+        if factor[most] > question.largest_factor:
+            raise ProjectError(
+                f'analysis.fragility.stripes: record "{records[most].id}" would be scaled by {factor[most]:.3g}, and '
+                f"largest_factor is {question.largest_factor:g}; give a stronger record"
+            )
+        runs = run_once(case, factor, threads=jobs, stripe=stripe)
     else:
         runs = run_intensities(case, all_intensities[0].unit, question, threads=jobs)
     return MechanismRuns(mechanism, case, rocker, all_intensities, runs)
@@ -247,6 +267,35 @@ def _unscaled_records(study: Study, *, jobs: int) -> tuple[Record, ...]:
     return records
 
 
+def _records_in_stripes(
+    records: Sequence[Record], question: FragilityQuestion
+) -> tuple[tuple[Record, ...], FloatArray | None]:
+    """Return the records with the intensity of the stripe of each; as they are, and None, without such stripes.
+
+    Raises
+    ------
+    ProjectError : a pattern fits no record, or a record is in no stripe
+    """
+    if not question.stripes:
+        return tuple(records), None
+    rows: list[tuple[int, float]] = []
+    for stripe in question.stripes:
+        for pattern in stripe.records:
+            found = [place for place, each in enumerate(records) if pattern in (each.id, each.path)]
+            found = found or [
+                place
+                for place, each in enumerate(records)
+                if any(fnmatchcase(name, pattern) for name in (each.id, each.path))
+            ]
+            if not found:
+                raise ProjectError(f'analysis.fragility.stripes: "{pattern}" is no record; mend its name or pattern')
+            rows += [(place, stripe.intensity) for place in found if (place, stripe.intensity) not in rows]
+    if left := sorted(set(range(len(records))) - {place for place, _ in rows}):
+        record = records[left[0]].id
+        raise ProjectError(f'analysis.fragility.stripes: record "{record}" is in none; add it, or take it away')
+    return tuple(records[place] for place, _ in rows), np.array([intensity for _, intensity in rows])
+
+
 def _mechanism_fragility(
     study: Study,
     mechanism_runs: MechanismRuns,
@@ -271,9 +320,11 @@ def _mechanism_fragility(
         above_ground=study.heights[mechanism.name].above,
         runs=tuple(_record_runs(mechanism_runs, place, record, origins) for place, record in enumerate(records)),
         curves=tuple(curves),
-        comparison=tuple(
-            compare_measure(runs, intensities, curve, origins)
-            for intensities, curve in zip(cycle(compared), curves, strict=False)
+        comparison=correct_trends(
+            [
+                compare_measure(runs, intensities, curve, origins)
+                for intensities, curve in zip(cycle(compared), curves, strict=False)
+            ]
         ),
         risks=tuple(risks(curves, question, epistemic=epistemic, motion_known=_base_motion_known(study, mechanism))),
         epistemic=epistemic,

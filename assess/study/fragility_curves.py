@@ -18,6 +18,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 from math import isclose, isfinite
 from typing import Literal
 
@@ -49,6 +50,7 @@ from assess.risk.estimates import (
     event_counts,
     fit_first_exceedances,
     fit_lognormals,
+    holm,
     mirrored_draws,
     trend,
     unbounded_reason,
@@ -202,6 +204,15 @@ def compare_measure(
     return MeasureComparison(intensities.measure, curve.state, None if fitted is None else fitted.dispersion, trends)
 
 
+def correct_trends(comparison: Sequence[MeasureComparison]) -> tuple[MeasureComparison, ...]:
+    """Return comparisons with the p-values of their trends corrected for the number of all of them."""
+    p_values = iter(holm([trend.p_value for each in comparison for trend in each.trends]).tolist())
+    return tuple(
+        replace(each, trends=tuple(replace(trend, p_value=next(p_values)) for trend in each.trends))
+        for each in comparison
+    )
+
+
 ExceedanceCurve = EmpiricalCurve | Lognormal
 
 NOTABLE = 0.05
@@ -269,6 +280,7 @@ def _level_curve(
     reached = reaches(runs, state)
     found = state_outcomes(runs, intensities.unit, reached, primary=intensities.primary)
     stands, falls = first_bounds(runs, intensities.unit, reached)
+    of_first = None if runs.stripe is not None else partial(fit_first_exceedances, stands, falls)
 
     reaching, known = found.reached.astype(np.float64), found.known.astype(np.float64)
 
@@ -284,7 +296,7 @@ def _level_curve(
         question,
         points=_empirical_points(found),
         lognormal=counts_at_levels,
-        first=lambda counts: fit_first_exceedances(stands, falls, counts),
+        first=of_first,
         why=unbounded_reason(found.intensity, yes, n),
     )
 
@@ -342,7 +354,9 @@ def _curve(
         method=question.method,
         records=len(events),
         events=len(set(events)),
-        censored=int(np.count_nonzero(~reaches(runs, state)[np.arange(len(events)), runs.last])),
+        censored=0
+        if runs.stripe is not None
+        else int(np.count_nonzero(~reaches(runs, state)[np.arange(len(events)), runs.last])),
         hollow=int(np.count_nonzero(runs.scale > LARGE_SCALE)),
         empirical=points,
         lognormal=fitted,

@@ -51,10 +51,12 @@ class FragilityRuns(ShortRepr):
 
     scale [records, levels] : rising along each row; nan where a record is not run
     ratio [records, levels] : largest rotation over that which overturns; inf where overturned, nan where not run
+    stripe [records] : intensity of the primary measure, where each stripe has records of its own, that run once
     """
 
     scale: FloatArray
     ratio: FloatArray
+    stripe: FloatArray | None = None
 
     @property
     def run(self) -> BoolArray:
@@ -89,10 +91,10 @@ def run_intensities(case: RockingCase, unit: FloatArray, question: FragilityQues
     return FragilityRuns(scale, severity(scale))
 
 
-def run_once(case: RockingCase, factor: float, *, threads: int) -> FragilityRuns:
-    """Run every record once, times a factor."""
-    scale = np.full((len(case.base), 1), factor)
-    return FragilityRuns(scale, _severity_solver(case, threads=threads)(scale))
+def run_once(case: RockingCase, factor: FloatArray, *, threads: int, stripe: FloatArray | None = None) -> FragilityRuns:
+    """Run every record once, times its factor [records]; stripe : the intensity that this gives it, of its stripe."""
+    scale = factor[:, None]
+    return FragilityRuns(scale, _severity_solver(case, threads=threads)(scale), stripe)
 
 
 def scale_factors(levels: FloatArray, unit: FloatArray, *, most: float) -> FloatArray:
@@ -145,6 +147,10 @@ def state_outcomes(runs: FragilityRuns, unit: FloatArray, reached: BoolArray, *,
     reached : which runs reach the state [records, levels]
     primary : whether it is the measure that records are scaled by, or proportional to it
     """
+    if runs.stripe is not None:
+        levels, place = np.unique(runs.stripe, return_inverse=True)
+        known = place[:, None] == np.arange(levels.size)
+        return StateOutcomes(levels, known & reached, known, known & (runs.scale > LARGE_SCALE))
     intensity = runs.scale * unit[:, None]
     step = float(np.nanmax(runs.scale[:, 1] / runs.scale[:, 0]))
     levels = np.nanmax(intensity, axis=0) if primary else _intensity_levels(intensity, step)

@@ -43,6 +43,17 @@ LARGEST_FACTOR = 10.0
 
 
 @dataclass(frozen=True)
+class Stripe:
+    """An intensity with records of its own.
+
+    intensity [unit of the primary measure]; records : their names, or patterns of names and paths as in a shell
+    """
+
+    intensity: float
+    records: tuple[str, ...]
+
+
+@dataclass(frozen=True)
 class FragilityQuestion:
     """The question on the fragility of every mechanism.
 
@@ -51,6 +62,7 @@ class FragilityQuestion:
     largest : intensity of the primary measure up to which records are run [unit of the measure]; None: until all that
         may be scaled so far overturn
     largest_factor : scale factor beyond which no record is run [-]
+    stripes : intensities with records of their own, rising; empty where all records are run at the same ones
     epistemic : dispersion of what is not known of mechanisms, by name [-]
     hazard : of the site in one measure; None where it is not known
     target_rate : annual rate that the risk is compared with [1/year]
@@ -64,6 +76,7 @@ class FragilityQuestion:
     largest_factor: float = LARGEST_FACTOR
     seed: int = 1
     draws: int = 500
+    stripes: tuple[Stripe, ...] = ()
     epistemic: Mapping[str, float] = field(default_factory=dict)
     hazard: HazardResult | None = None
     target_rate: float | None = None

@@ -131,7 +131,8 @@ def measures_table(mechanism: MechanismFragility, name: str) -> Table:
     rows = tuple(_measure_row(each) for each in mechanism.comparison if each.state == state)
     caption = say(
         "How well each measure explains {state}: the less the dispersion, the better. Trends: slope of what is left, "
-        "with its p-value; significant below 0.05, where the measure misses what the records differ in.",
+        "with its p-value, corrected for the number of trends by Holm; significant below 0.05, where the measure "
+        "misses what the records differ in.",
         state=say("no state") if state is None else state_text(state),
     )
     return Table(name, caption, columns, rows, small=True)

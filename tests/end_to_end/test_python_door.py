@@ -197,6 +197,27 @@ def test_fragility_of_mechanisms_is_that_of_their_project(tmp_path):
     assert assess.plot(of_block).axes[0].lines
 
 
+def test_stripes_with_records_of_their_own_are_those_of_a_project(tmp_path):
+    records, files = [noise(seed, peak=3.0, npts=300) for seed in range(9)], []
+    for place, each in enumerate(records):
+        files.append(f"motion{place}.csv")
+        rows = "\n".join(f"{each.dt * k!r},{a!r}" for k, a in enumerate(each.acceleration.tolist()))
+        (tmp_path / files[-1]).write_text(f"time [s],acceleration [m/s2]\n{rows}\n")
+    levels = {0.3: files[:3], 0.5: files[3:6], 0.8: [*files[6:], files[0]]}
+    stripes = ", ".join(f"{{ intensity = '{im} g', records = {names} }}" for im, names in levels.items())
+    (tmp_path / "project.toml").write_text(
+        PROJECT.replace('["motion.csv"]', str(files))
+        + f"[analysis.fragility]\nmeasures = ['pga']\nmethod = 'stripes'\nstripes = [{stripes}]\n"
+    )
+    (one,) = assess.fragility(tmp_path / "project.toml", jobs=1).mechanisms
+    read = {name: assess.read_records(tmp_path / name)[0] for name in files}
+    own = {im * assess.g: [read[name] for name in names] for im, names in levels.items()}
+    (other,) = assess.fragility(assess.single_block(WALL, name="W1"), own, measures=["pga"], jobs=1).mechanisms
+    assert (one.curves, one.runs) == (other.curves, other.runs)
+    assert [len(run.scale) for run in one.runs] == [1] * 10
+    assert [point.records for point in one.curves[0].empirical] == [3, 3, 4]
+
+
 @pytest.mark.parametrize(
     ("given", "said"),
     [

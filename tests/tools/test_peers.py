@@ -6,8 +6,10 @@ from types import ModuleType
 
 import numpy as np
 import pytest
+from scipy.stats import norm
 
 from assess.dynamics.packing import Equation
+from assess.risk.estimates import fit_lognormal, holm
 from records.record import make_record
 from tools.benchmarks.bench_dynamics import swings_by_scipy, violent
 from tools.benchmarks.bench_records import COARSE, T, by_eqsig, by_pyrotd, ours
@@ -69,6 +71,26 @@ def test_spectra() -> None:
         pytest.skip(f"measured by `make peers` only: eqsig ({eqsig.said}), pyrotd ({pyrotd.said})")
     for each in found:
         np.testing.assert_allclose(each[some], ours(record)[some], rtol=0.05)  # motions differ between samples
+
+
+def test_lognormals_are_the_probit_of_statsmodels() -> None:
+    models = installed("statsmodels", "statsmodels.api")
+    im, rng = np.geomspace(0.05, 2.0, 12), np.random.default_rng(3)
+    for _ in range(5):
+        records = rng.integers(5, 40, im.size)
+        reached = rng.binomial(records, norm.cdf(np.log(im / 0.4) / 0.45))
+        family = models.families.Binomial(models.families.links.Probit())
+        counts = np.column_stack([reached, records - reached])
+        a, b = models.GLM(counts, models.add_constant(np.log(im)), family=family).fit(tol=1e-14, maxiter=200).params
+        fit = fit_lognormal(im, reached, records)
+        assert fit is not None
+        np.testing.assert_allclose([fit.median, fit.dispersion], [np.exp(-a / b), 1.0 / b], rtol=1e-8)
+
+
+def test_holm_is_that_of_statsmodels() -> None:
+    multitest = installed("statsmodels", "statsmodels.stats.multitest")
+    p = np.random.default_rng(4).uniform(0.0, 0.2, 18)
+    np.testing.assert_allclose(holm(p), multitest.multipletests(p, method="holm")[1], rtol=1e-12)
 
 
 def test_page_has_a_place_for_what_is_measured(tmp_path) -> None:

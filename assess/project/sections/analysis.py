@@ -359,6 +359,17 @@ EPISTEMIC = Evidence(
 Dispersion = Annotated[float, Number("ratio", least=0, most=2)]
 
 
+class StripeSection(ProjectSection):
+    """An intensity of [analysis.fragility] with records of its own."""
+
+    evidence = RUNS_OF_CURVES
+
+    intensity: float | str
+    """of the first measure, like "0.3 g", to which its records are scaled"""
+    records: Annotated[tuple[str, ...], Several(1, unlike="record")]
+    """names of records, or patterns of names and paths, like ["level3/*.AT2"]"""
+
+
 class Fragility(ProjectSection):
     """Fragility curves of `assess fragility`: measures of intensity, states, and how records are run."""
 
@@ -383,6 +394,9 @@ class Fragility(ProjectSection):
     row"""
     largest_factor: Annotated[float, Number("ratio", least=1, most=1000)] = 10.0
     """largest scale factor on a record; above 4 they are marked"""
+    stripes: Annotated[tuple[StripeSection, ...], Several(2)] | None = None
+    """[{ intensity, records }, …] of method "stripes": intensities, rising, each with records of its own, as they are
+    selected for the hazard at each; all of [records] at the same intensities if absent"""
     seed: Annotated[int, Number(least=0)] = 1
     """of the bootstrap: the same seed gives the same intervals"""
     draws: Annotated[int, Number(least=100, most=10_000)] = 500
@@ -393,26 +407,54 @@ class Fragility(ProjectSection):
 
     @model_validator(mode="before")
     @classmethod
-    def _largest_is_of_the_first_measure(cls, values: Any) -> Any:
-        """Read the largest intensity in the unit of the measure that it belongs to."""
-        if not isinstance(values, dict) or values.get("largest") is None:
+    def _intensities_are_of_the_first_measure(cls, values: Any) -> Any:
+        """Read the largest intensity and those of stripes in the unit of the measure that they belong to."""
+        if not isinstance(values, dict):
             return values
-        if values.get("method") == "cloud":
+        if values.get("method") == "cloud" and values.get("largest") is not None:
             raise error_at("largest", "a cloud runs every record once, as it is; remove it")
         measures = values.get("measures")
         first = measures[0] if isinstance(measures, list | tuple) and measures else "pga"
-        try:
-            number = key_value(values["largest"], KINDS[KIND_OF.get(measure_of(first)[0], "ratio")])
-        except ValueError as error:
-            raise error_at("largest", str(error)) from None
-        if not number > 0.0:
-            raise error_at("largest", f"{number:g}: must be above 0")
-        return values | {"largest": number}
+
+        def read(given: Any, *key: str | int) -> float:
+            try:
+                number = key_value(given, KINDS[KIND_OF.get(measure_of(first)[0], "ratio")])
+            except ValueError as error:
+                raise error_at(key, str(error)) from None
+            if not number > 0.0:
+                raise error_at(key, f"{number:g}: must be above 0")
+            return number
+
+        found = values if values.get("largest") is None else values | {"largest": read(values["largest"], "largest")}
+        stripes = values.get("stripes")
+        if isinstance(stripes, list | tuple) and all(
+            isinstance(each, dict) and "intensity" in each for each in stripes
+        ):
+            rows = [
+                each | {"intensity": read(each["intensity"], "stripes", place, "intensity")}
+                for place, each in enumerate(stripes)
+            ]
+            found = found | {"stripes": rows}
+        return found
 
     @model_validator(mode="after")
     def _cloud_has_no_levels(self) -> Fragility:
         if self.method == "cloud" and self.samples is not None:
             raise error_at("samples", "a cloud runs every record once, as it is; remove it")
+        return self
+
+    @model_validator(mode="after")
+    def _stripes_rise_and_stand_alone(self) -> Fragility:
+        if self.stripes is None:
+            return self
+        if self.method != "stripes":
+            raise error_at("stripes", f'of method "stripes", and this is "{self.method}"; add method = "stripes"')
+        for key in ("samples", "largest"):
+            if getattr(self, key) is not None:
+                raise error_at(key, "the intensities are those of `stripes`; remove it")
+        for place, (low, high) in enumerate(pairwise(self.stripes), start=1):
+            if not float(high.intensity) > float(low.intensity):
+                raise error_at(("stripes", place), "intensities do not rise; sort them")
         return self
 
 

@@ -8,7 +8,7 @@ from scipy.optimize import minimize
 from scipy.special import expit, ndtr
 from scipy.stats import linregress
 
-from assess.risk.estimates import cloud_probability, equivalent_lognormals, fit_clouds, trend
+from assess.risk.estimates import cloud_probability, equivalent_lognormals, fit_clouds, holm, trend
 
 
 def records(seed, number=200, sigma=0.4):
@@ -98,6 +98,13 @@ def test_trend_is_scipys():
     found, oracle = trend(y + 0.2 * x, x), linregress(x, y + 0.2 * x)
     np.testing.assert_allclose([found.slope, found.p_value], [oracle.slope, oracle.pvalue], rtol=1e-9)
     assert found.n == 30
+
+
+def test_holm_is_the_hand_calculation():
+    """0.005 x 4, 0.01 x 3, then 0.03 x 2 = 0.06, and 0.04 x 1, which may not be less than the one before."""
+    np.testing.assert_allclose(holm([0.01, 0.04, 0.03, 0.005]), [0.03, 0.06, 0.06, 0.02], rtol=1e-15)
+    np.testing.assert_array_equal(holm([0.9, 0.8]), [1.0, 1.0])
+    assert holm([]).size == 0
 
 
 def test_trend_by_event_is_not_fooled_by_its_records():

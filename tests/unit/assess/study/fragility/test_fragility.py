@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 from scipy.constants import g
 from scipy.integrate import quad
-from scipy.optimize import brentq
-from scipy.stats import norm
+from scipy.optimize import brentq, minimize
+from scipy.stats import binom, norm
 
 from assess.dynamics.history import Jobs, make_solver
 from assess.errors import ProjectError
@@ -19,7 +19,7 @@ from assess.results.json import dumps_fragility, loads_fragility
 from assess.risk.estimates import EmpiricalCurve
 from assess.study.fragility import run_fragility
 from assess.study.fragility_runs import measure
-from assess.study.study import FragilityQuestion, Study
+from assess.study.study import FragilityQuestion, Stripe, Study
 from records.record import Record, make_record
 from tests.support.motions import noise
 from tests.support.projects import ASCE7, NTC, published, study_of, tables_toml
@@ -508,6 +508,48 @@ def test_a_curve_without_an_interval_says_why(folder: Path) -> None:
             else:
                 assert not each.notes
     assert told == {"fragility-interval-draws"}
+
+
+def test_stripes_with_records_of_their_own_are_the_probit_of_their_counts(folder: Path) -> None:
+    """Of each half sine the peak that overturns is known, and a search finds the largest likelihood of the counts."""
+    pulses = tuple(half_sine(duration, place) for place, duration in enumerate(DURATIONS))
+    exact = np.array([least_peak(duration) / g for duration in DURATIONS])
+    levels = tuple(np.quantile(exact, [0.15, 0.4, 0.62, 0.85]).tolist())
+    stripes = tuple(Stripe(im, tuple(each.id for each in pulses[k::4])) for k, im in enumerate(levels))
+    study = study_with(
+        folder, pulses, method="stripes", stripes=stripes, measures=(measure("pga"),), largest_factor=1e3, draws=100
+    )
+    found = curve(run_fragility(study, jobs=1))
+    reached = [int((exact[k::4] < im).sum()) for k, im in enumerate(levels)]
+    assert 0 < reached[0] < reached[-1] < 15
+    assert [(each.intensity, each.records, each.reached) for each in found.empirical] == [
+        (im, 15, number) for im, number in zip(levels, reached, strict=True)
+    ]
+    best = minimize(
+        lambda at: -binom.logpmf(reached, 15, norm.cdf((np.log(levels) - at[0]) / np.exp(at[1]))).sum(),
+        [0.0, -1.0], method="Nelder-Mead", options={"xatol": 1e-10, "fatol": 1e-13},
+    ).x  # fmt: skip
+    np.testing.assert_allclose([found.lognormal.median, found.lognormal.dispersion], np.exp(best), rtol=1e-6)
+    assert (found.first, found.censored) == (None, 0)
+    assert found.lognormal.median_interval is not None
+
+
+@pytest.mark.parametrize(
+    ("last", "more", "said"),
+    [
+        (("pulse 9",), {}, '"pulse 9" is no record'),
+        (("pulse 1",), {}, 'record "pulse 2" is in none'),
+        (("pulse [12]",), {"largest_factor": 2.0}, "would be scaled by .*give a stronger record"),
+    ],
+)
+def test_stripes_that_leave_records_open_are_refused(
+    folder: Path, last: tuple[str, ...], more: dict[str, float], said: str
+) -> None:
+    pulses = tuple(half_sine(0.2, place) for place in range(3))
+    stripes = Stripe(0.2, ("pulse 0", "pulse 1")), Stripe(0.4, last)
+    study = study_with(folder, pulses, method="stripes", stripes=stripes, measures=(measure("pga"),), **more)
+    with pytest.raises(ProjectError, match=said):
+        run_fragility(study, jobs=1)
 
 
 def test_records_of_two_earthquakes_say_why_there_is_no_interval(folder: Path) -> None:

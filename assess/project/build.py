@@ -23,6 +23,7 @@ from assess.geometry.solid import Solid, scale_density
 from assess.loads.load import bodies_of as loading_bodies
 from assess.mechanisms.kinds import Definition
 from assess.mechanisms.mechanism import BlockMechanism
+from assess.mechanisms.single_block import EquivalentBlock
 from assess.mechanisms.two_block import TwoBlock
 from assess.messages.message import Message, locate
 from assess.model.assembly import Built
@@ -416,6 +417,7 @@ def _study_of_mechanisms(
         question=question,
         facts=facts_of(content, question, tuple(chosen), files.spectrum, solids=files.solids),
         heights=heights,
+        moving={name: each.bodies for name, each in definitions.items() if not isinstance(each, EquivalentBlock)},
         on_masonry={
             name: stands_on_masonry(definition, bodies)
             for name, definition in definitions.items()

@@ -284,8 +284,26 @@ class MechanismFragility(ShortRepr):
 
 
 @dataclass(frozen=True, repr=False)
+class UnionFragility(ShortRepr):
+    """How often at least one of several mechanisms overturns, under the same records.
+
+    mechanisms : names of those that count; left_out : of those that share a body with one that overturns more often
+    curve : of the records that overturn at least one
+    if_independent : share at each point of `curve.empirical` if each mechanism overturned by itself [-]
+    """
+
+    mechanisms: tuple[str, ...]
+    left_out: tuple[str, ...]
+    curve: FragilityCurve
+    if_independent: Floats
+
+
+@dataclass(frozen=True, repr=False)
 class FragilityResults(ShortRepr):
-    """The tree of fragility.json; seed and draws : of the bootstrap; project : resolved values, as in results.json."""
+    """The tree of fragility.json; seed and draws : of the bootstrap; project : resolved values, as in results.json.
+
+    union : of mechanisms together; None where there are not two that may be counted together
+    """
 
     schema_version: int
     program: Program
@@ -300,3 +318,4 @@ class FragilityResults(ShortRepr):
     stamp: str = ""
     report: ReportMatter = NO_MATTER
     project: dict[str, ResolvedValue] = field(default_factory=dict)
+    union: UnionFragility | None = None

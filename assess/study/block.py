@@ -532,7 +532,13 @@ def fragility_study(
         _ = block.rocking  # raises where no history of it is answered
     placed = [(block.mechanism, _height_above_ground(block.mechanism, None, block.lowest, None)) for block in blocks]
     artificial = None if records else ArtificialRecords()
-    return replace(_plain_study(placed, tuple(records), spectrum), fragility=question, artificial=artificial)
+    moving = {  # a session may call two bodies by one name
+        block.name: tuple(f"{name} {id(block.bodies[name])}" for name in block.definition.bodies)
+        for block in blocks
+        if not isinstance(block.definition, EquivalentBlock)
+    }
+    study = _plain_study(placed, tuple(records), spectrum)
+    return replace(study, fragility=question, artificial=artificial, moving=moving)
 
 
 def _default_procedures(spectrum: Spectrum, records: Sequence[Record]) -> tuple[str, ...]:

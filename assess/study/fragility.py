@@ -68,6 +68,7 @@ from assess.study.fragility_runs import (
     run_intensities,
     run_once,
 )
+from assess.study.fragility_union import NamedRuns, find_union
 from assess.study.histories import RockingCase, vibrates
 from assess.study.run import MOST_RECORDS_NAMED, coarse_record_messages, envelope_cases, envelope_messages
 from assess.study.study import FragilityQuestion, Progress, ScaledRecord, Study, no_progress
@@ -145,6 +146,12 @@ def run_fragility(study: Study, *, jobs: int = 0, progress: Progress = no_progre
         stamp=stamp("fragility", program, study.inputs),
         report=study.report,
         project=study.resolved,
+        union=find_union(
+            [NamedRuns(each.mechanism.name, each.runs, each.all_intensities) for each in with_runs],
+            study.moving,
+            origins.event,
+            question,
+        ),
     )
 
 

@@ -93,6 +93,16 @@ def fragility_curve(
     return make(runs, intensities, state, events, question)
 
 
+def curve_outcomes(
+    runs: FragilityRuns, intensities: Intensities, state: StateResult, question: FragilityQuestion
+) -> StateOutcomes:
+    """Return which records reach a state at the intensities of a curve; arguments are those of `fragility_curve`."""
+    reached = reaches(runs, state)
+    if question.method == "cloud":
+        return _outcomes_in_groups(runs.scale[:, 0] * intensities.unit, reached[:, 0], runs.scale[:, 0])
+    return state_outcomes(runs, intensities.unit, reached, primary=intensities.primary)
+
+
 Fits = Callable[[FloatArray], tuple[FloatArray, FloatArray]]
 """Takes how often each record counts [draws, records]; returns medians and dispersions [draws], nan where unbounded."""
 
@@ -278,7 +288,7 @@ def _level_curve(
 ) -> FragilityCurve:
     """Return the curve of records at many scales; arguments are those of `fragility_curve`."""
     reached = reaches(runs, state)
-    found = state_outcomes(runs, intensities.unit, reached, primary=intensities.primary)
+    found = curve_outcomes(runs, intensities, state, question)
     stands, falls = first_bounds(runs, intensities.unit, reached)
     of_first = None if runs.stripe is not None else partial(fit_first_exceedances, stands, falls)
 
@@ -327,7 +337,7 @@ def _cloud_curve(
         state,
         events,
         question,
-        points=_empirical_points(_outcomes_in_groups(at, reached[:, 0], runs.scale[:, 0])),
+        points=_empirical_points(curve_outcomes(runs, intensities, state, question)),
         lognormal=equivalent,
         first=None,
         why="cloud-separated" if why is UnboundedReason.SEPARATED else why or "no-cloud",

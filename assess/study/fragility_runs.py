@@ -157,7 +157,7 @@ def state_outcomes(runs: FragilityRuns, unit: FloatArray, reached: BoolArray, *,
     known, found, hollow = np.zeros((3, unit.size, levels.size), dtype=bool)
     for record, end in enumerate(runs.last):
         own = intensity[record, : end + 1]
-        place = _nearest(np.log(own), np.log(levels))
+        place = nearest(np.log(own), np.log(levels))
         found[record], hollow[record] = reached[record, place], runs.scale[record, place] > LARGE_SCALE
         known[record] = (levels <= own[-1] * np.sqrt(step) * (1.0 + 1e-9)) | reached[record, end]
     return StateOutcomes(levels, found & known, known, hollow)
@@ -368,7 +368,7 @@ def _intensity_levels(intensity: FloatArray, step: float) -> FloatArray:
     return np.geomspace(least, most, 1 + ceil(log(most / least) / log(step) - 1e-9))
 
 
-def _nearest(rising: FloatArray, at: FloatArray) -> IntArray:
+def nearest(rising: FloatArray, at: FloatArray) -> IntArray:
     """Return the place of the nearest of rising numbers [n]; of two as near, the upper one."""
     middle = 0.5 * (rising[1:] + rising[:-1])
     return np.asarray(np.searchsorted(middle, at, side="right"), dtype=np.int64)

@@ -106,6 +106,7 @@ class Study:
     question : what decides
     facts : what a pass of each mechanism needs and is not given, and its conditions, by name
     heights : of each mechanism above the ground, by name
+    moving : the bodies that move in each mechanism, by name
     on_masonry : whether what is drawn below a wall between supports bears it from face to face, by name
     record_factor : a further factor on every record [-]
     suite_faults : rules for suites that the records do not meet, by code; known once the records are
@@ -149,6 +150,7 @@ class Study:
     question: Question
     facts: Mapping[str, VerdictFacts]
     heights: Mapping[str, HeightAboveGround] = field(default_factory=dict)
+    moving: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
     on_masonry: Mapping[str, bool] = field(default_factory=dict)
     record_factor: float = 1.0
     suite_faults: Mapping[str, tuple[Message, ...]] = field(default_factory=dict)

@@ -179,12 +179,31 @@ def _first_page(results: FragilityResults) -> Section:
         for each in results.mechanisms
         if (sentences := tuple(mechanism_summary(each, results.hazard)))
     )
+    points += tuple(_union_points(results))
     blocks: list[Block] = [BulletList(points)] if points else []
     blocks += [*nonempty(fragility_tables.overview_table(results)), Prose(tuple(_reading(results)))]
     warned = tuple(each for each in results.warnings if each.severity is not Severity.NOTE)
     if warned:
         blocks += [Prose((say("Warnings:"),)), BulletList(warned)]
     return Section(say("Fragility and risk"), 0, tuple(blocks))
+
+
+def _union_points(results: FragilityResults) -> Iterator[Text]:
+    """Yield how often at least one of several mechanisms overturns, and which of them do not count in that."""
+    union = results.union
+    if union is None:
+        return
+    named = {each.name: fragility_tables.numbered_name(results, each) for each in results.mechanisms}
+    yield say(
+        "At least one of {mechanisms}, under the same records: {sentence}",
+        mechanisms=listing(named[name] for name in union.mechanisms),
+        sentence=_intensity_sentence(union.curve),
+    )
+    if union.left_out:
+        yield say(
+            "Not counted there, as each shares a body with one that overturns more often: {mechanisms}.",
+            mechanisms=listing(named[name] for name in union.left_out),
+        )
 
 
 def _reading(results: FragilityResults) -> Iterator[Text]:

@@ -215,6 +215,7 @@ def data_tables(results: FragilityResults) -> Iterator[Table]:
         *_by_dimension(results, "points", say("Records that reach each state at each intensity."), _point_rows),
         *_by_dimension(results, "risk", say("Hazard of the site and contributions to the rates."), _contribution_rows),
         *_by_dimension(results, "intensities", say("Intensity of each record at scale 1."), _intensity_rows),
+        _union_table(results),
         _all_runs_table(results),
         _all_trends_table(results),
         _all_islands_table(results),
@@ -418,6 +419,23 @@ def _all_runs_table(results: FragilityResults) -> Table:
         for scale, ratio in zip(run.scale, run.ratio, strict=True)
     )
     return Table("fragility-runs", say("Every run: largest rotation over that which overturns."), columns, rows)
+
+
+def _union_table(results: FragilityResults) -> Table:
+    union = results.union
+    points = () if union is None else union.curve.empirical
+    dimension = "ratio" if union is None else union.curve.measure.dimension
+    columns = (
+        Column(say("Intensity"), dimension),
+        *(Column(label) for label in (say("Records"), say("Reached"))),
+        *(Column(label, "ratio") for label in (say("Share"), say("from"), say("to"), say("If independent"))),
+    )
+    rows = tuple(
+        (p.intensity, p.records, p.reached, p.share, p.low, p.high, independent)
+        for p, independent in zip(points, () if union is None else union.if_independent, strict=True)
+    )
+    caption = say("Records that overturn at least one mechanism at each intensity.")
+    return Table("fragility-union", caption, columns, rows)
 
 
 def _all_trends_table(results: FragilityResults) -> Table:

@@ -170,7 +170,7 @@ def rate_sentence(risk: RiskResult) -> Text:
 
 
 def _first_page(results: FragilityResults) -> Section:
-    points = tuple(
+    points: tuple[Text, ...] = tuple(
         say(
             "{mechanism}: {sentences}",
             mechanism=fragility_tables.numbered_name(results, each),

@@ -201,6 +201,7 @@ class Mechanism:
     toothed : the block with the side walls toothed into it; None where there are none
     candidates : the directions among which the weakest was found, or with which a given one was compared
     weaker : the weakest free direction, where the given one has a multiplier more than 10 % above it; else None
+    weaker_crack : where an inclined crack begins towards `weaker` [m]; None of others
     rocks : whether it comes back and what its impacts leave is known; else no history of it is answered
     panel_height : of a panel that bulges out in a level plane [m]; None of all others
     """
@@ -224,6 +225,7 @@ class Mechanism:
     direction: Vector | None = None
     candidates: tuple[DirectionCandidate, ...] = ()
     weaker: Vector | None = None
+    weaker_crack: Vector | None = None
     adjacent_bodies: tuple[str, ...] = ()
     messages: tuple[Message, ...] = ()
     toothed: ToothedBlock | None = None

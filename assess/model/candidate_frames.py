@@ -8,7 +8,7 @@ import numpy as np
 
 from assess.messages.message import Quantity, note, whole_number
 from assess.model.least_multipliers import Drawing, weakest_arch, weakest_crack, weakest_portal
-from assess.model.moving_parts import Seed, Seeds, Unexamined, bends, standing_above, ways_of
+from assess.model.moving_parts import Seed, Seeds, Unexamined, bends, standing_above, ways_to_fall
 from assess.model.structure import IN_LINE, PartKind
 
 
@@ -16,7 +16,7 @@ def shafts(drawing: Drawing, *, kinds: tuple[PartKind, ...]) -> Seeds:
     """Find the towers and spires that can fall above an inclined crack."""
     for part in drawing.structure.of_kind(*kinds):
         low, high = part.base, part.base + 0.6 * part.height
-        find = partial(weakest_crack, part, ways_of((part,)), drawing, low=low, high=high)
+        find = partial(weakest_crack, part, ways_to_fall(part, drawing), drawing, low=low, high=high)
         yield Seed((part,), note("reason-shaft", height=Quantity(part.height, "length", 3)), find)
 
 
@@ -74,5 +74,5 @@ def apses(drawing: Drawing) -> Seeds:
     for wall in drawing.structure.of_kind("wall"):
         if bends(wall):
             low, high = wall.base, wall.base + 0.6 * wall.height
-            find = partial(weakest_crack, wall, (wall.normal,), drawing, low=low, high=high)
+            find = partial(weakest_crack, wall, ways_to_fall(wall, drawing), drawing, low=low, high=high)
             yield Seed((wall,), note("reason-apse", length=Quantity(wall.length, "length", 3)), find)

@@ -20,7 +20,7 @@ from assess.model.candidate_walls import bays, caps, corners, gables, spanning_w
 from assess.model.churches import Church
 from assess.model.least_multipliers import Alternative, Drawing, Found, built
 from assess.model.load_paths import by_worst_paths
-from assess.model.moving_parts import Seed, Seeds, Unexamined, all_of, opposite
+from assess.model.moving_parts import BEHIND, Seed, Seeds, Unexamined, all_of, opposite
 from assess.model.structure import Part, PartKind, Structure
 from assess.short_repr import ShortRepr
 
@@ -322,9 +322,6 @@ def _on_free_sides(found: Found, drawing: Drawing) -> Found:
     if both.multiplier is None or found.multiplier is None:
         return found
     return replace(found, definition=both.definition, multiplier=min(found.multiplier, both.multiplier))
-
-
-BEHIND = 0.1  # of what moves: a wall that meets it no higher than this above its hinge stops nothing
 
 
 def _without(structure: Structure, found: Sequence[Candidate]) -> dict[str, Message]:

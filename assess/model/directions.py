@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cache
-from math import inf
+from math import inf, tan
 from typing import Any, TypeVar
 
 import numpy as np
@@ -34,12 +34,7 @@ from assess.mechanisms.branch_table import rigid_branch
 from assess.mechanisms.chain import Chain, uplift_multiplier
 from assess.mechanisms.directions import DirectionCandidate, DirectionSweep, direction_angle, direction_at
 from assess.mechanisms.kinds import MECHANISM_KINDS, Definition
-from assess.mechanisms.mechanism import (
-    BlockMechanism,
-    CutAngle,
-    Mechanism,
-    Vector,
-)
+from assess.mechanisms.mechanism import BlockMechanism, CutAngle, CutPlane, Mechanism, Vector
 from assess.mechanisms.oscillators import collapse_branch
 from assess.mechanisms.restitution import Restitution
 from assess.mechanisms.wedged_block import Corner
@@ -162,7 +157,8 @@ Towards = Callable[[Vector], Mechanism]
 class DirectionSearch:
     """A mechanism whose directions are compared.
 
-    definition : as stated; foot : corners [k, 3] of what it stands on [m]; obstacles : the bodies beside it
+    definition : as stated; foot : corners [k, 3] of what it stands on [m]; corners : of all of it [k, 3] [m]
+    obstacles : the bodies beside it
     angles : of the candidates [deg]
     mechanism_towards : the mechanism towards a direction, of one side and on rigid hinges
     """
@@ -171,6 +167,7 @@ class DirectionSearch:
     definition: BlockMechanism
     bodies: Bodies
     foot: FloatArray
+    corners: FloatArray
     obstacles: tuple[Obstacle, ...]
     angles: tuple[float, ...]
     mechanism_towards: Towards
@@ -265,7 +262,9 @@ def _build_in_given_direction(search: DirectionSearch) -> Built:
     if weakest is not None and _multiplier_of(weakest) < CLEARLY * own:
         messages.append(_weaker_direction_warning(built.mechanism, weakest, search))
         if MUCH_WEAKER * _multiplier_of(weakest) < own:
-            built = replace(built, mechanism=replace(built.mechanism, weaker=weakest.direction))
+            crack = _crack_towards(search.definition, weakest.direction, search.corners)
+            begins = crack.point if isinstance(crack, CutAngle) else None
+            built = replace(built, mechanism=replace(built.mechanism, weaker=weakest.direction, weaker_crack=begins))
     return _with_messages(built, candidates, messages, search)
 
 
@@ -365,6 +364,7 @@ def _with_messages(
 def _prepare_search(name: str, definition: BlockMechanism, bodies: Bodies) -> DirectionSearch:
     """Find the candidate directions of a mechanism and the bodies beside it."""
     standing, bare = _solids_of_blocks(name, definition, bodies), _one_sided_definition(definition)
+    corners = np.concatenate([solid.vertices for solid in standing])
     if _turns_on_base(bare):
         block = _standing_above_cut(name, bare, standing)
         standing, foot, towards = block.solids, block.foot, _block_by_direction(name, bare, block, bodies)
@@ -372,11 +372,12 @@ def _prepare_search(name: str, definition: BlockMechanism, bodies: Bodies) -> Di
         foot = lowest_corners(standing)
 
         def towards(direction: Vector) -> Mechanism:
-            return on_rigid_hinges(name, _turn_towards(bare, direction), bodies)[0]
+            turned = replace(_turn_towards(bare, direction), cut=_crack_towards(bare, direction, corners))
+            return on_rigid_hinges(name, turned, bodies)[0]
 
-    angles = _candidate_angles(definition, foot, np.concatenate([solid.vertices for solid in standing]))
+    angles = _candidate_angles(definition, foot, corners)
     obstacles = _obstacles_of(definition, standing, bodies)
-    return DirectionSearch(name, definition, bodies, foot, obstacles, angles, cache(towards))
+    return DirectionSearch(name, definition, bodies, foot, corners, obstacles, angles, cache(towards))
 
 
 def _candidate_angles(definition: BlockMechanism, foot: FloatArray, corners: FloatArray) -> tuple[float, ...]:
@@ -625,6 +626,36 @@ def _block_by_direction(
 def _turn_towards(definition: BlocksT, direction: Vector) -> BlocksT:
     """Return the definition with a direction."""
     return replace(definition, direction=direction)
+
+
+def _crack_towards(
+    definition: BlockMechanism, direction: Vector, corners: FloatArray
+) -> float | CutPlane | CutAngle | None:
+    """Return the cut of a mechanism turned to another direction: an inclined crack begins at its height there too.
+
+    Left where it is in space, a crack that meets the edge of a spire in one direction would leave through its foot in
+    another.
+
+    Parameters
+    ----------
+    definition : with the direction that the cut was stated for; without one it is left as it is
+    direction : to turn to
+    corners : of what may break off [k, 3] [m]
+    """
+    cut = definition.cut
+    if not isinstance(cut, CutAngle) or not isinstance(definition.direction, tuple):
+        return cut
+    along = definition.along
+    ahead = float((corners @ along).max() - np.array(cut.point) @ along)
+    x, y, _ = edge_towards(direction, corners)
+    return replace(cut, point=(x, y, cut.point[2] - tan(cut.angle) * ahead))
+
+
+def edge_towards(direction: Vector, corners: FloatArray) -> Vector:
+    """Return the point (x, y, mean z) ahead of the mean of corners [k, 3], as far out as they reach [m]."""
+    middle, along = corners.mean(axis=0), np.array(direction)
+    x, y, z = middle + along * float(((corners - middle) @ along).max())
+    return float(x), float(y), float(z)
 
 
 def _resistance_by_direction(

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from functools import cached_property
+from functools import cached_property, partial
 from math import atan2, cos, inf, pi, radians, sin, tan
 from typing import Literal
 
@@ -35,6 +35,7 @@ from assess.mechanisms.wedged_block import Corner, FacadeWithWedges, Wedge, Wedg
 from assess.messages.message import Quantity
 from assess.model.assembly import on_rigid_hinges
 from assess.model.bodies import Bodies, Body, Material, pieces_of
+from assess.model.directions import edge_towards
 from assess.model.loading import loads_of
 from assess.model.structure import Part, PartContact, Structure
 from assess.model.walls import static_block
@@ -42,6 +43,7 @@ from assess.model.walls import static_block
 NEAR_LEVEL = 0.02  # m: elevations this near are one
 LOWEST = 0.15  # of the height of what stands above a level: the least that breaks off
 STEEP = radians(75.0)  # of a crack through a tower, from the horizontal: the steepest that is published
+AS_WEAK = 1e-3  # relative: a direction no weaker than this below another is as weak
 VOUSSOIRS = 16  # of an arch whose joints are not drawn
 AT_SPRINGING = radians(0.5)  # by which its first and last joints lie inside it
 NAME = "found"  # of a mechanism while its multiplier is looked for
@@ -357,39 +359,46 @@ def _mass_at(solid: Solid, direction: Vector) -> tuple[float, tuple[float, float
 def weakest_crack(part: Part, directions: Sequence[Vector], drawing: Drawing, *, low: float, high: float) -> Found:
     """Find elevation and inclination of the crack above which a tower or spire falls at the least multiplier.
 
-    The direction is that in which it is weakest on a level crack; towards it the crack is looked for. A crack begins on
-    the line up from the edge of the foot, between the two elevations [m]: one below would leave through the foot, and
-    what it parts would still stand on what carries the foot.
+    The crack is looked for in the direction in which it is weakest on a level one, then in any in which the crack that
+    is found is weaker. A crack begins on the line up from the edge of the foot, between the two elevations [m]: one
+    below would leave through the foot, and what it parts would still stand on what carries the foot.
     """
-    stacks = []
+    stacks: dict[Vector, TurningStack] = {}
     for direction in directions:
         definition = SingleBlock(blocks=((part.name,),), direction=direction, sides="one")
         try:
-            stack = turning_stack(definition, drawing.around(definition))
-            stacks.append((_value(lambda stack=stack: stack.above(None)), direction, stack))  # type: ignore[misc]
+            stacks[direction] = turning_stack(definition, drawing.around(definition))
         except AssessError as error:
             return Found(None, direction, why_not=_why(error))
-    _, towards, stack = min(stacks, key=lambda each: each[0])
-    middle, across = part.solid.vertices.mean(axis=0), np.array(towards)
-    edge = middle + across * float(((part.solid.vertices - middle) @ across).max())
+    known: dict[tuple[Vector, tuple[float, ...]], float] = {}
 
-    def plane_at(at: tuple[float, ...]) -> Plane:
-        along = across * sin(at[1])
-        return inclined_plane((edge[0], edge[1], at[0]), (along[0], along[1], cos(at[1])), where="crack")
+    def value(way: Vector, at: tuple[float, ...]) -> float:
+        x, y, _ = edge_towards(way, part.solid.vertices)
+        normal = (way[0] * sin(at[1]), way[1] * sin(at[1]), cos(at[1]))
+        if (way, at) not in known:
+            plane = inclined_plane((x, y, at[0]), normal, where="crack")
+            known[way, at] = _value(lambda: stacks[way].above(plane))
+        return known[way, at]
 
-    least = find_least(
-        lambda at: _value(lambda: stack.above(plane_at(at))),
-        bounds=((low, high), (0.0, STEEP)),
-        stations=(4, 7),
-        starts=1,
-        halvings=4,
-    )
-    if least.value == inf:
-        return Found(None, towards, why_not="no crack parts it")
-    point = (float(edge[0]), float(edge[1]), least.at[0])
+    towards = min(stacks, key=lambda way: _value(lambda: stacks[way].above(None)))
+    tried: dict[Vector, Least] = {}
+    while towards not in tried:
+        tried[towards] = find_least(
+            partial(value, towards), bounds=((low, high), (0.0, STEEP)), stations=(3, 6), starts=1, halvings=4
+        )
+        towards = min(tried, key=lambda way: tried[way].value)
+        least = tried[towards]
+        if least.value == inf:
+            return Found(None, towards, why_not="no crack parts it")
+        weaker = min(stacks, key=lambda way: value(way, least.at))
+        towards = weaker if value(weaker, least.at) < (1.0 - AS_WEAK) * least.value else towards
+    least = replace(least, evaluations=len(known))
+    x, y, _ = edge_towards(towards, part.solid.vertices)
+    point = (x, y, least.at[0])
     definition = SingleBlock(blocks=((part.name,),), direction=towards, sides="one", cut=CutAngle(point, least.at[1]))
     parameters = {"crack": Quantity(least.at[0], "length"), "angle": Quantity(least.at[1], "angle", 3)}
-    others = tuple(Alternative(value, direction, {}) for value, direction, _ in stacks if direction != towards)
+    beside = ((value(way, least.at), way) for way in stacks if way != towards)
+    others = tuple(Alternative(each, way, {}) for each, way in sorted(beside) if each < inf)
     return replace(built(definition, drawing.around(definition), parameters, least), others=others)
 
 

@@ -9,13 +9,16 @@ from functools import reduce
 import numpy as np
 import shapely
 
+from assess.geometry.planar import hull_edge_normals
 from assess.geometry.surface import areas_and_normals
+from assess.mechanisms.directions import direction_at
 from assess.mechanisms.mechanism import Vector
 from assess.messages.message import Message, note
 from assess.model.least_multipliers import NEAR_LEVEL, Drawing, Found, distinct_levels
 from assess.model.structure import Part
 
 LOW_STOREY = 1.0  # m: less between two levels is no storey
+BEHIND = 0.1  # of what moves: a part that meets it no higher than this above its hinge stops nothing
 HELD = 0.4  # m: a floor this near the top of a wall holds it there
 MOSTLY = 0.49  # of its foot, by area: what stands so far on parts that move goes with them
 
@@ -54,6 +57,23 @@ def ways_of(parts: Sequence[Part]) -> tuple[Vector, ...]:
     lead = next((part for part in parts if part.outward), parts[0])
     ways = [lead.normal] if lead.outward else [lead.normal, opposite(lead.normal)]
     return (*ways,) if lead.is_plate else (*ways, lead.along, opposite(lead.along))
+
+
+SIDEWAYS = -0.7  # cosine: a part that faces outwards may fall up to 135 degrees from there
+
+
+def ways_to_fall(part: Part, drawing: Drawing) -> tuple[Vector, ...]:
+    """Return the directions that the faces of a part have in plan, and the opposites, in which nothing stops it.
+
+    Of a part that faces outwards those that turn back are left out: the building stands there.
+    """
+    facing = hull_edge_normals(part.solid.vertices)
+    angles = np.unique(np.round(np.concatenate([facing, facing + 180.0]), 6) % 360.0)
+    ways = [direction_at(float(angle)) for angle in angles]
+    if part.outward:
+        ways = [way for way in ways if float(np.dot(way, part.normal)) > SIDEWAYS]
+    above = part.base + BEHIND * part.height
+    return tuple(way for way in ways if not drawing.stopped_by((part,), way, above=above)) or ways_of((part,))
 
 
 def opposite(way: Vector) -> Vector:

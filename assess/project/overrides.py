@@ -209,7 +209,11 @@ def _setting(
         return None
     if safe is Safe.WEAKEST:
         weakest = _weakest(path, content, study)
-        return None if weakest is None else {path: weakest, **_side_walls_behind(path, content)}
+        return (
+            None
+            if weakest is None
+            else {path: weakest, **_side_walls_behind(path, content), **_crack_ahead(path, study)}
+        )
     if safe is Safe.WITHOUT:
         return {path[:-1]: Safe.ABSENT, **_crack_without(path, content, solids)}
     given = value_at(content, path)
@@ -280,6 +284,13 @@ def _side_walls_behind(path: KeyPath, content: sections.Content) -> Setting:
     section = content.mechanisms[str(path[1])]
     there = path[-1] == "direction" and getattr(section, "side_walls", None) is not None
     return {(*path[:2], "side_walls"): Safe.ABSENT} if there else {}
+
+
+def _crack_ahead(path: KeyPath, study: Study) -> Setting:
+    """Let an inclined crack begin ahead in the direction that is weaker, at the height that it is stated at."""
+    found = (each.weaker_crack for each in study.mechanisms if path[-1] == "direction" and each.name == path[1])
+    begins = next(found, None)
+    return {} if begins is None else {(*path[:2], "cut", "point"): list(begins)}
 
 
 def _weakest(path: KeyPath, content: sections.Content, study: Study) -> list[float] | str | None:

@@ -7,6 +7,9 @@ import assess
 from assess.examples import copy_example
 from assess.geometry.boolean import subtract
 from assess.geometry.solid import polyhedron
+from assess.project.build import build
+from assess.project.drawn_project import write_project
+from assess.project.project_file import load
 from tests.support.houses import Planted, bent_wall, extrude, prism, turned, write_groups, write_merged
 
 
@@ -53,3 +56,17 @@ def test_each_part_of_a_church_has_its_mechanism(tmp_path, write) -> None:
     corners = [each for each in found if each.kind == "corner"]
     assert any(each.examines.get("church") == "bell-cell" for each in corners)
     assert not any(each.kind == "gable" and each.multiplier > 1.0 for each in found)  # an apse has none
+
+
+def test_no_mechanism_is_weaker_in_another_direction_than_the_one_proposed(tmp_path) -> None:
+    """The directions of `assess check` are those of the search: an apse falls askew, where a face of it looks."""
+    copy_example("san_leonardo_spire", tmp_path / "spire")
+    spire = assess.read_building(tmp_path / "spire" / "spire.ply").parts[0].solid
+    parts = [Planted(name, "", 0.0, solid) for name, solid in church(spire).items()]
+    _, candidates = write_project([write_groups(tmp_path / "church.obj", parts)], tmp_path / "new")
+    study = build(load(tmp_path / "new"))
+    assert {"apse-apse", "spire-spire", "tower-tower"} <= {each.name for each in study.mechanisms}
+    assert not [each.name for each in study.mechanisms if each.weaker is not None]
+    assert not [each for each in study.messages if each.key == "direction-weaker"]
+    (apse,) = (each for each in candidates if each.kind == "apse")
+    assert all(each.multiplier >= apse.multiplier for each in apse.found.others)

@@ -9,6 +9,7 @@ import trimesh
 from assess.errors import MechanismError, ProjectError
 from assess.geometry.contact import find_contact
 from assess.loads import bearing
+from assess.mechanisms.chain import uplift_multiplier
 from assess.mechanisms.directions import DirectionSweep
 from assess.project.build import build
 from assess.project.project_file import load
@@ -178,6 +179,50 @@ def test_a_crack_given_by_its_angle_turns_with_the_direction(tmp_path: Path) -> 
     turned = np.roll(found.uplift_multiplier, -quarter)  # a square is the same after a quarter turn
     np.testing.assert_allclose(found.uplift_multiplier, turned, rtol=1e-9)
     assert found.weakest_deg % 90.0 == 0.0
+
+
+CRACKED = """cut = { point = [X, 0, 4], angle = "60 deg" }
+sides = "one"
+direction = [1, 0, 0]"""
+
+
+@pytest.mark.parametrize("x", [1.5, 0.0])
+def test_a_crack_begins_at_the_same_height_towards_every_face(tmp_path: Path, x: float) -> None:
+    """Left in space it would leave a square tower through its foot in the other directions, and stand on nothing."""
+    body = f'material = "m"\n{SQUARE}'
+    text = project_toml(
+        site=None,
+        materials={"m": {"density": 2000}},
+        bodies={"tower": body},
+        mechanisms={"tower": f'kind = "single-block"\nblocks = ["tower"]\n{CRACKED.replace("X", str(x))}'},
+    )
+    study = study_of(tmp_path, text)
+    (found,) = study.mechanisms
+    values = [each.uplift_multiplier for each in found.candidates]
+    assert len(values) == 4
+    assert values == pytest.approx([values[0]] * 4, rel=1e-9)
+    assert found.weaker is None
+
+
+def test_a_weaker_direction_names_where_the_crack_begins_there(tmp_path: Path) -> None:
+    """Of a shaft of 2 by 4 m the narrow way is the weaker; the crack goes on at 5 m, on the face ahead."""
+    body = 'material = "m"\nbox = { thickness = 2, length = 4, height = 10 }'
+    mechanism = (
+        'kind = "single-block"\nblocks = ["tower"]\nsides = "one"\ndirection = [0, 1, 0]\n'
+        'cut = { point = [0, 2, 5], angle = "45 deg" }'
+    )
+    text = project_toml(
+        site=None, materials={"m": {"density": 2000}}, bodies={"tower": body}, mechanisms={"tower": mechanism}
+    )
+    study = study_of(tmp_path, text)
+    (found,) = study.mechanisms
+    assert found.weaker == pytest.approx((1.0, 0.0, 0.0))
+    assert found.weaker_crack == pytest.approx((1.0, 0.0, 5.0))
+    (value,) = (each for each in study.replaceables if each.key.endswith("direction"))
+    assert value.setting[("mechanisms", "tower", "cut", "point")] == pytest.approx([1.0, 0.0, 5.0])
+    (there,) = value.study_at("tower").mechanisms
+    least = min(each.uplift_multiplier for each in found.candidates)
+    assert uplift_multiplier(there.positive) == pytest.approx(least, rel=1e-9)
 
 
 def test_the_parameters_are_those_of_the_mechanism_towards_each_angle(tmp_path: Path) -> None:

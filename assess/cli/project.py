@@ -64,6 +64,7 @@ def new(
 
 def _draw(models: Sequence[Path], folder: Path, *, unit: str | None, up: Literal["y", "z"] | None) -> None:
     """Write the project of a building and say what was found."""
+    from assess.model.candidates import texts_of
     from assess.project.drawn_project import PROJECT, is_stated, write_project
 
     with progress() as shown:
@@ -77,8 +78,10 @@ def _draw(models: Sequence[Path], folder: Path, *, unit: str | None, up: Literal
     )
     for text in structure.left_out_texts:
         print(escape_text(f"left out: {text}"))
-    for gap in candidates.gaps:
-        print(escape_text(f"not looked for: {gap}"))
+    for text in texts_of(candidates.gaps):
+        print(escape_text(f"not looked for: {text}"))
+    for text in texts_of(candidates.ruled_out):
+        print(escape_text(f"ruled out: {text}"))
     for message in candidates.without.values():
         print(escape_text(f"without a mechanism: {message}"))
 

@@ -33,11 +33,23 @@ CANDIDATE_TEXTS: Mapping[str, str] = {
     "gap-stopped": "above z = {z} {walls} would stop it where it turns as a whole; what turns beside them is not "
     "looked for",
     "gap-unpressed": "held at z = {low} and z = {high}, and what presses on it from above is not drawn in full",
+    "gap-bay-ends": "no masonry of the wall lies beyond one or both of the cross walls, so that nothing that is drawn "
+    "holds the thrust of an arch; where a tie or a neighbour holds it, state a horizontal-arch with its ends",
+    "gap-no-wedge": "without a bond that a survey has found it is weakest without a wedge, as it turns alone; with "
+    "one, state a façade with wedges and its side_walls",
+    "gap-inner-wedges": "a wall with rooms on both sides, whose wedges are not looked for",
     "gap-bell-cell": "{number} piers stand on it; the sway of more than two is not looked for",
     "gap-tower-corners": "the corners of its shaft are not looked for",
     "gap-facade-top": "it may be the façade, and nothing is found that turns above its foot",
     "gap-which-arch": "the drawing does not tell which arch is the triumphal arch",
-    "left-out-title": "{body} is left out and may be a wall",
+    # what cannot form, as it is drawn
+    "no-storey": "it rises less than {height} above any level at which it may crack",
+    "no-side-wall": "no wall meets it from behind",
+    "no-outer-corner": "it has no outer corner with another façade",
+    "no-wedge-between-rooms": "walls on both sides stop it",
+    "no-upper-hold": "nothing that is drawn holds it above its foot, so that it turns as a whole",
+    "no-span": "the levels that hold it are less than {height} apart",
+    "no-bay": "it has no two cross walls {span} apart or more",
     # parts without a mechanism
     "no-mechanism": "{part}: no mechanism found; nothing is free to turn, and no two levels hold it with a load above",
     "no-mechanism-built": "{part}: its mechanisms have no multiplier: {why}",

@@ -34,6 +34,7 @@ from assess.model.load_paths import is_drawn_in_part
 from assess.model.moving_parts import (
     HELD,
     LOW_STOREY,
+    RuledOut,
     Seed,
     Seeds,
     Unexamined,
@@ -46,7 +47,7 @@ from assess.model.moving_parts import (
     walls_behind,
     ways_of,
 )
-from assess.model.structure import Part, PartKind
+from assess.model.structure import CrossWall, Part, PartKind
 from spectra.gravity import g
 
 LOW_GABLE = 0.5  # m: less above the walls that meet a wall is no gable
@@ -56,6 +57,8 @@ def turning_walls(drawing: Drawing, *, storeys: Literal["one", "several"]) -> Se
     """Find the walls that turn outwards above a level: the top storey alone, or with those below it."""
     for stack in stacks_of(drawing):
         levels = levels_of(stack, drawing)
+        if not levels and storeys == "one":
+            yield RuledOut(stack[0], note("no-storey", height=Quantity(LOW_STOREY, "length")))
         for number, low in enumerate(levels):
             if (storeys == "one") != (number == len(levels) - 1):
                 continue
@@ -82,21 +85,28 @@ def _free_ways(
 def walls_with_wedges(drawing: Drawing) -> Seeds:
     """Find the façades that can take a wedge of the walls behind them along."""
     for stack in stacks_of(drawing):
-        behind = walls_behind(stack, drawing)
-        if not stack[0].outward or not behind:
-            continue
-        low = stack[0].base
+        behind, low = walls_behind(stack, drawing), stack[0].base
         parts = standing_above(stack, low, drawing)
+        if not stack[0].outward:
+            free, _ = _free_ways(parts, ways_of(stack), drawing, above=low + LOW_STOREY / 2.0)
+            met = any(drawing.structure.cross_walls(part.name) for part in stack)
+            shut = RuledOut(stack[0], note("no-wedge-between-rooms" if met else "no-side-wall"))
+            yield Unexamined(stack[0], note("gap-inner-wedges")) if met and free else shut
+            continue
+        if not behind:
+            yield RuledOut(stack[0], note("no-side-wall"))
+            continue
         if stopping := drawing.stopped_by(parts, stack[0].normal, above=low + LOW_STOREY / 2.0):
             yield Unexamined(stack[0], note("gap-stopped", z=Quantity(low, "length"), walls=", ".join(stopping)))
             continue
+        found = weakest_wedges(parts, stack[0].normal, drawing, behind, elevation=low)
+        angle = found.parameters.get("angle")
+        if angle is not None and angle.value == 0.0:
+            yield Unexamined(stack[0], note("gap-no-wedge"), lists=("house",))
+            continue
         walls = ", ".join(part.name for part in behind)
         reason = all_of([_why_free(stack, parts, low, drawing), note("reason-wedges", walls=walls)])
-        yield Seed(
-            (*parts, *behind),
-            reason,
-            partial(weakest_wedges, parts, stack[0].normal, drawing, behind, elevation=low),
-        )
+        yield Seed((*parts, *behind), reason, lambda found=found: found)  # type: ignore[misc]
 
 
 def corners(drawing: Drawing) -> Seeds:
@@ -105,6 +115,7 @@ def corners(drawing: Drawing) -> Seeds:
         yield Unexamined(tower, note("gap-tower-corners"))
     stacks = {part.name: stack for stack in stacks_of(drawing) if stack[0].outward for part in stack}
     seen: set[frozenset[str]] = set()
+    cornered: set[str] = set()
     for name, stack in stacks.items():
         wall = drawing.structure.part(name)
         for cross in drawing.structure.cross_walls(name):
@@ -116,25 +127,42 @@ def corners(drawing: Drawing) -> Seeds:
             if pair in seen:
                 continue
             seen.add(pair)
+            cornered |= pair
+            ways = (stack[0].normal, other[0].normal)
+            foot = max(stack[0].base, other[0].base) + LOW_STOREY / 2.0
+            if stopping := [
+                tower for way in ways for tower in _towers_ahead((*stack, *other), way, drawing, above=foot)
+            ]:
+                yield Unexamined(stack[0], note("gap-stopped", z=Quantity(foot, "length"), walls=", ".join(stopping)))
+                continue
             parts = tuple(part for part in (*stack, *other) if part.kind in ("wall", "pier"))
             sides = tuple(tuple(part for part in each if part.kind in ("wall", "pier")) for each in (stack, other))
             reason = note("reason-corner", one=stack[0].name, other=other[0].name)
             yield Seed(parts, reason, partial(weakest_corner, (sides[0], sides[1]), drawing))
+    for stack in stacks_of(drawing):
+        if stack[0].name not in cornered:
+            yield RuledOut(stack[0], note("no-outer-corner"))
 
 
 def spanning_walls(drawing: Drawing) -> Seeds:
     """Find the walls that two levels hold, where something presses on them from above."""
     for wall in drawing.structure.of_kind("wall", "pier"):
-        held = held_levels(wall, drawing)
-        for low, high in pairwise(distinct_levels([wall.base, *held])):
-            if high - low < LOW_STOREY:
+        held = distinct_levels([wall.base, *held_levels(wall, drawing)])
+        spans = [(low, high) for low, high in pairwise(held) if high - low >= LOW_STOREY]
+        if not spans:
+            lone = note("no-span", height=Quantity(LOW_STOREY, "length")) if held[1:] else note("no-upper-hold")
+            yield RuledOut(wall, lone)
+        for low, high in spans:
+            ways, stopping = _ways_clear_of_towers(wall, drawing, above=low)
+            if not ways:
+                yield Unexamined(wall, note("gap-stopped", z=Quantity(low, "length"), walls=stopping))
                 continue
             levels = {"low": Quantity(low, "length"), "high": Quantity(high, "length")}
             load = _pressing(wall, high, drawing)
             if load is None:
                 yield Unexamined(wall, note("gap-unpressed", **levels))
                 continue
-            find = partial(_weakest_bending, wall, ways_of((wall,)), drawing, low=low, high=high, load=load)
+            find = partial(_weakest_bending, wall, ways, drawing, low=low, high=high, load=load)
             reason = note("reason-spans", **levels)
             yield Seed((wall,), reason, find)
 
@@ -142,13 +170,41 @@ def spanning_walls(drawing: Drawing) -> Seeds:
 def bays(drawing: Drawing) -> Seeds:
     """Find the bays of walls between two cross walls with masonry beyond both: without it an arch has no thrust."""
     for wall in drawing.structure.of_kind("wall"):
-        inner = [each for each in drawing.structure.cross_walls(wall.name) if each.end == "between"]
-        for one, other in pairwise(inner):
-            span = other.at - one.at - (one.part.thickness + other.part.thickness) / 2.0
-            if span < LOW_STOREY:
+        spans = [(one, other, _span(one, other)) for one, other in pairwise(drawing.structure.cross_walls(wall.name))]
+        spans = [each for each in spans if each[2] >= LOW_STOREY]
+        ways, stopping = _ways_clear_of_towers(wall, drawing, above=wall.base)
+        if not spans:
+            yield RuledOut(wall, note("no-bay", span=Quantity(LOW_STOREY, "length")))
+        elif not ways:
+            yield Unexamined(wall, note("gap-stopped", z=Quantity(wall.base, "length"), walls=stopping))
+            continue
+        for one, other, span in spans:
+            if one.end != "between" or one.end != other.end:
+                yield Unexamined(wall, note("gap-bay-ends"))
                 continue
             reason = note("reason-bay", span=Quantity(span, "length", 3), one=one.part.name, other=other.part.name)
-            yield Seed((wall,), reason, partial(arch_of_bay, wall, (one.part, other.part), drawing))
+            yield Seed((wall,), reason, partial(arch_of_bay, wall, (one.part, other.part), drawing, ways[0]))
+
+
+def _span(one: CrossWall, other: CrossWall) -> float:
+    """Return what is free of a wall between two that meet it [m]."""
+    return other.at - one.at - (one.part.thickness + other.part.thickness) / 2.0
+
+
+def _towers_ahead(parts: Sequence[Part], way: Vector, drawing: Drawing, *, above: float) -> tuple[str, ...]:
+    """Return the towers that parts would move into above an elevation [m]."""
+    stopping = drawing.stopped_by(parts, way, above=above)
+    return tuple(name for name in stopping if drawing.structure.part(name).kind == "tower")
+
+
+def _ways_clear_of_towers(wall: Part, drawing: Drawing, *, above: float) -> tuple[tuple[Vector, ...], str]:
+    """Return the ways in which no tower stands against a wall above an elevation [m], and the names of those that do.
+
+    Cross walls stop a wall as a whole, and what lies between them may move all the same.
+    """
+    stopping = {way: _towers_ahead((wall,), way, drawing, above=above) for way in ways_of((wall,))}
+    names = dict.fromkeys(name for each in stopping.values() for name in each)
+    return tuple(way for way, each in stopping.items() if not each), ", ".join(names)
 
 
 def caps(drawing: Drawing, *, kinds: tuple[PartKind, ...]) -> Seeds:

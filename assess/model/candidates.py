@@ -9,8 +9,9 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING
 
+from assess.loads.load import BodyLoad
 from assess.mechanisms.mechanism import BlockMechanism, CutAngle
 from assess.mechanisms.single_block import SingleBlock
 from assess.mechanisms.two_block import TwoBlock
@@ -19,16 +20,13 @@ from assess.model.candidate_frames import apses, arches, bell_cells, portals, sh
 from assess.model.candidate_walls import bays, caps, corners, gables, spanning_walls, turning_walls, walls_with_wedges
 from assess.model.churches import Church
 from assess.model.least_multipliers import Alternative, Drawing, Found, built
-from assess.model.load_paths import by_worst_paths
-from assess.model.moving_parts import BEHIND, Seed, Seeds, Unexamined, all_of, opposite
+from assess.model.load_paths import by_worst_paths, resolve_thrusts
+from assess.model.moving_parts import BEHIND, BuildingType, RuledOut, Seed, Seeds, Unexamined, all_of, opposite
 from assess.model.structure import Part, PartKind, Structure
 from assess.short_repr import ShortRepr
 
 if TYPE_CHECKING:
     from pandas import DataFrame
-
-BuildingType = Literal["house", "church"]
-
 
 TIE = 1.1  # multipliers up to this many times the least are as weak, as far as statics tell
 
@@ -88,18 +86,28 @@ class Gap:
     Attributes
     ----------
     kind : of the table `CLASSES`
-    title : the part, and what it may do
-    why : it is not looked for
+    part : its name
+    what : it may do
+    why : it is not looked for, or cannot form
     examines : the entry of the list of mechanisms of each type of building that stays open by it
     """
 
     kind: str
-    title: Message
+    part: str
+    what: Term
     why: Message
     examines: Mapping[BuildingType, str]
 
     def __str__(self) -> str:
-        return f"{self.title}: {self.why}"
+        return f"{note('candidate-title', part=self.part, what=self.what)}: {self.why}"
+
+
+def texts_of(gaps: Sequence[Gap]) -> tuple[str, ...]:
+    """Return a text for the parts of a class that are open for one reason."""
+    alike: dict[tuple[Term, str], list[str]] = {}
+    for each in gaps:
+        alike.setdefault((each.what, str(each.why)), []).append(each.part)
+    return tuple(f"{what}: {', '.join(dict.fromkeys(parts))}: {why}" for (what, why), parts in alike.items())
 
 
 @dataclass(frozen=True)
@@ -122,12 +130,14 @@ class Candidates(ShortRepr):
     ranked : by multiplier; those without one last
     without : name of each upright part that no mechanism with a multiplier moves, and why
     gaps : what is possible and not looked for
+    ruled_out : what cannot form, as the drawing says
     unread : what was left out of the building and may be a wall, for each entry that a wall can have
     """
 
     ranked: tuple[Candidate, ...]
     without: Mapping[str, Message]
     gaps: tuple[Gap, ...] = ()
+    ruled_out: tuple[Gap, ...] = ()
     unread: tuple[Gap, ...] = ()
 
     def __iter__(self) -> Iterator[Candidate]:
@@ -229,32 +239,39 @@ class MechanismClass:
 
 def find_candidates(structure: Structure) -> Candidates:
     """Return the mechanisms that a building can have, of every class, with the least multiplier of each."""
-    drawing = Drawing(structure)
+    drawing = resolve_thrusts(Drawing(structure))
     church = Church(drawing)
     found: list[Candidate] = []
     gaps: list[Gap] = []
+    ruled_out: list[Gap] = []
     for row in CLASSES:
         for seed in row.seeds(drawing):
             if isinstance(seed, Seed):
                 found.append(_candidate(row, seed, drawing, church, taken={each.name for each in found}))
+            elif isinstance(seed, RuledOut):
+                ruled_out.append(Gap(row.key, seed.part.name, row.title, seed.why, {}))
             else:
-                gaps.append(_gap(row, seed, _examines(row, church, (seed.part,), seed.part.base)))
+                entries = _examines(row, church, (seed.part,), seed.part.base)
+                gaps.append(_gap(row, seed, {key: each for key, each in entries.items() if key in seed.lists}))
     tops = {name for each in found if each.examines.get("church") == "facade-top" for name in each.parts}
     rows = {row.key: row for row in CLASSES}
     gaps += [_gap(rows[key], each, {"church": entry}) for key, entry, each in church.open_elements(tops)]
     ranked = sorted(found, key=lambda each: (each.multiplier is None, each.multiplier or 0.0))
-    return Candidates(tuple(ranked), _without(structure, ranked), tuple(gaps), tuple(_unread(structure)))
+    return Candidates(
+        tuple(ranked), _without(structure, ranked), tuple(gaps), tuple(ruled_out), tuple(_unread(structure))
+    )
 
 
 def _unread(structure: Structure) -> Iterator[Gap]:
     """Yield what was left out and may be a wall, for each entry of the lists that a wall can have."""
     for each in structure.left_out:
         if each.may_be_wall:
-            title = note("left-out-title", body=each.shown)
             for building_type, entries in ENTRIES_OF_WALLS.items():
-                yield from (Gap("overturning", title, each.reason, {building_type: entry}) for entry in entries)
+                for entry in entries:
+                    yield Gap("overturning", each.shown, LEFT_OUT, each.reason, {building_type: entry})
 
 
+LEFT_OUT = Term("left out, and may be a wall")
 ENTRIES_OF_WALLS: Mapping[BuildingType, tuple[str, ...]] = {
     "house": (
         "simple-overturning",
@@ -271,7 +288,7 @@ ENTRIES_OF_WALLS: Mapping[BuildingType, tuple[str, ...]] = {
 
 
 def _gap(row: MechanismClass, seed: Unexamined, examines: Mapping[BuildingType, str]) -> Gap:
-    return Gap(row.key, note("candidate-title", part=seed.part.name, what=row.title), seed.why, examines)
+    return Gap(row.key, seed.part.name, row.title, seed.why, examines)
 
 
 def _examines(row: MechanismClass, church: Church, parts: Sequence[Part], low: float) -> Mapping[BuildingType, str]:
@@ -286,6 +303,7 @@ def _examines(row: MechanismClass, church: Church, parts: Sequence[Part], low: f
 def _candidate(row: MechanismClass, seed: Seed, drawing: Drawing, church: Church, *, taken: set[str]) -> Candidate:
     structure = drawing.structure
     found, unsure = by_worst_paths(_on_free_sides(seed.find(), drawing), drawing)
+    found = replace(found, tied=_tied_loads(found))
     stem = f"{_slug(seed.parts[0].name)}-{row.key}"
     name = next(each for each in (stem, *(f"{stem}-{i}" for i in range(2, 1000))) if each not in taken)
     said = [
@@ -305,6 +323,12 @@ def _candidate(row: MechanismClass, seed: Seed, drawing: Drawing, church: Church
         found=found,
         examines=_examines(row, church, seed.parts, low),
     )
+
+
+def _tied_loads(found: Found) -> tuple[str, ...]:
+    """Return the roofs and vaults that load a mechanism without their thrust."""
+    loads = () if found.definition is None else found.definition.loads
+    return tuple(dict.fromkeys(load.body for load in loads if isinstance(load, BodyLoad) and load.tied))
 
 
 def _on_free_sides(found: Found, drawing: Drawing) -> Found:

@@ -87,9 +87,14 @@ class Found:
 
 @dataclass(frozen=True)
 class Drawing:
-    """A structure as mechanisms see it: its parts as bodies."""
+    """A structure as mechanisms see it: its parts as bodies.
+
+    thrusts_taken : of each wall, the roofs and vaults that would push it over as it stands: something takes their
+        thrust, in every mechanism of that wall
+    """
 
     structure: Structure
+    thrusts_taken: Mapping[str, frozenset[str]] = field(default_factory=dict)
 
     @cached_property
     def bodies(self) -> Bodies:
@@ -120,7 +125,8 @@ class Drawing:
                 off = shortest_distance(part.solid, covering.solid)
                 near = CONTACT_TOLERANCE if off < CONTACT_TOLERANCE else round(off + CONTACT_TOLERANCE, 3)
                 role: Role = THRUSTING.get(covering.kind, "floor")
-                held = True if tied and role != "floor" else None
+                taken = tied or any(covering.name in self.thrusts_taken.get(name, ()) for name in names)
+                held = True if taken and role != "floor" else None
                 found[covering.name] = BodyLoad(body=covering.name, role=role, tolerance=near, tied=held)
         return tuple(found.values())
 
@@ -518,10 +524,10 @@ def weakest_corner(stacks: tuple[Sequence[Part], Sequence[Part]], drawing: Drawi
     return _cut_exactly(definition, drawing, [part for stack in stacks for part in stack], found)
 
 
-def arch_of_bay(wall: Part, between: tuple[Part, Part], drawing: Drawing) -> Found:
+def arch_of_bay(wall: Part, between: tuple[Part, Part], drawing: Drawing, direction: Vector) -> Found:
     """Return the arch of a wall between two cross walls, of the weakest masonry, with the coverings that bear on it."""
     names = (between[0].name, between[1].name)
-    definition = HorizontalArch(blocks=((wall.name,),), between=names, direction=wall.normal)
+    definition = HorizontalArch(blocks=((wall.name,),), between=names, direction=direction)
     found = _add_loads(definition, drawing, drawing.loads_on((wall,), above=wall.base))
     if found.multiplier is None or found.multiplier <= 0.0 or found.definition is None:
         return found

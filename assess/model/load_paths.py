@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from math import inf
+from math import inf, tan
 
 import numpy as np
 
@@ -18,8 +18,9 @@ from assess.loads.bearing import shares
 from assess.loads.load import BodyLoad, LoadDefinition, OverburdenLoad
 from assess.mechanisms.arch_in_plan import HorizontalArch
 from assess.mechanisms.mechanism import BlockMechanism
-from assess.mechanisms.wedged_block import WedgedBlock
-from assess.model.least_multipliers import THRUSTING, Drawing, Found, built
+from assess.mechanisms.wedged_block import Corner, WedgedBlock
+from assess.model.least_multipliers import THRUSTING, Drawing, Found, built, weakest_turn
+from assess.model.moving_parts import levels_of, stacks_of, standing_above, ways_of
 from assess.model.structure import IN_LINE, Part, PartContact
 
 ACROSS = 0.34  # cosine: walls whose normals are more than 70 degrees apart are across one another
@@ -38,9 +39,9 @@ class LoadPath:
     shares: Mapping[str, float]
     off: float
 
-    def on(self, bodies: Sequence[str]) -> float:
-        """Return the share that some parts carry together."""
-        return sum(self.shares.get(body, 0.0) for body in bodies)
+    def on(self, moved: Mapping[str, float]) -> float:
+        """Return the share that some parts carry together, of each as much as moves."""
+        return sum(self.shares.get(body, 0.0) * moves for body, moves in moved.items())
 
 
 def load_paths(covering: Part, drawing: Drawing) -> tuple[LoadPath, ...]:
@@ -93,21 +94,22 @@ def by_worst_paths(found: Found, drawing: Drawing) -> tuple[Found, tuple[str, ..
     Shares are stated, and those of two mechanisms may count one covering twice; one that puts nothing on it is no load.
     The multiplier is a quotient of sums in which each share counts once, so that it is least at one end of its range.
     What presses on a wall that bends stays as drawn: where nothing does, the wall turns as a cantilever instead. A wall
-    that the thrust of its share would push over stands today, so that something takes the thrust. What rests
-    on a part of a wall, a wedge or a bay, stays too: its share is that of what touches the part.
+    that the thrust of its share would push over stands today, so that something takes the thrust. Of a wall that moves
+    in part, as in a wedge or a bay, as much of its share counts as of its length moves.
     """
     definition = found.definition
-    if definition is None or found.multiplier is None or isinstance(definition, WedgedBlock | HorizontalArch):
+    if definition is None or found.multiplier is None:
         return found, ()
     loads = [load for load in definition.loads if isinstance(load, BodyLoad)]
     pressing = [body for load in definition.loads if isinstance(load, OverburdenLoad) for body in load.bodies]
     bodies = dict.fromkeys((*(load.body for load in loads), *pressing))
     paths = {body: load_paths(drawing.structure.part(body), drawing) for body in bodies}
     unsure = tuple(body for body, each in paths.items() if len(each) > 1)
-    ranges = {load.body: sorted(path.on(definition.bodies) for path in paths[load.body]) for load in loads}
+    moved = _share_that_moves(definition, drawing)
+    ranges = {load.body: sorted(path.on(moved) for path in paths[load.body]) for load in loads}
     if not any(body in ranges for body in unsure):
         return found, unsure
-    alone = {name: drawing.bodies[name] for name in (*definition.bodies, *ranges)}
+    alone = {name: drawing.bodies[name] for name in (*definition.bodies, *definition.neighbours, *ranges)}
     chosen = {body: each[-1] for body, each in ranges.items() if each}
     for body in (each for each in unsure if each in ranges):
         tried = {
@@ -128,6 +130,47 @@ def by_worst_paths(found: Found, drawing: Drawing) -> tuple[Found, tuple[str, ..
     if worst.multiplier is None or 0.0 < found.multiplier < worst.multiplier:
         return found, unsure  # as by its share by statics, with all of the thrust
     return replace(found, definition=worst.definition, multiplier=worst.multiplier, tied=worst.tied), unsure
+
+
+def _share_that_moves(definition: BlockMechanism, drawing: Drawing) -> Mapping[str, float]:
+    """Return how much of the length of each body of a mechanism moves at its top [-]: not all of wedges and bays."""
+    found = dict.fromkeys(definition.bodies, 1.0)
+    if not isinstance(definition, WedgedBlock | HorizontalArch):
+        return found  # a wall that is taken in slices is no part
+    parts = {body: drawing.structure.part(body) for body in definition.bodies}
+    if isinstance(definition, WedgedBlock):
+        foot = min(part.base for part in parts.values())
+        low = definition.cut if isinstance(definition.cut, float) else foot
+        front = max(part.thickness for part in parts.values())  # of what a corner's walls share
+        for wedge in definition.wedges:
+            for wall in wedge.walls:
+                reach = (parts[wall].top - low) * tan(wedge.angle) + front * isinstance(definition, Corner)
+                found[wall] = min(reach / parts[wall].length, 1.0)
+    if isinstance(definition, HorizontalArch):
+        (panel,) = parts.values()
+        crossing = [drawing.structure.part(name).solid.vertices @ np.array(panel.along) for name in definition.between]
+        one, other = sorted((float(each.min()), float(each.max())) for each in crossing)
+        found[panel.name] = min((other[0] - one[1]) / panel.length, 1.0)
+    return found
+
+
+def resolve_thrusts(drawing: Drawing) -> Drawing:
+    """Return a drawing that knows which roofs and vaults would push each of its walls over, as it turns alone.
+
+    Whatever takes their thrust is there for all mechanisms of the wall: with wedges, as a corner, of its gable.
+    """
+    taken: dict[str, frozenset[str]] = {}
+    for stack in stacks_of(drawing):
+        found: set[str] = set()
+        if not any(load.role in THRUSTING for load in drawing.loads_on(stack, above=stack[0].base)):
+            continue
+        for low in levels_of(stack, drawing):
+            parts = standing_above(stack, low, drawing)
+            for way in ways_of(stack):
+                turned, _ = by_worst_paths(weakest_turn(parts, way, drawing, low=low, high=low), drawing)
+                found |= set(turned.tied)
+        taken |= {part.name: frozenset(found) for part in stack}
+    return replace(drawing, thrusts_taken=taken)
 
 
 def _tied(load: LoadDefinition) -> LoadDefinition:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import dataclass
 from functools import reduce
+from typing import Literal, get_args
 
 import numpy as np
 import shapely
@@ -17,6 +18,7 @@ from assess.messages.message import Message, note
 from assess.model.least_multipliers import NEAR_LEVEL, Drawing, Found, distinct_levels
 from assess.model.structure import Part
 
+BuildingType = Literal["house", "church"]
 LOW_STOREY = 1.0  # m: less between two levels is no storey
 BEHIND = 0.1  # of what moves: a part that meets it no higher than this above its hinge stops nothing
 HELD = 0.4  # m: a floor this near the top of a wall holds it there
@@ -34,13 +36,22 @@ class Seed:
 
 @dataclass(frozen=True)
 class Unexamined:
-    """A part that a class of mechanisms can concern, and why it is not looked for."""
+    """A part that a class of mechanisms can concern, why it is not looked for, and whose lists it keeps open."""
+
+    part: Part
+    why: Message
+    lists: tuple[BuildingType, ...] = get_args(BuildingType)
+
+
+@dataclass(frozen=True)
+class RuledOut:
+    """A part in which a class of mechanisms cannot form, and what of the drawing says so."""
 
     part: Part
     why: Message
 
 
-Seeds = Iterator[Seed | Unexamined]
+Seeds = Iterator[Seed | Unexamined | RuledOut]
 
 
 def stacks_of(drawing: Drawing) -> tuple[tuple[Part, ...], ...]:

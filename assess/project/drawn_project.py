@@ -9,12 +9,13 @@ from __future__ import annotations
 import json
 import re
 import shutil
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from math import degrees
 from pathlib import Path
 from typing import Any
 
+from assess.codes.checklists import CHECKLISTS
 from assess.errors import GeometryError, ProjectError
 from assess.examples import name_schema
 from assess.examples.surfaces import ClosedSurface, ply
@@ -25,8 +26,9 @@ from assess.mechanisms.four_hinge import FourHinge, RadialJoints
 from assess.mechanisms.mechanism import BlockMechanism, CutAngle
 from assess.mechanisms.two_block import TwoBlock
 from assess.mechanisms.wedged_block import Wedge, WedgedBlock
-from assess.model.candidates import BuildingType, Candidate, Candidates, OpenEntry
+from assess.model.candidates import CLASSES, Candidate, Candidates, OpenEntry, texts_of
 from assess.model.churches import is_church
+from assess.model.moving_parts import BuildingType
 from assess.model.structure import COVERINGS, Part, Structure
 from assess.model.structure_reading import read_structure
 from assess.outputs.writing import new_folder
@@ -252,15 +254,48 @@ def _report(candidates: Candidates, stated: Sequence[Candidate], building_type: 
     if building_type is None:
         return
     yield from ("[report]", f'building_type = "{building_type}"', "")
-    found = candidates.open_entries(building_type, stated={each.name for each in stated})
-    if not found:
-        return
     yield "[report.not_examined]"
-    for entry, each in found.items():
-        yield f"{entry} = {_text(reason_of_entry(each))}"
+    found = unexamined_entries(candidates, building_type, stated={each.name for each in stated})
+    yield from (f"{entry} = {_text(why)}" for entry, why in found.items())
     yield ""
 
 
+def unexamined_entries(
+    candidates: Candidates, building_type: BuildingType, *, stated: Collection[str]
+) -> dict[str, str]:
+    """Return why entries of the list of a type of building are not examined, or not in full, in the order of the list.
+
+    What no class of mechanisms is for, and what the drawing does not show, is not examined either.
+
+    Parameters
+    ----------
+    candidates : of the building
+    building_type : whose list it is
+    stated : names of the candidates that are examined
+    """
+    left_open = candidates.open_entries(building_type, stated=stated)
+    sought = {row.examines.get(building_type) for row in CLASSES} | set(OTHER_ENTRIES)
+    found: dict[str, str] = {}
+    for item in CHECKLISTS[building_type]:
+        if item.key in left_open:
+            found[item.key] = reason_of_entry(left_open[item.key])
+        elif not any(each.examines.get(building_type) == item.key for each in candidates if each.name in stated):
+            known = NOT_SHOWN if item.key in sought else IN_PLANE if item.in_plane else NO_CLASS
+            found[item.key] = NOT_SOUGHT.get(item.key, known)
+    return found
+
+
+NOT_SHOWN = "nothing of the kind is found on the drawing; where the building has none, name it under absent in [report]"
+IN_PLANE = "damage of walls in their plane is no rocking mechanism, and is not looked for"
+NO_CLASS = "not looked for: to be judged on the building; where it has none, name it under absent in [report]"
+NOT_SOUGHT: Mapping[str, str] = {
+    "two-way-bending": "not looked for: walls held on three or four sides break along inclined cracks, which no "
+    "mechanism here has",
+    "outer-leaf": "not looked for: whether leaves may part only a survey can tell",
+}
+"""Why an entry that no class of mechanisms is for is not looked for."""
+OTHER_ENTRIES = ("facade", "nave-transverse", "transept-end")
+"""Entries of the list of churches that walls answer, by which wall they are."""
 LISTED_GAPS = 2  # of an entry; the comments at the end of the file list all of them
 
 
@@ -271,8 +306,8 @@ def reason_of_entry(entry: OpenEntry) -> str:
         values = [each.multiplier for each in entry.found if each.multiplier is not None]
         least = f", least static multiplier {min(values):.3g}" if values else ""
         said.append(f"found on the drawing ({len(entry.found)}){least}; to be assessed apart")
-    said += map(str, entry.gaps[:LISTED_GAPS])
-    said += [f"and {len(entry.gaps) - LISTED_GAPS} more"] if len(entry.gaps) > LISTED_GAPS else []
+    gaps = texts_of(entry.gaps)
+    said += [*gaps[:LISTED_GAPS], *([f"and {len(gaps) - LISTED_GAPS} more"] if len(gaps) > LISTED_GAPS else [])]
     return "; ".join(said)
 
 
@@ -285,10 +320,9 @@ def _unstated(candidates: Candidates, stated: Sequence[Candidate]) -> Iterator[s
         number = f"least static multiplier {each.multiplier:.3g}" if each.multiplier is not None else each.found.why_not
         where = ", ".join(f"{name} {value}" for name, value in each.found.parameters.items())
         yield from _comment(f"- {each.title}: {number}{f' ({where})' if where else ''}.")
-    if candidates.gaps:
-        yield "# Possible, and not looked for:"
-    for gap in candidates.gaps:
-        yield from _comment(f"- {gap}.")
+    for heading, gaps in (("Possible, and not looked for", candidates.gaps), ("Ruled out", candidates.ruled_out)):
+        yield from [f"# {heading}:"] if gaps else []
+        yield from (line for text in texts_of(gaps) for line in _comment(f"- {text}."))
     if candidates.without:
         yield "# Without a mechanism:"
     for message in candidates.without.values():

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass, replace
 from hashlib import sha256
 from math import dist, radians
@@ -17,16 +17,18 @@ from assess.geometry.solid import scale_density
 from assess.loads.load import BodyLoad
 from assess.mechanisms.kinds import Definition
 from assess.mechanisms.mechanism import BlockMechanism, CutAngle, CutPlane
-from assess.model.candidates import BuildingType, Candidate, Candidates, OpenEntry
+from assess.model.candidates import Candidate, Candidates, OpenEntry
+from assess.model.moving_parts import BuildingType
 from assess.model.part_bodies import DrawnBody, DrawnModel
 from assess.model.part_kinds import TIE_WORDS
 from assess.model.structure import Structure
 from assess.model.structure_reading import structure_of_models
 from assess.outputs.writing import replace_file
 from assess.project.build import build_to_decide
-from assess.project.drawn_project import is_stated, mechanism_lines
+from assess.project.drawn_project import is_stated, mechanism_lines, unexamined_entries
 from assess.project.project_file import Project, load_tree, parse_toml
-from assess.project.sections import BodySection, MeshBody
+from assess.project.sections import BodySection, Content, MeshBody
+from assess.project.sections.content import checklist
 from assess.project.site_and_structure import bodies_of, definitions_of, models_of, solid_of
 from assess.study.ranking import median_overturning_pga
 from assess.study.run import find_outcome
@@ -52,12 +54,14 @@ class FoundMechanisms:
     candidates : its mechanisms, the weakest first
     in_file : by the name of a candidate, the mechanism of the project that is the same
     bodies : names of the project's bodies; parts into which one was split have others
+    not_examined : why, by the entries of the list of the report that nothing in the file speaks of
     """
 
     structure: Structure
     candidates: Candidates
     in_file: Mapping[str, str]
     bodies: frozenset[str]
+    not_examined: Mapping[str, str]
 
     @property
     def new(self) -> tuple[Candidate, ...]:
@@ -119,7 +123,18 @@ def find_mechanisms(project: Project) -> FoundMechanisms:
         drawn.append(DrawnBody(name, scale_density(body.solid, 1.0 / density), element, project.path.name))
     structure = structure_of_models([DrawnModel(tuple(drawn), (), ())], files=[project.path.name])
     candidates = structure.mechanisms()
-    return FoundMechanisms(structure, candidates, _in_file(candidates, definitions, structure), frozenset(solids))
+    in_file = _in_file(candidates, definitions, structure)
+    unnamed = _unnamed_entries(content, candidates, stated=in_file)
+    return FoundMechanisms(structure, candidates, in_file, frozenset(solids), unnamed)
+
+
+def _unnamed_entries(content: Content, candidates: Candidates, *, stated: Collection[str]) -> dict[str, str]:
+    """Return why the entries of the list of the report that nothing in a file speaks of are not examined."""
+    if content.report.building_type is None:
+        return {}
+    open_entries = unexamined_entries(candidates, content.report.building_type, stated=stated)
+    unnamed = {item.key for item in checklist(content.report, content.mechanisms) if not item.spoken_for}
+    return {entry: why for entry, why in open_entries.items() if entry in unnamed}
 
 
 def _class_of(body: BodySection, models: MeshesBySelection) -> Element:

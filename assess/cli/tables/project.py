@@ -12,7 +12,7 @@ from assess.cli.tables import messages_text, text_table
 from assess.mechanisms.chain import metres_text
 from assess.mechanisms.kinds import MECHANISM_KINDS
 from assess.messages.message import Message, escape_text, text_of
-from assess.model.candidates import Candidate
+from assess.model.candidates import Candidate, texts_of
 from assess.project.drawn_project import is_stated
 from assess.project.found_mechanisms import FoundMechanisms
 from assess.project.project_file import Project
@@ -91,7 +91,9 @@ def mechanisms_text(
     weakest = ", ".join(each.name for each in found.candidates.weakest)
     lines = [f"within 10 % of the least multiplier: {weakest}\n"] if weakest else []
     lines += [f"{each.name}: {escape_text(each.found.why_not)}\n" for each in found.candidates if each.found.why_not]
-    lines += [f"not looked for: {escape_text(str(gap))}\n" for gap in found.candidates.gaps]
+    for word, gaps in (("not looked for", found.candidates.gaps), ("ruled out", found.candidates.ruled_out)):
+        lines += [f"{word}: {escape_text(text)}\n" for text in texts_of(gaps)]
+    lines += [f"not examined: {entry}: {escape_text(why)}\n" for entry, why in found.not_examined.items()]
     lines += [f"without a mechanism: {escape_text(str(why))}\n" for why in found.candidates.without.values()]
     lines += [f"left out: {escape_text(text)}\n" for text in found.structure.left_out_texts]
     name, least, *others = MECHANISM_HEADER

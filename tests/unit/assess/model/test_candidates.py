@@ -45,7 +45,7 @@ def test_every_class_answers_entries_of_the_lists() -> None:
 def test_a_house_has_its_mechanisms_and_no_wall_is_without(found: Candidates) -> None:
     count = {row.key: len(of_kind(found, row.key)) for row in CLASSES}
     assert count == {
-        "overturning": 4, "overturning-of-storeys": 4, "wedges": 4, "corner": 4, "gable": 1, "bending": 4, "bay": 0,
+        "overturning": 4, "overturning-of-storeys": 4, "wedges": 0, "corner": 4, "gable": 1, "bending": 4, "bay": 0,
         "parapet": 0, "chimney": 1,
         "pinnacle": 0, "arch": 0, "portal": 0, "belfry": 0, "apse": 0, "tower": 0, "spire": 0,
     }  # fmt: skip

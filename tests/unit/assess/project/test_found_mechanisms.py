@@ -86,7 +86,7 @@ def test_what_is_added_answers_no_entry_that_stays_open(tmp_path) -> None:
     file.write_text(f'{HEAD}{bodies}\n{mine}[report]\nbuilding_type = "house"\n')
     add_mechanisms(load(file), find_mechanisms(load(file)))
     text = file.read_text(encoding="utf-8")
-    assert "# simple-overturning: not examined in full: wall-2-at-0: overturning of one storey: above z = 0 m" in text
+    assert "# simple-overturning: not examined in full: overturning of one storey: wall-2-at-0: above z = 0 m" in text
     added = {name: each for name, each in load(file).content.mechanisms.items() if name != "mine"}
     assert {each.examines for name, each in added.items() if name.endswith("overturning")} == {()}
 
@@ -187,7 +187,7 @@ def test_by_the_basis_they_rank_by_the_pga_that_they_hold(file) -> None:
     table = found.table(margins)
     assert list(table.margin.dropna()) == sorted(margins.values())
     assert margins["left-1-overturning"] < margins["front-1-overturning"]  # though its multiplier is higher
-    assert {"front-1-corner", "front-1-wedges"} <= set(margins)
+    assert "front-1-corner" in margins
     names = dict(zip(add_mechanisms(loaded, found), (each.name for each in found.new), strict=True))
     verdict = find_outcome(build_to_decide(load(file)))
     again = {each.mechanism: each.margin for each in verdict.mechanisms}
@@ -216,7 +216,6 @@ def test_by_the_suite_they_rank_by_the_pga_that_overturns_half_of_its_runs(file,
     found = find_mechanisms(loaded)
     pga = find_overturning_pga(loaded, found, jobs=2)
     assert pga["front-1-corner"] is None
-    assert pga["front-1-wedges"] is None
     ranked = {name: value for name, value in pga.items() if value is not None}
     assert list(found.table(overturning=pga).overturning_pga_g.dropna()) == sorted(ranked.values())
     add_mechanisms(loaded, found)

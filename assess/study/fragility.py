@@ -58,6 +58,7 @@ from assess.study.fragility_curves import (
     risks,
 )
 from assess.study.fragility_runs import (
+    Cases,
     FragilityRuns,
     Intensities,
     Rocker,
@@ -73,6 +74,7 @@ from assess.study.histories import RockingCase, vibrates
 from assess.study.run import MOST_RECORDS_NAMED, coarse_record_messages, envelope_cases, envelope_messages
 from assess.study.study import FragilityQuestion, Progress, ScaledRecord, Study, no_progress
 from assess.study.suites import motions_of
+from assess.study.uncertainty import sobol_points, values_at_point
 from assess.workers import available_cores
 from records.record import Record
 from records.scaling import Scaling
@@ -199,6 +201,7 @@ def run_records(
     case = RockingCase(
         mechanism.name, oscillator, study.equations[mechanism.name], base, mechanism.rebounds, tuple(others)
     )
+    cases: Cases = _sampled_cases(study, mechanism.name, records) if question.uncertain else (case,)
     rocker = Rocker(oscillator.slenderness, oscillator.p)
     above = any(at_base.record is not record for at_base, record in zip(base, records, strict=True))
     places = [(each, tuple(records)) for each in question.measures]
@@ -211,7 +214,7 @@ def run_records(
         for (each, _), unit in zip(places, units, strict=True)
     )
     if question.method == "cloud":
-        runs = run_once(case, np.full(len(records), study.record_factor), threads=jobs)
+        runs = run_once(cases, np.full(len(records), study.record_factor), threads=jobs)
     elif stripe is not None:
         factor = stripe / all_intensities[0].unit
         most = int(np.argmax(factor))
@@ -220,10 +223,40 @@ def run_records(
                 f'analysis.fragility.stripes: record "{records[most].id}" would be scaled by {factor[most]:.3g}, and '
                 f"largest_factor is {question.largest_factor:g}; give a stronger record"
             )
-        runs = run_once(case, factor, threads=jobs, stripe=stripe)
+        runs = run_once(cases, factor, threads=jobs, stripe=stripe)
     else:
-        runs = run_intensities(case, all_intensities[0].unit, question, threads=jobs)
+        runs = run_intensities(cases, all_intensities[0].unit, question, threads=jobs)
     return MechanismRuns(mechanism, case, rocker, all_intensities, runs)
+
+
+def _sampled_cases(study: Study, name: str, records: Sequence[Record]) -> Cases:
+    """Return a mechanism with sampled values of its uncertain numbers for each record, at the base of it.
+
+    Raises
+    ------
+    ProjectError : the project samples no number, or a sampled wall has no history
+    """
+    sampling = study.sampling
+    if sampling is None:
+        raise ProjectError(
+            "analysis.fragility.uncertain: none is sampled; add [analysis.uncertainty], and numbers as { mean, cov }"
+        )
+    cases: list[RockingCase | None] = []
+    for record, point in zip(records, sobol_points(sampling, len(records)), strict=True):
+        values = values_at_point(sampling, point)
+        sampled = sampling.study_at(values)(name)
+        if sampled.falling:
+            cases.append(None)
+            continue
+        (mechanism,) = sampled.mechanisms
+        if not mechanism.rocks or mechanism.variants.collapse is None:
+            numbers = ", ".join(f"{n.input.key} = {v:.4g}" for n, v in zip(sampling.numbers, values, strict=True))
+            raise ProjectError(f"mechanisms.{name}: no history is answered with sampled values: {numbers}")
+        oscillator, *others = mechanism.variants.of_histories
+        base = (base_motion(sampled.amplified[name].amplification, record),)
+        rebounds = mechanism.rebounds
+        cases.append(RockingCase(name, oscillator, sampled.equations[name], base, rebounds, tuple(others)))
+    return cases
 
 
 Write = Callable[[Sequence[ExportedCurve]], Export]
@@ -489,6 +522,9 @@ def _mechanism_notes(
         yield warning("fragility-ground-motion" if unamplified else "fragility-scalar-motion", where)
     if vibrates(mechanism.variants.deciding) and any(state.name == "rocking" for state in question.states):
         yield note("fragility-no-threshold", where)
+    if question.uncertain and study.sampling is not None:
+        keys = ", ".join(number.input.key for number in study.sampling.numbers if mechanism.name in number.mechanisms)
+        yield note("fragility-uncertain", where, keys=keys)
     large = runs.scale[runs.run & (np.nan_to_num(runs.scale) > LARGE_SCALE)]
     if large.size:
         largest = Quantity(float(large.max()), "ratio", 3)

@@ -41,6 +41,8 @@ SEARCH_STEP = 1.25
 """Ratio of the levels at which the highest one is sought."""
 MOST_SEARCHED = 80
 
+Cases = Sequence[RockingCase | None]
+"""One case with all records; or one for each record, None where its wall falls under its own loads."""
 SeveritySolver = Callable[[FloatArray], FloatArray]
 """Takes scale factors [records, levels], nan for no run; returns ratios as `FragilityRuns` has them."""
 
@@ -69,20 +71,20 @@ class FragilityRuns(ShortRepr):
         return np.asarray(self.run.sum(axis=1) - 1, dtype=np.int64)
 
 
-def run_intensities(case: RockingCase, unit: FloatArray, question: FragilityQuestion, *, threads: int) -> FragilityRuns:
+def run_intensities(cases: Cases, unit: FloatArray, question: FragilityQuestion, *, threads: int) -> FragilityRuns:
     """Run every record at the same intensities of the primary measure.
 
     A record too weak for the lowest of them runs once, at the largest scale factor.
 
     Parameters
     ----------
-    case : the oscillator and the motions at its base, at scale 1
+    cases : the oscillator and the motions at its base, at scale 1
     unit : intensity of each record in the primary measure at scale 1 [records]
     question : the method, its levels and its bounds
     threads : number of threads; 0 for all cores; the result does not depend on it
     """
-    severity = _severity_solver(case, threads=threads)
-    lowest = _lowest_level(case, unit)
+    severity = _severity_solver(cases, threads=threads)
+    lowest = _lowest_level(cases, unit)
     most = question.largest_factor
     end = most * float(unit.max())  # beyond it no record may be scaled
     highest = min(question.largest or _highest_level(severity, unit, lowest, most=most), end)
@@ -91,10 +93,10 @@ def run_intensities(case: RockingCase, unit: FloatArray, question: FragilityQues
     return FragilityRuns(scale, severity(scale))
 
 
-def run_once(case: RockingCase, factor: FloatArray, *, threads: int, stripe: FloatArray | None = None) -> FragilityRuns:
+def run_once(cases: Cases, factor: FloatArray, *, threads: int, stripe: FloatArray | None = None) -> FragilityRuns:
     """Run every record once, times its factor [records]; stripe : the intensity that this gives it, of its stripe."""
     scale = factor[:, None]
-    return FragilityRuns(scale, _severity_solver(case, threads=threads)(scale), stripe)
+    return FragilityRuns(scale, _severity_solver(cases, threads=threads)(scale), stripe)
 
 
 def scale_factors(levels: FloatArray, unit: FloatArray, *, most: float) -> FloatArray:
@@ -304,15 +306,19 @@ class Intensities(ShortRepr):
     primary: bool
 
 
-def _lowest_level(case: RockingCase, unit: FloatArray) -> float:
+def _lowest_level(cases: Cases, unit: FloatArray) -> float:
     """Return an intensity of the primary measure at which no record makes the mechanism rock [unit of the measure].
 
     A body on a rigid base lifts off at the uplift acceleration; on joints without a threshold that is the largest
     acceleration that they resist.
     """
-    uplift = g * min(linear_multiplier(branch) for branch in case.oscillator.branches)
-    peak = np.array([motion.record.pga for motion in case.base])
-    return BELOW_UPLIFT * float(np.min(uplift / peak * unit))
+    shares = [
+        np.array([inf])
+        if case is None
+        else g * min(map(linear_multiplier, case.oscillator.branches)) / np.array([one.record.pga for one in case.base])
+        for case in cases
+    ]
+    return BELOW_UPLIFT * float(np.min(np.concatenate(shares) * unit))
 
 
 def _highest_level(severity: SeveritySolver, unit: FloatArray, lowest: float, *, most: float) -> float:
@@ -334,7 +340,21 @@ def _highest_level(severity: SeveritySolver, unit: FloatArray, lowest: float, *,
     return level
 
 
-def _severity_solver(case: RockingCase, *, threads: int) -> SeveritySolver:
+def _severity_solver(cases: Cases, *, threads: int) -> SeveritySolver:
+    """Return a solver of the ratios of records at given scale factors, as `_severity_of_case` does."""
+    if len(cases) == 1 and cases[0] is not None:
+        return _severity_of_case(cases[0], threads=threads)
+    solvers = [None if each is None else _severity_of_case(each, threads=threads) for each in cases]
+
+    def solve(scale: FloatArray) -> FloatArray:
+        falls = np.where(np.isnan(scale), np.nan, inf)
+        rows = enumerate(solvers)
+        return np.concatenate([falls[k : k + 1] if one is None else one(scale[k : k + 1]) for k, one in rows])
+
+    return solve
+
+
+def _severity_of_case(case: RockingCase, *, threads: int) -> SeveritySolver:
     """Return a solver of the ratios of records at given scale factors, of the worse polarity and the worst rebound.
 
     Ratios are over the rotation that overturns

@@ -62,6 +62,7 @@ class FragilityQuestion:
     largest : intensity of the primary measure up to which records are run [unit of the measure]; None: until all that
         may be scaled so far overturn
     largest_factor : scale factor beyond which no record is run [-]
+    uncertain : whether each record meets a wall of its own, with sampled values of the uncertain numbers
     stripes : intensities with records of their own, rising; empty where all records are run at the same ones
     epistemic : dispersion of what is not known of mechanisms, by name [-]
     hazard : of the site in one measure; None where it is not known
@@ -76,6 +77,7 @@ class FragilityQuestion:
     largest_factor: float = LARGEST_FACTOR
     seed: int = 1
     draws: int = 500
+    uncertain: bool = False
     stripes: tuple[Stripe, ...] = ()
     epistemic: Mapping[str, float] = field(default_factory=dict)
     hazard: HazardResult | None = None

@@ -78,7 +78,7 @@ def uncertainty(
     questions = {result.name: _questions_of(result) for result in results if sampling.groups_of(result.name)}
     check = partial(check_case, suite_faults=study.suite_faults, spectrum=spectrum, motions=motions, jobs=jobs)
     sampler = Sampler(sampling, questions, check)
-    points = _sobol(sampling)
+    points = sobol_points(sampling, sampling.samples)
     tallies = {name: Tally(sampling.samples, tuple(checks)) for name, checks in questions.items()}
     for sample, point in enumerate(points):
         progress("samples", sample, len(points))
@@ -124,16 +124,26 @@ class Sampler:
         """
         names = tuple(self.questions) if only is None else only
         try:
-            build = self.sampling.study_at(self.values(point))
+            build = self.sampling.study_at(values_at_point(self.sampling, point))
         except (AssessError, SpectrumError) as error:
             return {name: CaseChecks(error=str(error)) for name in names}
         return {name: self.check(partial(build, name), [key[0] for key in self.questions[name]]) for name in names}
 
-    def values(self, point: FloatArray) -> tuple[float, ...]:
-        """Return the value of each number at the probability of its group, its mean where that is nan."""
-        probability = dict(zip(self.sampling.groups, point.tolist(), strict=True))
-        pairs = ((number, probability[number.input.group]) for number in self.sampling.numbers)
-        return tuple(number.input.mean if np.isnan(p) else float(values_at(number, p)) for number, p in pairs)
+
+def values_at_point(sampling: Sampling, point: FloatArray) -> tuple[float, ...]:
+    """Return the value of each number at the probability of its group [groups], its mean where that is nan."""
+    probability = dict(zip(sampling.groups, point.tolist(), strict=True))
+    pairs = ((number, probability[number.input.group]) for number in sampling.numbers)
+    return tuple(number.input.mean if np.isnan(p) else float(values_at(number, p)) for number, p in pairs)
+
+
+def sobol_points(sampling: Sampling, number: int) -> FloatArray:
+    """Return the first points as probabilities, each in the middle of its cell, in (0, 1) [number, groups]."""
+    from scipy.stats import qmc  # late: it takes a third of a second
+
+    sequence = qmc.Sobol(len(sampling.groups), scramble=True, rng=np.random.default_rng(sampling.seed))
+    points = sequence.random_base2((number - 1).bit_length())[:number]
+    return np.asarray(points + 0.5 / 2.0**sequence.bits)
 
 
 def answers_of(
@@ -260,14 +270,6 @@ def _questions_of(result: MechanismResult) -> Mapping[CheckKey, Check]:
     return checks_by_key(
         tuple(check for check in result.checks if check.follows_code and check.verdict != Outcome.NOT_APPLICABLE)
     )
-
-
-def _sobol(sampling: Sampling) -> FloatArray:
-    """Return the samples as probabilities, each in the middle of its cell, in (0, 1) [samples, groups]."""
-    from scipy.stats import qmc  # late: it takes a third of a second
-
-    sequence = qmc.Sobol(len(sampling.groups), scramble=True, rng=np.random.default_rng(sampling.seed))
-    return np.asarray(sequence.random_base2(sampling.samples.bit_length() - 1) + 0.5 / 2.0**sequence.bits)
 
 
 def _find_changed_answers(sampler: Sampler, points: FloatArray) -> dict[tuple[str, str], Flags]:

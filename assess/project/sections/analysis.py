@@ -394,6 +394,9 @@ class Fragility(ProjectSection):
     row"""
     largest_factor: Annotated[float, Number("ratio", least=1, most=1000)] = 10.0
     """largest scale factor on a record; above 4 they are marked"""
+    uncertain: Annotated[StrictBool, FORM_OF_CURVES] = False
+    """whether each record meets a wall of its own, with the numbers given as { mean, cov } sampled as
+    [analysis.uncertainty] says; false: all meet the wall at the means"""
     stripes: Annotated[tuple[StripeSection, ...], Several(2)] | None = None
     """[{ intensity, records }, …] of method "stripes": intensities, rising, each with records of its own, as they are
     selected for the hazard at each; all of [records] at the same intensities if absent"""

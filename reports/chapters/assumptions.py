@@ -11,7 +11,7 @@ from assess.results.provenance import source_line
 from reports import governing
 from reports.document import Block, Cell, Column, Prose, Section, Table, nonempty
 from reports.language.texts import Phrase, Reference, Text, Verbatim, listing, say, say_count
-from reports.language.value_names import PARAMETER_NAMES, value_title, value_word
+from reports.language.value_names import PARAMETER_NAMES, key_words, value_title, value_word
 from reports.mechanisms import mechanism_list
 from reports.project_values import ProjectValue, project_text, project_values, starred_key
 
@@ -182,9 +182,9 @@ def _shown_values(results: Results, key: str, value: ResolvedValue) -> Iterator[
 
 
 def _value_label(key: str) -> Text:
-    """Return the words for a key of the project file; the key itself where there are none."""
+    """Return the words for a key of the project file."""
     parameter = PARAMETER_NAMES.get(key.removeprefix(SPECTRUM)) if key.startswith(SPECTRUM) else None
-    return value_title(key) or (parameter[0] if parameter else Verbatim(key))
+    return value_title(key) or (parameter[0] if parameter else key_words(key))
 
 
 def _affects_results(results: Results, key: str) -> bool:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Mapping, Sequence
 
 from assess.codes.bases import BASES, IndexKind
@@ -12,12 +11,12 @@ from assess.codes.procedures import PROCEDURES, family_of
 from assess.codes.question import Action, Missing, toml_lines
 from assess.codes.verdict import Answer, Decision, Index, MechanismVerdict, Override, Verdict
 from assess.messages.message import DIMENSIONS, Quantity
-from assess.messages.texts import TEXTS
 from assess.results import MechanismResult, Results
 from reports import document, governing
 from reports.document import Block, Cell, Column, FileLines, OutcomeCell, Prose
+from reports.language.client_texts import CLIENT_TEXTS
 from reports.language.texts import Listing, Phrase, Term, Text, Verbatim, listing, names, quantity, say
-from reports.language.value_names import value_title
+from reports.language.value_names import LOAD_KEY, LOAD_TITLES, key_words, value_word
 from reports.mechanisms import mechanism_list
 from reports.project_values import project_text, split_key, starred_key
 
@@ -49,25 +48,6 @@ METHOD, LIMIT_STATE, OUTCOME = Column(say("Method")), Column(say("Limit state"))
 FIGURES = 3
 
 PROCEDURE = Column(say("Procedure"))
-
-LOAD_KEY = re.compile(r"mechanisms\.\*\.loads\[(\d+)\]\.(\w+)")
-LOAD_TITLES: Mapping[str, Phrase] = {
-    "force": say("force"),
-    "mass": say("mass"),
-    "share": say("share of the weight"),
-    "thrust": say("thrust"),
-    "eccentricity": say("eccentricity"),
-    "at": say("position"),
-    "tied": say("connection"),
-    "bearing": say("bearing"),
-    "until": say("duration"),
-    "seat": say("seat"),
-    "strength": say("strength"),
-    "length": say("length"),
-    "fracture_strain": say("strain at fracture"),
-    "psi_2": say("combination factor"),
-}
-"""What the values of a load are called, by the key of each."""
 
 RATIO = Column(say("D/C"), "ratio", FIGURES)
 CAPACITY_PGA = Column(say("PGA at capacity"), "ground acceleration", FIGURES)
@@ -383,7 +363,7 @@ def value_name(results: Results, key: str) -> Text:
     owner, rest = starred_key(results, key)
     mechanism = next((each for each in results.mechanisms if each.name == owner), None)
     item = LOAD_KEY.fullmatch(rest)
-    name: Text = value_title(rest) or Verbatim(rest.removeprefix("mechanisms.*."))
+    name = key_words(rest)
     if item and mechanism is not None and item[2] in LOAD_TITLES and int(item[1]) <= len(mechanism.loads):
         load = mechanism.loads[int(item[1]) - 1].name
         name = say("{quantity} of {load}", quantity=LOAD_TITLES[item[2]], load=Verbatim(load))
@@ -393,8 +373,11 @@ def value_name(results: Results, key: str) -> Text:
 def override_text(results: Results, override: Override) -> Text:
     """Return what the verdict hangs on, with the value in words."""
     said = override.message
-    values = {name: Verbatim(each) if isinstance(each, str) else each for name, each in said.values.items()}
-    return Phrase(TEXTS[said.key], {**values, "key": value_name(results, override.key)})
+    values = {
+        name: value_word(Verbatim(each.strip('"'))) if isinstance(each, str) else each
+        for name, each in said.values.items()
+    }
+    return Phrase(CLIENT_TEXTS[said.key].english, {**values, "key": value_name(results, override.key)})
 
 
 def provisional_outcome(verdict: Verdict) -> list[Block]:
@@ -446,5 +429,5 @@ def _missing_text(results: Results, key: str, group: Sequence[Missing]) -> Text:
     owners = [owner for owner in (split_key(results, each.key)[0] for each in group) if owner]
     if len(group) == 1 or not owners:
         return say("{key}: {why}", key=value_name(results, first.key), why=why)
-    name = value_title(f"mechanisms.*.{key}") or Verbatim(key)
+    name = key_words(f"mechanisms.*.{key}")
     return say("{key} of {mechanisms}: {why}", key=name, mechanisms=mechanism_list(results, owners), why=why)

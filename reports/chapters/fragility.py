@@ -41,6 +41,7 @@ from reports.intensity_measures import (
     value_with_interval,
 )
 from reports.language.texts import Paragraph, Phrase, Text, Verbatim, count, listing, quantity, say, say_count
+from reports.language.value_names import key_words
 from reports.mechanisms import file_stem
 
 COUNTS = (
@@ -500,7 +501,7 @@ def _epistemic_sentences(mechanism: MechanismFragility) -> Iterator[Text]:
         )
         return
     parts = tuple(
-        say("{key} {share}", key=Verbatim(key), share=quantity(share, figures=2))
+        say("{key} {share}", key=key_words(key), share=quantity(share, figures=2))
         for key, share in (mechanism.epistemic_sources or {}).items()
     )
     total = quantity(mechanism.epistemic, figures=2)

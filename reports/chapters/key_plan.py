@@ -90,8 +90,8 @@ def checklist_meaning(results: Results) -> Text:
     """Return what the list means for the index of the building."""
     if not results.report.checklist:
         return say(
-            "The project file does not say which mechanisms a building of this type can have (building_type in "
-            "[report]): the verdict holds for the mechanisms examined and says nothing of others."
+            "The project does not say which mechanisms a building of this type can have: the verdict holds for the "
+            "mechanisms examined and says nothing of others."
         )
     number = len(results.report.not_examined)
     index = None if results.verdict is None else results.verdict.index

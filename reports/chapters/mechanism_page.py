@@ -29,6 +29,7 @@ from reports.language.texts import (
     say,
     say_count,
 )
+from reports.language.value_names import key_words
 from reports.mechanisms import (
     JOINT_MODELS,
     check_title,
@@ -110,10 +111,10 @@ def represented_case(results: Results, mechanism: MechanismResult) -> Iterator[T
     for sweep in results.sweeps:
         if sweep.mechanism == mechanism.name and sweep.governs:
             yield say_count(
-                "One value of {key} was studied; this page shows it: {value}.",
-                "{number} values of {key} were studied; this page shows the most critical one: {value}.",
+                "{key}: one value was studied, which this page shows: {value}.",
+                "{key}: {number} values were studied; this page shows the most critical one: {value}.",
                 len(sweep.value),
-                key=Verbatim(sweep.key),
+                key=key_words(sweep.key),
                 value=cells.swept_value(sweep.value[sweep.controlling], sweep.unit),
             )
 

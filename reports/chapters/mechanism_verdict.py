@@ -15,7 +15,8 @@ from assess.results import MechanismResult, Results
 from reports import governing
 from reports.chapters import cells
 from reports.document import Equations, Facts
-from reports.language.texts import Term, Text, count, listing, names, quantity, say
+from reports.language.texts import Term, Text, count, listing, quantity, say
+from reports.language.value_names import key_words
 from reports.mechanisms import procedure_title
 
 
@@ -226,7 +227,8 @@ def _margin_or_lack(mechanism_verdict: MechanismVerdict, verdict: Verdict) -> It
     pga = None if margin is None else cells.capacity_pga_text(mechanism_verdict, margin, verdict.action)
     if outcome == Decision.INCOMPLETE:
         if mechanism_verdict.missing:
-            yield say("An answer needs {keys}.", keys=names(each.key for each in mechanism_verdict.missing))
+            needed = dict.fromkeys(key_words(each.key) for each in mechanism_verdict.missing)
+            yield say("An answer needs: {keys}.", keys=listing(needed))
     elif outcome == Decision.FAIL:
         yield from _lacking(mechanism_verdict, verdict, pga)
     elif margin is not None and pga is not None and most is not None:

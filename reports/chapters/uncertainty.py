@@ -8,7 +8,17 @@ from functools import partial
 from assess.messages.message import distinct
 from assess.results import Results
 from assess.results.run import UncertainAnswer, UncertainInput, UncertaintyResult
-from reports.chapters.cells import FIGURES, LEVEL, LIMIT_STATE, MECHANISM, METHOD, ROLES, state_text, value_cell
+from reports.chapters.cells import (
+    FIGURES,
+    LEVEL,
+    LIMIT_STATE,
+    MECHANISM,
+    METHOD,
+    ROLES,
+    state_text,
+    value_cell,
+    value_name,
+)
 from reports.document import Block, BulletList, Cell, Column, Figure, FigureRow, Prose, Section, Table, nonempty
 from reports.figures import sensitivity as figure
 from reports.intensity_measures import PERCENT
@@ -85,7 +95,7 @@ def densities_without_effect(results: Results, found: UncertaintyResult) -> Iter
             "overturns it grow alike.",
             len(unchanging),
             mechanisms=listing(numbered_title(results, name) for name in named),
-            keys=listing(Verbatim(key) for key in unchanging),
+            keys=listing(value_name(results, key) for key in unchanging),
         )
 
 

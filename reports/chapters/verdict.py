@@ -23,13 +23,12 @@ from reports.language.texts import (
     Verbatim,
     count,
     listing,
-    names,
     quantity,
     say,
     say_count,
     with_figures,
 )
-from reports.language.value_names import parameter_rows
+from reports.language.value_names import key_words, parameter_rows
 from reports.mechanisms import mechanism_list, numbered_title, procedure_title
 from reports.project_values import project_text, split_key
 
@@ -331,8 +330,8 @@ def _placed(results: Results, same: Sequence[Message]) -> Text:
     owners = [_owner(results, each.where) for each in same]
     if all(owners):
         return say("{places}: {message}", places=mechanism_list(results, owners), message=same[0])
-    keys = [each.where for each in same if "." in each.where]
-    return say("{places}: {message}", places=names(keys), message=same[0]) if keys else same[0]
+    keys = dict.fromkeys(key_words(each.where) for each in same if "." in each.where)
+    return say("{places}: {message}", places=listing(keys), message=same[0]) if keys else same[0]
 
 
 def _owner(results: Results, where: str) -> str:

@@ -17,8 +17,9 @@ from math import isfinite, pi
 from pathlib import Path
 from typing import Literal
 
-from assess.messages.message import Message, Quantity
+from assess.messages.message import Message, Quantity, Value
 from assess.messages.texts import TEXTS
+from reports.language.client_texts import CLIENT_TERMS, CLIENT_TEXTS, client_value
 from reports.language.texts import Date, Kind, Listing, Paragraph, Phrase, Reference, Term, Text, Verbatim
 from spectra.gravity import g
 
@@ -66,7 +67,8 @@ class Locale:
                 unit = UNITS[self.system][text.dimension].unit_for(text.value)
                 return self.with_unit(numeral(text.value / unit.size, figures=text.figures, point=self.point), unit)
             case Term():
-                return self.word(text.english)
+                client = CLIENT_TERMS.get(text.english)
+                return self.word(text.english if client is None else client.english)
             case Phrase():
                 entry = self.word(text.english)
                 if text.plural:
@@ -113,8 +115,13 @@ class Locale:
         english = TEXTS.get(text.key)
         if english is None or _fill_entry(english, text) != text.text:  # made by another version
             return text.text
-        filled = {name: value if isinstance(value, str) else self.text(value) for name, value in text.values.items()}
-        return self.word(english).format(**filled)
+        client = CLIENT_TEXTS.get(text.key)
+        filled = {name: self._value(value) for name, value in text.values.items()}
+        return self.word(english if client is None else client.english).format(**filled)
+
+    def _value(self, value: Value) -> str:
+        words = client_value(value) if isinstance(value, str) else value
+        return str(value) if words is None else self.text(words)
 
     def _listing(self, text: Listing) -> str:
         written = [self.text(each) for each in text.texts]

@@ -5,19 +5,23 @@ Accelerations among the parameters are in g.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 
 from assess.messages.message import Quantity
-from reports.language.texts import Phrase, Text, Verbatim, say
+from reports.language.texts import Phrase, Text, Verbatim, count, say
 from spectra.gravity import g
 
 VALUE_TITLES: Mapping[str, Phrase] = {
     "site.spectrum": say("Spectrum of the site"),
     "site.spectrum.damping": say("Damping of the spectrum"),
     "site.pga": say("PGA of the site"),
+    "site.return_period": say("Return period of the site’s spectrum"),
     "site.limit_state": say("Limit state of the site’s spectrum"),
     "site.vertical_ratio": say("Vertical over horizontal spectrum"),
     "verdict.survey_tolerance": say("Tolerance of the survey, on thickness and hinges"),
+    "verdict.basis": say("Code that decides"),
+    "verdict.procedures": say("Methods that may decide"),
     "verdict.works": say("Kind of works"),
     "building.height": say("Height of the building"),
     "building.storeys": say("Number of storeys"),
@@ -27,6 +31,11 @@ VALUE_TITLES: Mapping[str, Phrase] = {
     "building.natural_frequency": say("Natural frequency of the building"),
     "building.effective_height": say("Effective height of the building"),
     "building.use_class": say("Class of use"),
+    "building.importance_level": say("Importance level of the building"),
+    "building.limit_states": say("Period and damping of the building at the limit states"),
+    "report.building_type": say("Kind of building"),
+    "report.verification": say("Annex of verification"),
+    "report.sources": say("Sources of the values"),
     "records": say("Records"),
     "records.files": say("Files of records"),
     "records.synthetic.count": say("Number of artificial records"),
@@ -40,7 +49,12 @@ VALUE_TITLES: Mapping[str, Phrase] = {
     "mechanisms.*.radius": say("Radius R"),
     "mechanisms.*.mass": say("Mass, on which no ratio depends"),
     "mechanisms.*.cut": say("Elevation of the crack"),
+    "mechanisms.*.cut.angle": say("Angle of the crack"),
     "mechanisms.*.crack": say("Position of the crack"),
+    "mechanisms.*.blocks": say("Bodies of the mechanism"),
+    "mechanisms.*.wedges": say("Wedges of the side walls"),
+    "mechanisms.*.side_walls": say("Bond of the side walls"),
+    "mechanisms.*.interfaces": say("Joints"),
     "mechanisms.*.direction": say("Direction of motion"),
     "mechanisms.*.sides": say("Sides to which it rocks"),
     "mechanisms.*.elevation": say("Elevation of the base"),
@@ -77,6 +91,9 @@ MATERIAL_TITLES: Mapping[str, Phrase] = {
 }
 
 CODE_OPTION_TITLES: Mapping[str, Phrase] = {
+    "floor_vertical_ratio": say("Vertical over horizontal motion of the floor"),
+    "floor_spectrum": say("Floor spectrum"),
+    "allowable_sliding": say("Allowable sliding displacement"),
     "knowledge_level": say("Knowledge level"),
     "confidence_factor": say("Confidence factor"),
     "position": say("Position of the wall"),
@@ -98,6 +115,41 @@ def value_title(key: str) -> Text | None:
     return VALUE_TITLES.get(key)
 
 
+_OWNER = re.compile(r"^mechanisms\.(?:\"[^\"]*\"|[^.\[]+)")
+LOAD_KEY = re.compile(r"mechanisms\.\*\.loads\[(\d+)\](?:\.(\w+))?")
+LOAD_TITLES: Mapping[str, Phrase] = {
+    "force": say("force"),
+    "mass": say("mass"),
+    "share": say("share of the weight"),
+    "thrust": say("thrust"),
+    "eccentricity": say("eccentricity"),
+    "at": say("position"),
+    "tied": say("connection"),
+    "bearing": say("bearing"),
+    "until": say("duration"),
+    "seat": say("seat"),
+    "strength": say("strength"),
+    "length": say("length"),
+    "fracture_strain": say("strain at fracture"),
+    "psi_2": say("combination factor"),
+}
+"""What the values of a load are called, by the key of each."""
+
+
+def key_words(key: str) -> Text:
+    """Return the words for a key of the project file; where it has none, those of which its last part is made.
+
+    key : with the name of its mechanism, or * in its place
+    """
+    starred = _OWNER.sub("mechanisms.*", key)
+    item = LOAD_KEY.fullmatch(starred)
+    if item:
+        load = say("load {number}", number=count(int(item[1])))
+        return say("{quantity} of {load}", quantity=LOAD_TITLES[item[2]], load=load) if item[2] in LOAD_TITLES else load
+    last = re.split(r"[.\[]", starred)[-1].removesuffix("]")
+    return value_title(starred) or Verbatim(last.replace("_", " ").replace("-", " "))
+
+
 VALUE_WORDS: Mapping[str, Phrase] = {
     "none": say("none"),
     "rigid": say("rigid"),
@@ -114,6 +166,8 @@ VALUE_WORDS: Mapping[str, Phrase] = {
     "high": say("high"),
     "one": say("one"),
     "two": say("two"),
+    "true": say("yes"),
+    "false": say("no"),
 }
 """Words among which a project file chooses."""
 

@@ -19,6 +19,7 @@ LETTERS = {
     "spectra.formulas",  # which text a spreadsheet would run
     "spectra.gravity",  # a constant
     "assess.codes.calculation_sheet",  # the lines of a calculation sheet
+    "assess.codes.procedures",  # the titles of methods, in messages that name them
     "assess.messages.message",
     "assess.messages.texts",
 }

@@ -133,7 +133,7 @@ def test_a_list_of_tables_that_no_table_shows_is_counted(results: Results) -> No
         site__layers=given([{"depth": 1.0}] * 2),
         report__sources__site=given("assumed: as there"),
     )
-    assert rows(assumptions.assumptions_table(made)) == [["site.layers", "2 sets of values", "assumed: as there", "–"]]
+    assert rows(assumptions.assumptions_table(made)) == [["layers", "2 sets of values", "assumed: as there", "–"]]
 
 
 def test_a_parameter_of_the_spectrum_has_its_name(results: Results) -> None:

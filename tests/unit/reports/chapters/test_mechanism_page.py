@@ -56,7 +56,7 @@ def test_heights_follow_the_units(results: Results) -> None:
 def test_the_case_that_stands_for_a_sweep_is_named(results: Results) -> None:
     wall, parapet = results.mechanisms
     assert lines_of(mechanism_page.represented_case(results, parapet)) == (
-        "3 values of mechanisms.parapet.uplift were studied; this page shows the most critical one: 0.09."
+        "Multiplier at uplift: 3 values were studied; this page shows the most critical one: 0.09."
     )
     assert not tuple(mechanism_page.represented_case(results, wall))
 

@@ -149,7 +149,7 @@ def test_what_a_verdict_hangs_on_is_said_without_a_key(results: Results) -> None
     (said,) = (
         line for line in lines(verdict.sections(with_verdict(results, overrides=(force,)))) if "pull-out" in line
     )
-    assert said.startswith(f'force of {parapet.loads[0].name} (M2) = "20 kN" (pull-out test); without it')
+    assert said.startswith(f"force of {parapet.loads[0].name} (M2): 20 kN (pull-out test); without it")
 
 
 def test_what_passes_asks_for_nothing(results: Results) -> None:

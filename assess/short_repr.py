@@ -2,15 +2,28 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sized
+from collections.abc import Mapping, Sequence, Sized
 from dataclasses import fields, is_dataclass
 from enum import Enum
+from html import escape
 from typing import Any
 
 LONGEST = 160  # characters of the fields that are shown
 LONGEST_TEXT = 40  # characters of a text
 FEW = 3  # numbers of a tuple that are shown one by one
 SCALARS = (float, int, str, type(None))
+
+
+def html_table(*rows: Sequence[Any]) -> str:
+    """Return a small table for a notebook; the first cell of each row heads it, numbers have four figures."""
+    cells = (
+        "".join(
+            f"<{tag}>{escape(f'{value:.4g}' if isinstance(value, float) else str(value))}</{tag}>"
+            for tag, value in zip(("th", *("td" for _ in row[1:])), row, strict=True)
+        )
+        for row in rows
+    )
+    return f"<table>{''.join(f'<tr>{each}</tr>' for each in cells)}</table>"
 
 
 class ShortRepr:

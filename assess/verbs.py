@@ -265,6 +265,9 @@ class Run:
         count = len(self.results.mechanisms)
         return f"Run({self.project.path.name!r}, {count} mechanism{'' if count == 1 else 's'}, {verdict})"
 
+    def _repr_html_(self) -> str:
+        return self.results._repr_html_()
+
     @property
     def verdict(self) -> Verdict | None:
         """What decides, and how."""
@@ -361,7 +364,7 @@ def plot(thing: Any) -> Figure:
     Parameters
     ----------
     thing : a motion, a record, a spectrum, a mechanism, an envelope, a fragility, that of one mechanism or one of its
-        curves, or a building; `run.figure(name)` makes those of a run
+        curves, or a building; or a list of motions, records or curves; `run.figure(name)` makes those of a run
 
     Returns
     -------

@@ -11,8 +11,10 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from assess.messages.message import Message, Quantity, note
+from assess.short_repr import html_table
 from records.errors import RecordError
 from spectra.arrays import FloatArray
+from spectra.gravity import g
 
 STRONGEST = 1000.0  # m/s2, a hundred g: beyond any ground motion
 
@@ -124,6 +126,17 @@ class Record:
     def __repr__(self) -> str:
         """Return one line without the samples: id, size, step and PGA."""
         return f"Record(id={self.id!r}, npts={self.npts}, dt={self.dt:g} s, pga={self.pga:.4g} m/s2)"
+
+    def _repr_html_(self) -> str:
+        return html_table(
+            ("record", self.id),
+            (
+                "event, station, component",
+                ", ".join(each or "-" for each in (self.event, self.station, self.component)),
+            ),
+            ("time step [s], samples", f"{self.dt:g}, {self.npts}"),
+            ("PGA [g]", self.pga / g),
+        )
 
     @property
     def artificial(self) -> bool:

@@ -41,7 +41,7 @@ from assess.dynamics.packing import (
     tables_of,
 )
 from assess.oscillator import Branch, Oscillator, energy
-from assess.short_repr import ShortRepr
+from assess.short_repr import ShortRepr, html_table
 from records.pulses import PulseShape
 from spectra.arrays import BoolArray, FloatArray, IntArray
 from spectra.gravity import g
@@ -117,6 +117,11 @@ class Envelope(ShortRepr):
     polarity: IntArray
     uplift: FloatArray
     factor: FloatArray
+
+    def _repr_html_(self) -> str:
+        bounds = ("none" if np.isnan(each) else f"{each / g:.3g}" for each in self.lower_bound.tolist())
+        frequencies = (f"{each:.3g}" for each in self.frequency.tolist())
+        return html_table(("frequency [Hz]", *frequencies), ("least amplitude that overturns [g]", *bounds))
 
 
 def find_critical(frequency: FloatArray, bounds: FloatArray) -> CriticalMechanism:

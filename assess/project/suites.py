@@ -333,7 +333,7 @@ def catalogue(*places: str | Path, flatfile: str | Path | None = None, jobs: int
 
     Returns
     -------
-    `candidates`, and `problems` with the files that could not be read
+    `candidates`, `problems` with the files that could not be read, and `table()`
 
     Raises
     ------

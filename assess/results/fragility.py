@@ -12,7 +12,7 @@ from typing import Literal
 
 from assess.messages.message import Message
 from assess.results.provenance import NO_MATTER, Floats, Input, Program, ReportMatter, ResolvedValue
-from assess.short_repr import ShortRepr
+from assess.short_repr import ShortRepr, html_table
 
 FRAGILITY_VERSION = 1
 FragilityMethod = Literal["ida", "stripes", "cloud"]
@@ -21,6 +21,7 @@ CurveName = Literal["empirical", "lognormal", "first"]
 RateGap = Literal["motion", "runs", "hazard", "epistemic"]
 LARGE_SCALE = 4.0
 """Scale factor above which the runs are drawn hollow and counted."""
+HTML_HEADING = ("mechanism", "state", "measure", "median", "dispersion")
 FIVE_PERCENT = NormalDist().inv_cdf(0.05)
 
 
@@ -282,6 +283,23 @@ class MechanismFragility(ShortRepr):
     measures: tuple[MeasureResult, ...] = ()
     notes: tuple[Message, ...] = ()
 
+    @property
+    def html_rows(self) -> tuple[tuple[str | float, ...], ...]:
+        """Mechanism, state, measure, median and dispersion of each lognormal by the primary measure."""
+        return tuple(
+            (
+                self.label or self.name,
+                each.state.name if each.state.share is None else f"rotation {each.state.share:g}",
+                each.measure.key,
+                *(("none", "") if each.lognormal is None else (each.lognormal.median, each.lognormal.dispersion)),
+            )
+            for each in self.curves
+            if each.measure in self.measures[:1]
+        )
+
+    def _repr_html_(self) -> str:
+        return html_table(HTML_HEADING, *self.html_rows)
+
 
 @dataclass(frozen=True, repr=False)
 class UnionFragility(ShortRepr):
@@ -319,3 +337,6 @@ class FragilityResults(ShortRepr):
     report: ReportMatter = NO_MATTER
     project: dict[str, ResolvedValue] = field(default_factory=dict)
     union: UnionFragility | None = None
+
+    def _repr_html_(self) -> str:
+        return html_table(HTML_HEADING, *(row for each in self.mechanisms for row in each.html_rows))

@@ -11,7 +11,7 @@ from assess.messages.message import Message, Term
 from assess.results.mechanism import BodyEdges, CriticalResult, MechanismResult
 from assess.results.provenance import NO_MATTER, Floats, Input, Program, ReportMatter, ResolvedValue
 from assess.results.verification import AnnexResult
-from assess.short_repr import ShortRepr
+from assess.short_repr import ShortRepr, html_table
 
 SCHEMA_VERSION = 2
 
@@ -49,6 +49,14 @@ class Results(ShortRepr):
     verification: AnnexResult | None = None
     falling: tuple[FallingMechanism, ...] = ()
     beside: tuple[BodyEdges, ...] = ()
+
+    def _repr_html_(self) -> str:
+        rows = [] if self.verdict is None else self.verdict.mechanisms
+        return html_table(
+            ("mechanism", "outcome", "PGA at capacity / action"),
+            *((each.mechanism, each.outcome.value, each.margin or "not known") for each in rows),
+            ("building", "no verdict" if self.verdict is None else self.verdict.outcome.value, ""),
+        )
 
 
 @dataclass(frozen=True, repr=False)

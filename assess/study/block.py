@@ -39,6 +39,7 @@ from assess.model.check import check_definition, with_floats
 from assess.model.directions import mechanism_in_direction
 from assess.oscillator import Oscillator
 from assess.results import OscillatorResult
+from assess.short_repr import html_table
 from assess.study.amplification import NOT_AMPLIFIED, GroundLevel, HeightAboveGround, find_height, lowest_body_elevation
 from assess.study.assessment import check_mechanism
 from assess.study.histories import (
@@ -110,6 +111,18 @@ class Block:
             f"Block({self.name!r}, {self.mechanism.kind}, p={parameters.p:.4g} 1/s, "
             f"slenderness={parameters.slenderness:.4g} rad, multiplier={multiplier}, "
             f"overturning={parameters.overturning:.4g} rad, {parameters.mass:.4g} kg)"
+        )
+
+    def _repr_html_(self) -> str:
+        of = self.oscillator
+        return html_table(
+            (self.name, self.mechanism.kind),
+            ("frequency parameter p [1/s]", of.p),
+            ("slenderness [rad]", of.slenderness),
+            ("multiplier at rest", "none" if of.multiplier is None else of.multiplier),
+            ("overturning rotation [rad]", of.overturning),
+            ("restitution", of.restitution),
+            ("mass [kg]", of.mass),
         )
 
     @cached_property

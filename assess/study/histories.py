@@ -40,7 +40,7 @@ from assess.results import (
     HistoryResult,
     HistoryTrace,
 )
-from assess.short_repr import ShortRepr
+from assess.short_repr import ShortRepr, html_table
 from assess.study.study import ScaledRecord, Study
 from records.errors import RecordError
 from records.pulses import PulseShape, pulse_shape
@@ -556,6 +556,15 @@ class RockingResponse(ShortRepr):
     acceleration: FloatArray
     limits: tuple[float, ...]
     rebound: float = 1.0
+
+    def _repr_html_(self) -> str:
+        return html_table(
+            ("record", self.record),
+            ("scale", self.scale),
+            ("overturned", f"at {self.overturning_time:.4g} s" if self.overturning_time is not None else "no"),
+            ("largest rotation / overturning", self.max_ratio),
+            ("impacts", self.impacts),
+        )
 
 
 def respond(

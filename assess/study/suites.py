@@ -15,7 +15,7 @@ from dataclasses import dataclass, replace
 from math import ceil, exp, floor, log
 from pathlib import Path
 from statistics import mean
-from typing import Protocol
+from typing import TYPE_CHECKING, Protocol
 
 import numpy as np
 
@@ -47,7 +47,7 @@ from assess.study.study import (
     deciding_limit_states,
 )
 from records import catalogue
-from records.candidates import Candidate, read_candidates
+from records.candidates import Candidate, candidate_table, read_candidates
 from records.catalogue import index
 from records.compliance import CodeName, Requirements, asce43_05, ntc2018
 from records.compliance.asce43_05 import fit_of_mean
@@ -61,6 +61,9 @@ from records.scaling import SCALING_PERIODS, Band, Scaling, misfit, scale_to_pga
 from records.selection import Range, ScaleTo, Selection, target_mark
 from records.synthetic import MATCHED_PERIODS, STATIONARY, ArtificialRecords, artificial_records
 from spectra.spectrum import Spectrum
+
+if TYPE_CHECKING:
+    from pandas import DataFrame
 
 
 def motions_of(study: Study, spectrum: Spectrum, *, jobs: int = 1) -> tuple[ScaledRecord, ...]:
@@ -232,6 +235,13 @@ class OfferedRecords:
     candidates: tuple[Candidate, ...]
     problems: tuple[tuple[str, str], ...]
     merged: FlatfileMatch | None = None
+
+    def table(self) -> DataFrame:
+        """Return a row for each record: its metadata and measures, in SI."""
+        return candidate_table(self.candidates)
+
+    def __repr__(self) -> str:
+        return f"OfferedRecords({len(self.candidates)} components, {len(self.problems)} files not read)"
 
 
 def candidate_records(

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
@@ -18,16 +18,22 @@ from assess.study.drawing import simplify_surfaces
 from assess.study.ground_motion import spectrum_result
 from assess.study.histories import RockingResponse
 from assess.study.mechanism_results import mechanism_result
+from assess.study.motions import Motions
 from assess.study.run import envelope_result
 from records.record import Record
 from records.response import response_spectrum
 from reports.figures import style
 from reports.figures.capacity import draw_capacity
-from reports.figures.fragility import draw_fragility, draw_states_of_each
+from reports.figures.fragility import draw_fragility, draw_states, draw_states_of_each
 from reports.figures.key_plan import KEY_PLAN_SIZE, SHARP_ANGLE
 from reports.figures.projection import Appearance, TriangleSurface, fit_camera, paint_bodies, scene_sheet
 from reports.figures.rocking import RotationCourse, draw_course, draw_envelope
-from reports.figures.spectrum import SHORTEST_PERIOD, draw_design_spectrum, frame_logarithmic_spectra
+from reports.figures.spectrum import (
+    SHORTEST_PERIOD,
+    draw_design_spectrum,
+    draw_record_spectra,
+    frame_logarithmic_spectra,
+)
 from reports.language.locale import Locale
 from reports.language.texts import say
 from spectra.gravity import g
@@ -47,13 +53,22 @@ def draw_figure(thing: Any, locale: Locale) -> Figure:
 
     Raises
     ------
-    AssessError : it is of no such kind; the text lists them
+    AssessError : it is of no such kind, nor a list of one in `LISTS`; the text lists them
     """
+    several = isinstance(thing, list | tuple | Motions)
+    if several and len(thing):
+        for kind, (_, draw) in LISTS.items():
+            if all(isinstance(each, kind) for each in thing):
+                return draw(thing, locale)
     for kind, (_, draw) in DRAWINGS.items():
         if isinstance(thing, kind):
             return draw(thing, locale)
     known = ", ".join(name for name, _ in DRAWINGS.values())
-    raise AssessError(f"{type(thing).__name__}: there is no figure of it; give {known}, or call figure(…) of a run")
+    lists = ", ".join(name for name, _ in LISTS.values())
+    raise AssessError(
+        f"{type(thing).__name__}: there is no figure of it; give {known}, or a list of {lists}; or call figure(…) of "
+        "a run"
+    )
 
 
 def draw_motion(motion: RockingResponse, locale: Locale) -> Figure:
@@ -89,6 +104,28 @@ def draw_record(record: Record, locale: Locale) -> Figure:
         frame_logarithmic_spectra(below, LONGEST_PERIOD, locale)
         below.set_ylabel(locale.heading(say("Sₐ, damping 5 %"), "ground acceleration"))
         return figure
+
+
+def draw_motions(motions: Sequence[RockingResponse], locale: Locale) -> Figure:
+    """Draw rotation / phi_ov [-] of several motions over time [s]; those that overturn in another colour."""
+    with style.report_style():
+        figure = style.sheet(2.6, locale)
+        axes = figure.subplots()
+        for motion in motions:
+            limit = np.where(motion.rotation < 0.0, motion.limits[-1], motion.limits[0])
+            colour = style.FAIL if motion.overturned else style.INK
+            axes.plot(motion.time, motion.rotation / limit, color=colour, linewidth=0.6)
+        axes.set_xlabel(locale.heading(say("time t"), "time"))
+        axes.set_ylabel(locale.heading(say("rotation φ / φₒᵥ"), "ratio"))
+        axes.set_xlim(0.0, max(float(motion.time[-1]) for motion in motions))
+        return figure
+
+
+def draw_records(records: Sequence[Record], locale: Locale) -> Figure:
+    """Draw the spectra of several records at 5 % damping [g] over period [s]."""
+    period = np.geomspace(max(SHORTEST_PERIOD, *(record.dt for record in records)), LONGEST_PERIOD, 200)
+    ordinates = np.array([response_spectrum(record, period) for record in records]) / g
+    return draw_record_spectra([style.record_label(record.id, 40) for record in records], period, ordinates, locale)
 
 
 def draw_block(block: Block, locale: Locale) -> Figure:
@@ -140,6 +177,14 @@ DRAWINGS: dict[type, tuple[str, Callable[[Any, Locale], Figure]]] = {
     Structure: ("a building", draw_structure),
 }
 """What can be drawn: its name for a message, and how."""
+
+
+LISTS: dict[type, tuple[str, Callable[[Any, Locale], Figure]]] = {
+    RockingResponse: ("motions", draw_motions),
+    Record: ("records", draw_records),
+    FragilityCurve: ("curves of a fragility", draw_states),
+}
+"""What can be drawn together: its name for a message, and how."""
 
 
 def _primary_curves(found: MechanismFragility) -> list[FragilityCurve]:

@@ -91,7 +91,7 @@ def test_python_selects_as_the_command_line_does(folder: Path, capsys: pytest.Ca
     ]
     for scaled, each in zip(found.records, found.motions, strict=True):
         np.testing.assert_allclose(scaled.acceleration, each.scaling.factor * each.record.acceleration, rtol=1e-15)
-    assert len(known.candidates) == 5
+    assert len(known.table()) == 5
     assert known.problems[0][0].endswith(".txt")
     assert assess.select_records(target, folder, **limits).records[0].id == found.records[0].id
 

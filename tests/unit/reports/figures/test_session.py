@@ -50,6 +50,43 @@ def test_envelope_and_spectrum_and_building_are_drawn():
     assert assess.plot(house()).axes[0].collections
 
 
+def test_a_list_is_drawn_together():
+    records = [noise(seed, peak=3.0) for seed in range(3)]
+    motions = assess.respond(BLOCK, records)
+    axes = assess.plot(motions).axes[0]
+    for line, motion in zip(axes.lines, motions, strict=True):
+        np.testing.assert_allclose(line.get_ydata(), motion.rotation / 0.15, rtol=1e-12)
+    spectra = assess.plot(records).axes[0]
+    for record in records:
+        ordinates = assess.plot(record).axes[1].lines[0].get_ydata()
+        assert any(
+            line.get_ydata().shape == ordinates.shape and np.allclose(line.get_ydata(), ordinates, rtol=0.02)
+            for line in spectra.lines
+        )
+    curves = assess.fragility(BLOCK, records, measures=["pga"]).mechanisms[0].curves
+    assert len(assess.plot(curves).axes[0].get_legend_handles_labels()[0]) >= len(curves) - 1
+    with pytest.raises(AssessError, match="or a list of motions, records, curves"):
+        assess.plot([RECORD, BLOCK])
+
+
+def test_a_notebook_shows_small_tables():
+    motion = assess.respond(BLOCK, RECORD)
+    envelope = assess.envelope(BLOCK, "sine", frequency=[1.0, 2.0], amplitude=[1.0, 30.0])
+    found = assess.fragility(BLOCK, [RECORD, noise(4, peak=3.0)], measures=["pga"])
+    for thing, shown in (
+        (motion, f"<td>{motion.max_ratio:.4g}</td>"),
+        (RECORD, f"<td>{RECORD.pga / assess.g:.4g}</td>"),
+        (BLOCK, "<td>1.5</td>"),
+        (envelope, f"<td>{envelope.lower_bound[0] / assess.g:.3g}</td>"),
+        (found, "<td>overturning</td>"),
+        (found.mechanisms[0], "<th>block</th><td>overturning</td>"),
+    ):
+        html = thing._repr_html_()
+        assert shown in html
+        assert html.startswith("<table>")
+        assert len(html) < 1500
+
+
 def test_what_has_no_figure_is_refused_with_what_has_one():
     with pytest.raises(AssessError, match=r"int: there is no figure of it; give a motion, a record, .* a building"):
         assess.plot(3)

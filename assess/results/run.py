@@ -366,12 +366,15 @@ class Influence(ShortRepr):
 
     rank_correlation : Spearman's, of the demand over capacity; None where the group does not change the answer
     share : of the variance of its ranks that a line over those of the group explains, the square of it [-]
+    total : of that variance, what would be left if all other groups were known, interactions with them included [-];
+        None where the shares of all groups explain 0.9 of it
     """
 
     group: str
     keys: tuple[str, ...]
     rank_correlation: float | None
     share: float | None
+    total: float | None = None
 
 
 ControlKind = Literal["equilibrium", "energy", "hand-multiplier", "convergence"]

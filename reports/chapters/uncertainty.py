@@ -251,9 +251,10 @@ def _influences(results: Results, found: UncertaintyResult) -> Table:
         Column(say("Group")),
         Column(say("Rank correlation"), "ratio"),
         Column(say("Share of the variance of ranks"), "ratio"),
+        Column(say("Total with interactions"), "ratio"),
     )
     rows = tuple(
-        (*_lead(results, each), Verbatim(one.group), one.rank_correlation, one.share)
+        (*_lead(results, each), Verbatim(one.group), one.rank_correlation, one.share, one.total)
         for each in found.answers
         for one in each.influences
     )

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from math import exp, log, sqrt
+from math import asin, exp, log, pi, sqrt
 from pathlib import Path
 from typing import Any
 
@@ -19,6 +19,7 @@ from assess.results.json import dumps, loads
 from assess.results.run import UncertainAnswer
 from assess.results.table import table
 from assess.study.run import run_study
+from assess.study.uncertainty import total_influence
 from tests.support.motions import write_noise
 from tests.support.projects import ASCE7, NTC, block, project_toml, results_of, study_of, wall
 
@@ -63,6 +64,37 @@ def answer_of(results: Results, procedure: str = LINEAR, state: str = "SLV") -> 
 
 def ratios(answer: UncertainAnswer) -> Any:
     return np.array([np.nan if each is None else each for each in answer.ratios])
+
+
+@pytest.mark.parametrize(
+    ("answer", "exact"),
+    [
+        (lambda x: x[:, 0] + 0.0 * x[:, 1], (1.0, 0.0)),
+        (lambda x: (x[:, 0] - 0.5) ** 2, (1.0, 0.0)),  # no rank correlation at all
+        (lambda x: (x[:, 0] - 0.5) * (x[:, 1] - 0.5), (1.0, 1.0)),  # neither does anything by itself
+        (lambda x: np.where(x[:, 0] > 0.5, np.inf, 1.0), (1.0, 0.0)),  # overturns, or does not
+        (lambda x: ndtri(x[:, 0]) + ndtri(x[:, 1]), 2 * (1.0 - 6.0 / pi * asin(0.25),)),
+    ],
+)
+def test_total_influences_are_sobols(answer: Any, exact: tuple[float, float]) -> None:
+    """Of the ranks: two sums of normals that share one have the correlation 1/2, and their ranks 6/pi asin(1/4)."""
+    rng = np.random.default_rng(5)
+    x, other = rng.random((2, 4096, 2))
+    for column, wanted in enumerate(exact):
+        swapped = x.copy()
+        swapped[:, column] = other[:, column]
+        found = total_influence(answer(x), answer(swapped))
+        assert found is not None
+        assert found == pytest.approx(wanted, abs=0.05)  # three standard errors of 4096 samples
+
+
+def test_totals_are_found_where_shares_explain_little(histories: Results) -> None:
+    found = [answer.influences[0] for answer in histories.uncertainty.answers if answer.influences]
+    for only in found:
+        assert (only.total is None) is (only.share is None or only.share >= 0.9)
+        if only.total is not None:  # nothing else varies
+            assert only.total > 0.5
+    assert any(each.total is not None for each in found)
 
 
 def test_a_lognormal_thickness_gives_a_lognormal_ratio(folder: Path) -> None:

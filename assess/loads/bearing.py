@@ -89,13 +89,16 @@ def unsure_shares(share: float, others: Iterable[float]) -> tuple[float, float] 
     return (least, most) if most - least > UNSURE * max(share, least) else None
 
 
-def unsure_share_warning(body: str, share: float, ends: tuple[float, float]) -> Message:
-    """Warn that the share of a body, and its least and largest by other readings of the drawing, differ."""
+def unsure_share_warning(
+    body: str, share: float, ends: tuple[float, float], *, key: str = "load-share-unsure"
+) -> Message:
+    """Warn that the share of a body, and its least and largest by other readings of the drawing, differ.
+
+    key : of the warning, whose remedy is a key that the load has
+    """
     values = {"share": share, "least": ends[0], "most": ends[1]}
     apart = Quantity(DRAWN_APART, "length", 3)
-    return warning(
-        "load-share-unsure", load=body, apart=apart, **{k: Quantity(v, "ratio", 3) for k, v in values.items()}
-    )
+    return warning(key, load=body, apart=apart, **{k: Quantity(v, "ratio", 3) for k, v in values.items()})
 
 
 def shares(contacts: Sequence[ContactArea], *, centroid: FloatArray) -> FloatArray:
@@ -238,7 +241,8 @@ def overburden_force(
     source = [message("load-overburden", {"bodies": ", ".join(load.bodies), "aside": aside})]
     source += [message("load-not-shared", {"bodies": ", ".join(states)})] if states else []
     force = Force(name, (0.0, -found.force), (x, elevation), UPPER, tuple(source), until="collapse", evidence=WEIGHT)
-    return force, tuple(unsure_share_warning(body, *shares_of) for body, shares_of in found.unsure.items())
+    key = "overburden-share-unsure"
+    return force, tuple(unsure_share_warning(body, *each, key=key) for body, each in found.unsure.items())
 
 
 def overburden_name(number: int) -> str:

@@ -118,6 +118,9 @@ GEOMETRY_TEXTS: Mapping[str, str] = {
     "load-share-unsure": 'load "{load}": {share} of its weight is on the block as drawn, yet {least} to {most} by how '
     "the drawing is read: bodies up to {apart} apart touch or do not, and a slope that meets an edge bears over little "
     "or much of it; give share with its source, or draw what it bears on",
+    "overburden-share-unsure": 'overburden "{load}": {share} of its weight is on the wall as drawn, yet {least} to '
+    "{most} by how the drawing is read: bodies up to {apart} apart touch or do not; give force, what presses on the "
+    "wall, in place of bodies, or draw what it bears on",
     "load-on-other-block": 'load "{load}": block {given} is given, yet it touches block {touched}; it moves with the '
     "one given: check `block`",
     "load-part-left-out": 'load "{load}": it bears on block {block} too, and no load puts that part of it there: '

@@ -212,6 +212,8 @@ TEXTS: Mapping[str, str] = {
     # values that help
     "source-of-too-much": "the source of {key} vouches for no value in it: name a key, or the innermost table that "
     "holds it",
+    "source-needed": "{key} = {value} has no source, and without it the case cannot be read, so that no pass may rest "
+    "on it; name who vouches for it in [report.sources]",
     "override-unsourced": "{key} = {value} has no source; {without}: {outcome}, up to {margin} times the action",
     "override-unsourced-falls": "{key} = {value} has no source; {without}, what it bears on falls under its own loads",
     "override-unsourced-unknown": "{key} = {value} has no source; {without}: {outcome}",
@@ -288,8 +290,8 @@ TEXTS: Mapping[str, str] = {
     "one-of-several": 'a pass is by the first of {procedures} that is answered, as rule = "any" has it: by another one '
     "of them the same mechanism may fail",
     "sliding-alone": "a pass is that it does not slide: no procedure of the basis examines whether it overturns",
-    "top-held": "a pass is valid only if the top of {mechanism} is held: as it begins to move, its support takes "
-    "{force}",
+    "top-held": "a pass is valid only if {mechanism} is held at its top and at its foot: as it begins to move, its "
+    "supports take {force} at the top and {foot} at the foot",
     "top-unheld": "what holds the top of {mechanism}, {height} above the ground: a floor of the building (its height), "
     "or a floor, roof or tie among its loads",
     "not-drawn": "a pass is valid only if these are as stated, as no body is drawn that shows them and no source "

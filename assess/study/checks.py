@@ -92,6 +92,7 @@ def decide(study: Study, mechanisms: Sequence[WithChecks], tolerance: Mapping[st
 CONTRADICTIONS: Mapping[str, str] = {
     "load-in-the-air": ".loads",
     "load-share-unsure": ".loads",
+    "overburden-share-unsure": ".loads",
     "blocks-overlap": ".blocks",
     "blocks-apart": ".blocks",
     "blocks-beside": ".blocks",
@@ -122,9 +123,10 @@ AT_TOP = 0.05  # of the height of a wall: a load or tie no farther below its top
 
 
 def _support_at_top(study: Study, mechanism: Mechanism) -> VerdictFacts:
-    """Return whether something is missing to hold the top of a wall of two blocks, and else the force that it takes.
+    """Return whether something is missing to hold the top of a wall of two blocks, and else what its supports take.
 
-    A floor of the building can hold it, or what acts on it there: a floor, a roof, a tie.
+    A floor of the building can hold it, or what acts on it there: a floor, a roof, a tie. Its foot is held by what it
+    stands on, by friction or a floor there: nothing that is drawn tells.
     """
     if SUPPORTS[mechanism.kind] != "spanning" or mechanism.name not in study.heights:
         return (), ()
@@ -138,8 +140,9 @@ def _support_at_top(study: Study, mechanism: Mechanism) -> VerdictFacts:
         return (missing_input(key, why, 'height = "9 m"' if study.building is None else ""),), ()
     chains = [chain for chain in (mechanism.positive, mechanism.negative) if chain is not None]
     starts = [incipient_motion(chain_at_start(chain, name=mechanism.name)) for chain in chains]
-    force = max(abs(float(start.forces[-1][0])) for start in starts)
+    force, foot = (max(abs(float(start.forces[end][0])) for start in starts) for end in (-1, 0))
     values: dict[str, Value] = {"mechanism": mechanism.name, "force": Quantity(force, "force", 3)}
+    values |= {"foot": Quantity(foot, "force", 3)}
     return (), (message("top-held", values, severity=Severity.WARNING),)
 
 

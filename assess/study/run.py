@@ -64,7 +64,7 @@ from assess.study.histories import (
 )
 from assess.study.history_controls import convergence_control, energy_control, governing_history
 from assess.study.mechanism_results import comparison_rows, parameters
-from assess.study.states import Overrides, decides, find_overrides, merge_states
+from assess.study.states import Overrides, decides, find_overrides, merge_states, require_sources
 from assess.study.study import (
     Progress,
     PulseGrid,
@@ -133,9 +133,13 @@ def run_study(study: Study, *, jobs: int = 0, progress: Progress = no_progress) 
     assert typed.verdict is not None
     progress("values without a source", 0, 1)
     overrides = find_overrides(study, motions, jobs=jobs)
-    replaced = _replaced(study, overrides)
-    if replaced is None or not decides(other := find_state_verdict(replaced, jobs=jobs, solved=solved), typed.verdict):
-        return replace(typed, verdict=merge_states(typed.verdict, None if replaced is None else other, overrides.lines))
+    replaced, overrides = _replaced(study, overrides)
+    typed = replace(typed, verdict=require_sources(typed.verdict, overrides))
+    assert typed.verdict is not None
+    other = None if replaced is None else find_state_verdict(replaced, jobs=jobs, solved=solved)
+    other = None if other is None else require_sources(other, overrides)
+    if replaced is None or other is None or not decides(other, typed.verdict):
+        return replace(typed, verdict=merge_states(typed.verdict, other, overrides.lines))
     if (
         replaced.falling != study.falling
     ):  # nothing can be shown of what falls: the pages are those of the project as typed
@@ -144,21 +148,30 @@ def run_study(study: Study, *, jobs: int = 0, progress: Progress = no_progress) 
     replaced = replace(replaced, suite_faults=suite_faults(replaced, require_spectrum(replaced), other_motions))
     found = _run_state(replaced, require_spectrum(replaced), other_motions, jobs=jobs, progress=progress, solved=solved)
     assert found.verdict is not None
-    verdict = merge_states(typed.verdict, found.verdict, overrides.lines)
+    verdict = merge_states(typed.verdict, require_sources(found.verdict, overrides), overrides.lines)
     return replace(found, project=typed.project, inputs=typed.inputs, stamp=typed.stamp, verdict=verdict)
 
 
-def _replaced(study: Study, overrides: Overrides) -> Study | None:
-    """Return the study in which no value stands that helps without a source; None where all may stand.
+def _replaced(study: Study, overrides: Overrides) -> tuple[Study | None, Overrides]:
+    """Return the study in which no value stands that helps without a source, None where all may stand; and what helps.
 
-    Where they cannot all be replaced at once, as two exclude each other, it is that without the one that helps most.
+    Where they cannot all be replaced at once, as two exclude each other, it is that without the one that helps most and
+    all others that can be replaced with it; the rest need a source.
     """
     if not overrides.replaced or study.replaced is None:
-        return None
+        return None, overrides
     try:
-        return study.replaced(overrides.replaced)
+        return study.replaced(overrides.replaced), overrides
     except (AssessError, SpectrumError):
-        return study.replaced(overrides.replaced_alone)
+        kept, left = list(overrides.replaced_alone), []
+        for value in overrides.replaced:
+            try:
+                study.replaced((*kept, value))
+            except (AssessError, SpectrumError):
+                left += [] if value in kept else [(value, frozenset(value.mechanisms))]
+            else:
+                kept += [] if value in kept else [value]
+        return study.replaced(kept), replace(overrides, unvouched=(*overrides.unvouched, *left))
 
 
 def _run_state(
@@ -280,9 +293,10 @@ def find_verdict(study: Study, *, jobs: int = 1, run: DecidingHistories | None =
     if any(not each.source for each in study.replaceables) and needs_motions(study):
         motions = motions_of(study, require_spectrum(study), jobs=jobs)
     overrides = find_overrides(study, motions, jobs=jobs, with_sources=False)
-    replaced = _replaced(study, overrides)
+    replaced, overrides = _replaced(study, overrides)
     other = None if replaced is None else find_state_verdict(replaced, jobs=jobs, run=run, solved=solved)
-    return merge_states(typed, other, overrides.lines)
+    other = None if other is None else require_sources(other, overrides)
+    return merge_states(require_sources(typed, overrides), other, overrides.lines)
 
 
 def find_state_verdict(

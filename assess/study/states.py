@@ -10,7 +10,7 @@ itself is, and the worse of the two decides.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cache, cached_property, partial, reduce
 from itertools import groupby
@@ -18,7 +18,7 @@ from typing import NamedTuple
 
 from assess.codes.check import Check
 from assess.codes.procedures import uses_histories
-from assess.codes.question import methods_of
+from assess.codes.question import Missing, merge_missing, methods_of, missing_input
 from assess.codes.verdict import (
     RANKS,
     Decision,
@@ -32,6 +32,7 @@ from assess.codes.verdict import (
     worst_outcome,
 )
 from assess.errors import AssessError, FallingError
+from assess.messages.message import Severity, Value, message
 from assess.study.assessment import checks_without_twins
 from assess.study.checks import decide
 from assess.study.study import Replaceable, ScaledRecord, Study, needs_motions, require_spectrum
@@ -47,11 +48,25 @@ class Overrides:
 
     lines : the outcome without each; replaced : those that no source vouches for
     replaced_alone : that of them without which a mechanism comes off worst
+    unvouched : those that nothing can stand for, as the case cannot be read without them, with the mechanisms that
+        they bear on: a pass of these needs a source
     """
 
     lines: tuple[Override, ...] = ()
     replaced: tuple[Replaceable, ...] = ()
     replaced_alone: tuple[Replaceable, ...] = ()
+    unvouched: tuple[tuple[Replaceable, frozenset[str]], ...] = ()
+
+    @property
+    def sources_needed(self) -> Mapping[str, tuple[Missing, ...]]:
+        """The sources without which mechanisms may not pass, by the name of the mechanism."""
+        found: dict[str, tuple[Missing, ...]] = {}
+        for value, names in self.unvouched:
+            words: dict[str, Value] = {"key": value.key, "value": value.value}
+            why = message("source-needed", words, severity=Severity.WARNING)
+            line = missing_input(f"report.sources.{value.key}", why)
+            found |= {name: (*found.get(name, ()), line) for name in names}
+        return found
 
 
 def find_overrides(
@@ -87,13 +102,18 @@ def find_overrides(
     trials = _Trials(study, motions, jobs)
     overrides: list[Override] = []
     replaced: list[Replaceable] = []
+    unvouched: list[tuple[Replaceable, frozenset[str]]] = []
     least: tuple[Replaceable, MechanismOutcome] | None = None
     for _, of_one_key in groupby(tried, key=lambda value: value.key):
         each_way = [(value, trials.without(value)) for value in _values_to_try(tuple(of_one_key))]
         typed = trials.as_typed(_depth_of(each_way[0][0]))
+        first = each_way[0][0]
+        unread = set(first.mechanisms) - {name for _, without in each_way for name in without}
+        if unread and not first.source:
+            unvouched.append((first, frozenset(unread)))
         known = [(value, without) for value, without in each_way if without]
-        if not known:
-            continue  # the project cannot be read without it: it says what the case is
+        if not known or (unread and first.source):
+            continue
         value, without = reduce(_worse_way, known)
         helps = _any_worse(without, than=typed, same=value.same)
         if not value.source and (helps or not value.either_way):
@@ -110,7 +130,7 @@ def find_overrides(
         replaced = replaced if worst is standing else [*others, *([] if worst is None else [worst])]
         if worst is not None and standing is None:
             overrides.append(_override(worst, found_there))
-    return Overrides(tuple(overrides), tuple(replaced), () if least is None else (least[0],))
+    return Overrides(tuple(overrides), tuple(replaced), () if least is None else (least[0],), tuple(unvouched))
 
 
 class _Depth(NamedTuple):
@@ -156,9 +176,8 @@ class _Trials:
         return at_site | self._all([name for name, found in at_site.items() if self._rises(found)], build, depth)
 
     def without(self, value: Replaceable) -> Outcomes:
-        """Return the outcome without a value of each mechanism that it bears on; empty if one cannot be built so."""
-        found = self._all(value.mechanisms, value.study_at, _depth_of(value))
-        return found if len(found) == len(value.mechanisms) else {}
+        """Return the outcome without a value of each mechanism that it bears on and that can be built so."""
+        return self._all(value.mechanisms, value.study_at, _depth_of(value))
 
     def worst_beside(
         self, others: Sequence[Replaceable], standing: Replaceable | None, each_way: tuple[Replaceable, ...]
@@ -268,6 +287,31 @@ def merge_states(typed: Verdict, replaced: Verdict | None, overrides: tuple[Over
     if not decides(replaced, typed):
         return replace(typed, other_state=_other_state(replaced), overrides=overrides)
     return replace(replaced, state=State.REPLACED, other_state=_other_state(typed), overrides=overrides)
+
+
+def require_sources(found: Verdict, overrides: Overrides) -> Verdict:
+    """Return a verdict in which nothing passes by a value without a source that nothing can stand for."""
+    needed = overrides.sources_needed
+    mechanisms = tuple(
+        replace(
+            one,
+            outcome=Decision.INCOMPLETE,
+            at_the_limit=False,
+            provisional=None,
+            missing=merge_missing((*one.missing, *needed[one.mechanism])),
+        )
+        if one.outcome == Decision.PASS and one.mechanism in needed
+        else one
+        for one in found.mechanisms
+    )
+    if mechanisms == found.mechanisms:
+        return found
+    outcome = worst_outcome(one.outcome for one in mechanisms)
+    missing = merge_missing((*found.missing, *(each for one in mechanisms for each in one.missing)))
+    at_the_limit = found.at_the_limit and outcome == found.outcome
+    return replace(
+        found, mechanisms=mechanisms, outcome=outcome, missing=missing, at_the_limit=at_the_limit, provisional=None
+    )
 
 
 def decides(replaced: Verdict, typed: Verdict) -> bool:

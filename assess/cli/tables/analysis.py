@@ -256,8 +256,13 @@ def _unexamined(report: ReportMatter) -> str:
 
 
 def _missing(found: Verdict) -> Iterator[str]:
-    """Yield what is missing and has no line to paste, and the verdict that the safe values would give."""
+    """Yield what is missing and has no line to paste, and the verdict that the safe values would give.
+
+    Where another mechanism fails, no line to paste is printed, and all is told that those without an answer lack.
+    """
     if found.outcome != Decision.INCOMPLETE:
+        lacking = {key.key for one in found.mechanisms if one.outcome == Decision.INCOMPLETE for key in one.missing}
+        yield from (f"missing: {each.key}: {each.text}" for each in found.missing if each.key in lacking)
         return
     yield from (f"missing: {each.key}: {each.text}" for each in found.missing if not each.toml)
     if found.provisional in (Decision.PASS, Decision.FAIL):

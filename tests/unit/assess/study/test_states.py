@@ -1,6 +1,7 @@
 """The worse of two states decides: the project as typed, and without the values that no source vouches for."""
 
 import copy
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -616,3 +617,42 @@ def test_what_holds_the_ends_of_an_arch_needs_a_source() -> None:
         }
     )
     assert (told.state, told.outcome) == (State.AS_TYPED, Decision.PASS)
+
+
+def without_substitute(study: Study, value: Replaceable, *, broken: bool) -> Study:
+    """Return a study one of whose values no source vouches for; broken : nothing can be built without it."""
+
+    def fails(name: str) -> Study:
+        raise ProjectError("without it there is no such wall")
+
+    def none_at_once(values: Any) -> Study:
+        raise ProjectError("without it there is no such wall") if values else AssertionError
+
+    changed = replace(value, source="", study_at=fails if broken else value.study_at)
+    return replace(study, replaceables=(changed,), replaced=none_at_once if broken else study.replaced)
+
+
+def test_no_pass_rests_on_a_value_without_a_source_that_nothing_can_stand_for(tmp_path: Path) -> None:
+    """What cannot be built without a tie says nothing of the wall without it: a pass asks for a source."""
+    tie = '{ kind = "tie", force = "12 kN", at = [0.8, 0, 1.8], direction = [-1, 0, 0] }'
+    text = project_toml(
+        site={"spectrum": NTC, "limit_state": "SLV"},
+        building={**BUILDING, "height": HEIGHT},
+        materials={"m": {"density": 1800, "disintegration": "excluded"}},
+        report={"sources": {"materials.m.disintegration": "measured: survey"}},
+        analysis={"procedures": ["ntc2018-nonlinear"]},
+        bodies={"wall": wall(1.6, 3.0, 2.0, material="m")},
+        mechanisms={"wall": lines(block(direction=[1, 0, 0], sides="one"), f"loads = [{tie}]")},
+    )
+    (tmp_path / "project.toml").write_text(text, encoding="utf-8")
+    study = build_to_decide(load(tmp_path))
+    value = next(each for each in study.replaceables if "loads" in each.key)
+    (stands,) = find_verdict(without_substitute(study, value, broken=False), jobs=1).mechanisms
+    assert stands.outcome == Decision.PASS, stands.missing
+    found = find_verdict(without_substitute(study, value, broken=True), jobs=1)
+    assert found.outcome == Decision.INCOMPLETE
+    assert found.provisional is None
+    (missing,) = (each for each in found.missing if each.key == f"report.sources.{value.key}")
+    assert "name who vouches for it in [report.sources]" in missing.text
+    with_source = replace(without_substitute(study, value, broken=True).replaceables[0], source="measured: pulled")
+    assert find_verdict(replace(study, replaceables=(with_source,)), jobs=1).outcome == Decision.PASS

@@ -45,6 +45,7 @@ def test_a_wall_of_two_blocks_passes_if_its_top_is_held_with_this_force(tmp_path
     missing, conditions = facts(tmp_path, TWO | {"crack": 1.5})
     weight = DENSITY * 0.4 * 5.0 * 3.0 * g
     assert conditions["top-held"]["force"].value == pytest.approx(weight / 5.0, rel=1e-9)
+    assert conditions["top-held"]["foot"].value == pytest.approx(weight / 3.0, rel=1e-9)  # lambda W less H
     assert not [key for key in missing if key.endswith((".loads", ".height"))]
 
 

@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Annotated, Any, ClassVar, Literal, get_args
 
 from assess.declaration import (
+    UNCERTAIN,
     Damping,
     Evidence,
     Fault,
@@ -172,7 +173,7 @@ class Ec8Spectrum(DesignSpectrum):
     form = "ec8"
     code: Annotated[Literal["ec8"], THE_CODE]
     """"ec8\""""
-    a_g: HazardAcceleration
+    a_g: Annotated[HazardAcceleration, UNCERTAIN]
     """reference peak ground acceleration on type A ground, a_gR, like "0.25 g\""""
     ground_type: Annotated[Literal["A", "B", "C", "D", "E", "S1", "S2"], GROUND]
     """ground type "A" to "E\""""
@@ -353,7 +354,7 @@ class NtcSpectrum(DesignSpectrum):
     }
     code: NtcCode
     """name and edition of the code"""
-    a_g: HazardAcceleration
+    a_g: Annotated[HazardAcceleration, UNCERTAIN]
     """peak ground acceleration on rock, like "0.15 g"; or give hazard = [{ return_period, a_g, f_0, t_c_star }, …]"""
     f_0: PeakRatio
     """largest amplification of the spectrum on rock, F_0, like 2.4"""

@@ -22,7 +22,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
-from math import inf
+from math import inf, isclose
 
 from assess.codes.bases import Basis
 from assess.codes.check import Check, Outcome
@@ -47,6 +47,7 @@ from assess.study.study import (
 )
 from assess.study.suites import motions_of, suite_faults
 from spectra.errors import SpectrumError
+from spectra.gravity import g
 from spectra.spectrum import Spectrum
 
 
@@ -278,10 +279,29 @@ def check_case(
     """Assess the one mechanism of a study by these procedures, without the scan over rising PGA.
 
     build : builds the study; suite_faults : of the motions, which are those of the whole study
+    spectrum, motions : of the whole study; where the case has an action of its own, motions that are scaled to it are
+        scaled by the ratio of the PGA, and checks at the site's own level have that of the whole study
     """
     try:
         study = replace(build(), procedures=tuple(dict.fromkeys(procedures)), suite_faults=suite_faults)
-        return CaseChecks(checks_without_twins(study, spectrum, motions, jobs=jobs), study)
+        own = study.spectrum
+        if own is None or own is spectrum:
+            return CaseChecks(checks_without_twins(study, spectrum, motions, jobs=jobs), study)
+        if study.scale_to != "none":
+            ratio = own.pga / spectrum.pga
+            scalings = (replace(each.scaling, factor=ratio * each.scaling.factor) for each in motions)
+            motions = tuple(map(ScaledRecord, (each.record for each in motions), scalings))
+        checks = checks_without_twins(study, own, motions, jobs=jobs)
+        level, level_of_site = own.pga / g, spectrum.pga / g
+        return CaseChecks(
+            tuple(
+                replace(each, level_pga_g=level_of_site)
+                if each.level_pga_g is not None and isclose(each.level_pga_g, level, rel_tol=1e-9)
+                else each
+                for each in checks
+            ),
+            study,
+        )
     except (AssessError, SpectrumError) as error:
         return CaseChecks(error=str(error))
 

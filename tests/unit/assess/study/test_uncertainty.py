@@ -19,7 +19,7 @@ from assess.results.json import dumps, loads
 from assess.results.run import UncertainAnswer
 from assess.results.table import table
 from assess.study.run import run_study
-from assess.study.uncertainty import total_influence
+from assess.study.uncertainty import sobol_points, total_influence, values_at_point
 from tests.support.motions import write_noise
 from tests.support.projects import ASCE7, NTC, block, project_toml, results_of, study_of, wall
 
@@ -86,6 +86,40 @@ def test_total_influences_are_sobols(answer: Any, exact: tuple[float, float]) ->
         found = total_influence(answer(x), answer(swapped))
         assert found is not None
         assert found == pytest.approx(wanted, abs=0.05)  # three standard errors of 4096 samples
+
+
+A_G = {"mean": "0.21 g", "cov": 0.3}
+
+
+def test_an_uncertain_a_g_moves_the_demand(folder: Path) -> None:
+    """On rock the linear check compares a_g with what the wall resists, so D/C is a_g times a constant."""
+    site = {"spectrum": {**NTC, "a_g": A_G, "soil": "A"}, "limit_state": "SLV"}
+    answer = answer_of(assessed(folder, samples=64, site=site))
+    b = sqrt(log(1.09))
+    assert answer.at_mean is not None
+    assert answer.answered == 64
+    np.testing.assert_allclose(np.std(np.log(ratios(answer))), b, rtol=0.02)
+    np.testing.assert_allclose(np.median(ratios(answer)), answer.at_mean * exp(-(b**2) / 2.0), rtol=0.03)
+    (influence,) = answer.influences
+    assert influence.keys == ("site.spectrum.a_g",)
+    assert influence.rank_correlation == pytest.approx(1.0)
+
+
+def test_records_scaled_to_the_spectrum_grow_with_an_uncertain_a_g(folder: Path) -> None:
+    """A sample is the answer of the project at a level of that PGA."""
+    site = {"spectrum": {**NTC, "a_g": A_G, "soil": "A"}, "limit_state": "SLV"}
+    study = study_of(folder, project(site=site, samples=16, **HISTORIES))
+    results = run_study(study, jobs=1)
+    answer = answer_of(results, "ntc2018-history")
+    values = [values_at_point(study.sampling, point)[0] for point in sobol_points(study.sampling, 16)]
+    place = int(np.argsort(values)[4])
+    site = {"spectrum": {**NTC, "a_g": "0.21 g", "soil": "A"}, "limit_state": "SLV"}
+    plain = project(site=site, bodies={"wall": wall(THICK)}, analysis={"levels": [values[place]]}, **HISTORIES)
+    (mechanism,) = run_study(study_of(folder, plain), jobs=1).mechanisms
+    by_level = {each.level_pga_g: each.ratio for each in mechanism.checks if each.procedure == "ntc2018-history"}
+    assert answer.ratios[place] == pytest.approx(by_level[min(by_level)], rel=1e-9)
+    assert min(by_level) == pytest.approx(values[place] / 9.80665)
+    assert len({each for each in answer.ratios if each is not None}) > 8
 
 
 def test_totals_are_found_where_shares_explain_little(histories: Results) -> None:

@@ -199,7 +199,7 @@ def make_solver(
     run = _RUNS[equation](each, motions, tolerance)
 
     def answer(jobs: Jobs) -> Peaks:
-        checked = _checked_jobs(jobs, oscillators=len(oscillators), motions=len(motions))
+        checked = checked_jobs(jobs, oscillators=len(oscillators), motions=len(motions))
         found = np.empty((checked.scale.size, columns.FOUND))
 
         def work(part: slice) -> None:
@@ -211,7 +211,7 @@ def make_solver(
         else:
             with ThreadPoolExecutor(threads or os.cpu_count() or 1) as pool:
                 list(pool.map(work, _job_slices(checked, motions)))
-        return _peaks(found, checked, oscillators, each)
+        return peaks_found(found, checked, oscillators, each)
 
     return answer
 
@@ -313,16 +313,21 @@ def _trace(
     first = np.zeros(1, dtype=np.int64)
     start = _release_coordinate(one, release) if release else 0.0
     samples = run(first, first, np.array([scale]), start, np.empty((1, columns.FOUND)), path, events)
-    y, v, on = path[:samples].T
-    rotation, velocity = np.zeros(samples), np.zeros(samples)
+    traced = trace_found(motion, one, path[:samples])
+    return traced, _events(events[1 : 1 + int(events[0, 0])], one)
+
+
+def trace_found(motion: Record, one: PackedOscillator, path: FloatArray) -> Trace:
+    """Return the samples of the kernel as a history; path: y, y' and the side at each [n, 3]."""
+    y, v, on = path.T
+    rotation, velocity = np.zeros(y.size), np.zeros(y.size)
     for side, coordinate in enumerate(one.sides):
         here, sign = on == side, 1.0 - 2.0 * side
         rotation[here], velocity[here] = (
             sign * coordinate.rotation(y[here]),
             sign * coordinate.velocity(y[here], v[here]),
         )
-    traced = Trace(_frozen(motion.time[:samples]), _frozen(rotation), _frozen(velocity))
-    return traced, _events(events[1 : 1 + int(events[0, 0])], one)
+    return Trace(_frozen(motion.time[: y.size]), _frozen(rotation), _frozen(velocity))
 
 
 def _events(happened: FloatArray, one: PackedOscillator) -> Events:
@@ -337,7 +342,7 @@ def _events(happened: FloatArray, one: PackedOscillator) -> Events:
     )
 
 
-def _motions(motions: Sequence[Record]) -> tuple[FloatArray, IntArray, FloatArray, IntArray, FloatArray]:
+def motion_arrays(motions: Sequence[Record]) -> tuple[FloatArray, IntArray, FloatArray, IntArray, FloatArray]:
     """Return all accelerations end to end and where each starts (the last ends), the same of their extremes, and dt."""
     offset = np.cumsum([0, *(motion.npts for motion in motions)], dtype=np.int64)
     ground = np.concatenate([np.empty(0), *(motion.acceleration for motion in motions)])
@@ -365,7 +370,10 @@ def _linearised(oscillators: Sequence[PackedOscillator], motions: Sequence[Recor
     from assess.dynamics.kernel import linearised  # brings numba
 
     return partial(
-        linearised.rock_linearised, branches_of(oscillators), *_motions(motions), np.array([m.pga for m in motions])
+        linearised.rock_linearised,
+        branches_of(oscillators),
+        *motion_arrays(motions),
+        np.array([m.pga for m in motions]),
     )
 
 
@@ -374,7 +382,7 @@ def _exact(oscillators: Sequence[PackedOscillator], motions: Sequence[Record], t
     from assess.dynamics.kernel import exact  # brings numba
 
     tables = tables_of(oscillators)
-    ground, offset, blocks, block_offset, dt = _motions(motions)
+    ground, offset, blocks, block_offset, dt = motion_arrays(motions)
     return partial(
         exact.rock_exact, branches_of(oscillators), *tables, tolerance, ground, offset, blocks, block_offset, dt
     )
@@ -386,7 +394,7 @@ _RUNS: dict[Equation, Callable[[Sequence[PackedOscillator], Sequence[Record], fl
 }
 
 
-def _checked_jobs(jobs: Jobs, *, oscillators: int, motions: int) -> Jobs:
+def checked_jobs(jobs: Jobs, *, oscillators: int, motions: int) -> Jobs:
     """Return the jobs as arrays of the kernel's types, checked for unknown indices and scales that are not finite."""
     checked = Jobs(
         kernel_array(jobs.oscillator, np.int64),
@@ -409,7 +417,9 @@ def _job_slices(jobs: Jobs, motions: Sequence[Record]) -> list[slice]:
     return [slice(first, last) for first, last in pairwise(cuts) if last > first]
 
 
-def _peaks(found: FloatArray, jobs: Jobs, oscillators: Sequence[Oscillator], each: Sequence[PackedOscillator]) -> Peaks:
+def peaks_found(
+    found: FloatArray, jobs: Jobs, oscillators: Sequence[Oscillator], each: Sequence[PackedOscillator]
+) -> Peaks:
     """Return the rows of the kernel as named columns, of the side with the larger ratio."""
     ratio, rotation, time = np.zeros((3, jobs.scale.size))
     for number in np.unique(jobs.oscillator):

@@ -22,6 +22,7 @@ time. Each equation supplies three functions:
     linearised    the linearised equation and its entry points
     cubics        the table of the exact equation
     exact         the exact equation and its entry points
+    ties          ties that yield and break, and friction of side walls, on the table of the exact equation
     sine          the linearised equation under a sine, in closed form between events
 
 `no_event` decides whether an interval can contain an impact, a passage of 1 or a new largest rotation. Only where it

@@ -49,6 +49,7 @@ Advance = Callable[..., tuple[int, float, float, float]]
 StepMarch = Callable[..., tuple[Arc, float, State]]
 Potential = Callable[..., float]
 March = Callable[..., int]
+Interval = Callable[..., tuple[float, int, float, float, int]]
 SMALLEST_STEP = 1e-6
 """The shortest step of the exact equation, as a fraction of an interval, so that a body rattling about a jump of its
 table still makes progress; also the least distance at which an inflection counts. The error goes with its square."""
@@ -57,8 +58,8 @@ TAIL_PIECES = 120
 """Free motion after the record is followed in at most TAIL_PIECES pieces of TAIL_PIECE / p, p of the faster branch."""
 
 
-def make_march(advance_quiet: Advance, step: StepMarch, potential: Potential) -> March:
-    """Return the march of one job for the equation that these three functions define."""
+def make_interval(step: StepMarch) -> Interval:
+    """Return what integrates an interval with all its events, for the equation of this step."""
 
     @inlined
     def integrate_interval(flow: Any, branch: FloatArray, found: FloatArray, events: FloatArray, column: int,
@@ -132,6 +133,14 @@ def make_march(advance_quiet: Advance, step: StepMarch, potential: Potential) ->
             if resumes or (sides_awaited > 0 and peaked == sides_awaited):
                 break
         return x, side, y, v, peaked
+
+    return integrate_interval
+
+
+def make_march(advance_quiet: Advance, step: StepMarch, potential: Potential) -> March:
+    """Return the march of one job for the equation that these three functions define."""
+
+    integrate_interval = make_interval(step)
 
     @compiled
     def count_last_impacts(flow: Any, branch: FloatArray, found: FloatArray, both: int, side: int, y: float,

@@ -59,7 +59,8 @@ def geometry(
     """List the parts of model files: name, class, storey, size, volume, position, closed or why not, thin direction.
 
     The thin direction is the usual `direction` of a wall's mechanism. A broken part or an unreadable file has its own
-    line; the exit code is 2 if nothing could be listed. With --doctor: the defects, with the volume that mending moved.
+    line; the exit code is 2 if no file could be listed, or no part of any is usable. With --doctor: the defects, with
+    the volume that mending moved.
     """
     refuse_two_formats(as_json=as_json, as_csv=as_csv)
     scale = _length_of_unit(unit)
@@ -76,7 +77,8 @@ def geometry(
         print((doctor_json if as_json else doctor_csv if as_csv else doctor_table)(found), end="")
     else:
         print((_geometry_json if as_json else _geometry_csv if as_csv else _geometry_table)(found), end="")
-    raise typer.Exit(2 if len(wrong) == len(listed) else 0)
+    usable = any(not entry.why_not for each in listed if not isinstance(each, Exception) for entry in each)
+    raise typer.Exit(0 if usable else 2)
 
 
 def _read_entries(

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
+import numpy as np
 import shapely
 
 from assess.geometry.boolean import find_overlap
@@ -14,6 +15,7 @@ from assess.messages.message import Message, Quantity
 RECALCULATE = "turn the normals of all faces outwards, and export again"
 MERGE = "merge the corners that coincide, and export again"
 OVERLAPPING = "may stay at corners and seats, where a building counts it once; else end one at the face of the other"
+ALONGSIDE = "they run beside one another: draw two leaves face to face, or delete one if it is one wall drawn twice"
 LEFT_OPEN = "close its surface where it was drawn, and export again"
 
 DEFECTS: Mapping[str, tuple[str, str, str]] = {
@@ -42,10 +44,10 @@ LEFT: Mapping[str, str] = {
     "many-shells": "draw each shell as an element of its own",
     "element-incomplete": "repair or export this element again",
     "not-all-built": "repair or export this element again",
-    "size": "give mesh_unit, or check its size",
-    "size-in-unit": "give mesh_unit, or check its size",
-    "size-thick": "give mesh_unit, or check its size",
-    "size-thick-in-unit": "give mesh_unit, or check its size",
+    "size": "check its size, or give its unit (--unit, mesh_unit)",
+    "size-in-unit": "check its size, or give its unit (--unit, mesh_unit)",
+    "size-thick": "check its size, or give its unit (--unit, mesh_unit)",
+    "size-thick-in-unit": "check its size, or give its unit (--unit, mesh_unit)",
     "far-from-origin": "move the model near the origin before exporting it",
 }
 """What cures what was left as it is, by the key of its message."""
@@ -78,7 +80,8 @@ def diagnose(entry: InventoryEntry) -> tuple[Diagnosis, ...]:
 
 def find_overlaps(entries: Sequence[InventoryEntry]) -> tuple[tuple[Diagnosis, float], ...]:
     """Return each pair of parts of a model that are drawn over one another, with the volume that they share [m3]."""
-    bodies = [(entry.element.shown, entry.solid) for entry in entries if entry.solid is not None]
+    entries_of = [entry for entry in entries if entry.solid is not None]
+    bodies = [(entry.element.shown, entry.solid) for entry in entries_of if entry.solid is not None]
     if not bodies:
         return ()
     boxes = [shapely.box(*body.vertices[:, :2].min(axis=0), *body.vertices[:, :2].max(axis=0)) for _, body in bodies]
@@ -87,10 +90,34 @@ def find_overlaps(entries: Sequence[InventoryEntry]) -> tuple[tuple[Diagnosis, f
     for i, j in zip(one[one < other].tolist(), other[one < other].tolist(), strict=True):
         shared = find_overlap(bodies[i][1], bodies[j][1])
         if shared is not None:
+            cure = ALONGSIDE if _run_alongside(entries_of[i], entries_of[j]) else OVERLAPPING
             percent = Quantity(100.0 * shared.share, "percent", 3)
             defect = f"they share {Quantity(shared.volume, 'volume', 3)}, {percent} of the smaller one"
-            found.append((Diagnosis(f"{bodies[i][0]}, {bodies[j][0]}", defect, OVERLAPPING), shared.volume))
+            found.append(
+                (
+                    Diagnosis(f"{bodies[i][0]}, {bodies[j][0]}", defect, cure),
+                    shared.volume,
+                )
+            )
     return tuple(found)
+
+
+PARALLEL = 0.94  # cosine: faces within 20 degrees of one another
+BESIDE = 0.5  # of the shorter of two walls: leaves that lie over one another do so over more of their length
+
+
+def _run_alongside(one: InventoryEntry, other: InventoryEntry) -> bool:
+    """Return whether two walls that overlap are leaves side by side, not walls that cross or go on from one another."""
+    if one.thin is None or other.thin is None or one.solid is None or other.solid is None:
+        return False
+    if abs(one.thin[0] * other.thin[0] + one.thin[1] * other.thin[1]) < PARALLEL:
+        return False
+    run = np.array([-one.thin[1], one.thin[0], 0.0])
+    ends = [
+        (float(along.min()), float(along.max())) for along in (one.solid.vertices @ run, other.solid.vertices @ run)
+    ]
+    shared = min(high for _, high in ends) - max(low for low, _ in ends)
+    return shared > BESIDE * min(high - low for low, high in ends)
 
 
 def _diagnoses(entry: InventoryEntry) -> Iterator[Diagnosis]:

@@ -390,7 +390,7 @@ def _resolve_unit(selected: SelectedMeshes, given: float | None, *, where: str) 
     if given is not None and not (np.isfinite(given) and given > 0.0):
         raise GeometryError(f"{where}: its unit is {given:g} m; give a positive finite length")
     if given is None and selected.unit is None and selected.file.suffix.lower() not in WITHOUT_UNIT:
-        raise GeometryError(f"{where}: the file states no unit; give mesh_unit, the unit of its coordinates")
+        raise GeometryError(f"{where}: the file states no unit; give {UNIT_OF_FILE}")
     if given is None:
         return selected.unit or 1.0, ()
     if selected.unit is None or abs(selected.unit / given - 1.0) < SAME_UNIT:
@@ -570,6 +570,9 @@ TOO_COARSE = 0.01  # of its thickness: rounding that spoils them
 UNIT_ROUNDING = 1e-12  # of the farthest coordinate: rounding of a change of units
 
 
+UNIT_OF_FILE = "mesh_unit (--unit), the unit of its coordinates"
+
+
 def _refuse_implausible(solid: Solid, *, unit: float, given: bool, single: bool, where: str) -> None:
     """Raise where a mesh cannot be a masonry body, by its size or by the precision of its coordinates.
 
@@ -591,11 +594,11 @@ def _refuse_implausible(solid: Solid, *, unit: float, given: bool, single: bool,
     size = _longest_side(solid)
     if size > LONGEST_BODY or (size < SHORTEST_BODY and not given):
         limit = f"more than {LONGEST_BODY:g}" if size > LONGEST_BODY else f"less than {SHORTEST_BODY:g}"
-        remedy = "give another mesh_unit" if given else "give mesh_unit, the unit of its coordinates"
+        remedy = "give another mesh_unit (--unit)" if given else f"give {UNIT_OF_FILE}"
         likely = _likely_unit(solid, unit=unit)
         hint = "No usual unit makes it a wall; check the model"
         if likely is not None:
-            hint = f'With mesh_unit = "{likely.name}" it would measure {likely.size:.4g} m'
+            hint = f'With mesh_unit = "{likely.name}" (--unit) it would measure {likely.size:.4g} m'
         raise GeometryError(
             f"{where}: it measures {size:.4g} m at its longest, {limit} m, which no masonry body does; {remedy}. {hint}"
         )

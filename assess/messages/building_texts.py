@@ -9,6 +9,10 @@ BUILDING_TEXTS: Mapping[str, str] = {
     "{covering} for floors, roofs and vaults",
     "split-body": "{body} is one closed body: it is split into {number} parts between opposite faces, and where its "
     "floors bear is not drawn",
+    "lying-by-names": "parts that lie where their names or classes say that they stand, or stand where these say that "
+    "they lie: {number}, as {part}; does the model lie on its side? check the axis that points up (--up, mesh_up)",
+    "lying-by-thickness": "what lies level is {level} thick and what stands upright {upright}, as of a model that lies "
+    "on its side; check the axis that points up (--up, mesh_up)",
     "one-shell": "most of the building is one closed body that had to be split: towers, apses and the kind of building "
     "cannot be told from it, so that no list of mechanisms is ticked; draw its parts apart, or fill in what it is",
     "bears-on-nothing": "floors, roofs or vaults that bear on no wall, so that no mechanism has their weight: {number} "

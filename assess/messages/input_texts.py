@@ -32,11 +32,11 @@ GEOMETRY_TEXTS: Mapping[str, str] = {
     "counts twice or not at all; left as it is",
     # size and place of bodies
     "size": 'body "{body}" measures {size} at its longest; is its unit right?',
-    "size-in-unit": 'body "{body}" measures {size} at its longest; is its unit right? With mesh_unit = "{unit}" it '
-    "would measure {other}",
+    "size-in-unit": 'body "{body}" measures {size} at its longest; is its unit right? With mesh_unit = "{unit}" '
+    "(--unit) it would measure {other}",
     "size-thick": 'body "{body}" measures {size} at its longest and is about {thickness} thick; is its unit right?',
     "size-thick-in-unit": 'body "{body}" measures {size} at its longest and is about {thickness} thick; is its unit '
-    'right? With mesh_unit = "{unit}" it would measure {other}',
+    'right? With mesh_unit = "{unit}" (--unit) it would measure {other}',
     "far-from-origin": 'body "{body}" is {distance} from the origin in single precision, which resolves {resolution} '
     "there; move the mesh closer to the origin before exporting it",
     "overlap": 'bodies "{one}" and "{other}" overlap by {volume}, {share} of the smaller one; as they move as one, the '

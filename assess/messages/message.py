@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from enum import StrEnum
+from math import degrees, isfinite
 
 from assess.messages.texts import TEXTS
 from assess.short_repr import ShortRepr
@@ -66,8 +67,10 @@ class Quantity:
     figures: int = 4
 
     def __str__(self) -> str:
-        unit = UNITS[self.dimension]
-        text = f"{self.value:.{self.figures}g}"
+        unit, value = UNITS[self.dimension], self.value
+        if self.dimension == "angle":  # of what is drawn: typed in degrees
+            unit, value = "deg", degrees(value) if isfinite(value) else value
+        text = f"{value:.{self.figures}g}"
         if "e+" in text and abs(self.value) < PLAIN:
             text = f"{float(text):.0f}"
         return text + (f" {unit}" if unit != "-" else "")

@@ -212,6 +212,8 @@ TEXTS: Mapping[str, str] = {
     # values that help
     "source-of-too-much": "the source of {key} vouches for no value in it: name a key, or the innermost table that "
     "holds it",
+    "source-to-fill-in": 'the source of {key}, "{text}", is still to be filled in and vouches for nothing yet: write '
+    "by which test or survey, by whom and when",
     "source-needed": "{key} = {value} has no source, and without it the case cannot be read, so that no pass may rest "
     "on it; name who vouches for it in [report.sources]",
     "override-unsourced": "{key} = {value} has no source; {without}: {outcome}, up to {margin} times the action",

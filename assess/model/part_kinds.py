@@ -84,6 +84,9 @@ THINGS: Mapping[str, re.Pattern[str]] = {
 }
 """Why a mesh of such a name is no masonry."""
 TIE_WORDS = re.compile(r"\btie\b|\btie[- ]?rod|tirant|\bcaten[ae]\b|zuganker|\btendon", re.IGNORECASE)
+LEVEL_WORDS = re.compile(
+    r"\bfloor|\bslab|solai|\broof|\btett[oi]|copertur|\bdach|\btoit|\bdecke\b|plancher|forjado|cubierta", re.IGNORECASE
+)
 WALL_WORDS = re.compile(r"wall|\bmur|wand\b|mauer|parete|fa[cç]ad|facciata|gable|timpan|parapet|pier\b", re.IGNORECASE)
 THINNEST_WALL, THINNEST_COVERING = 0.06, 0.02  # m: thinner plates are finishes
 LARGEST_JOINERY = 0.12  # m: thicker things of such a name are walls around windows
@@ -140,6 +143,15 @@ def reason_to_leave_out(element: Element, shape: Shape) -> Message | None:
     if class_of(element) in FRAME_CLASSES and not is_tie(element, shape):
         return note("left-out-frame")
     return None
+
+
+def says_level(element: Element) -> bool | None:
+    """Return whether a class or name says that a body lies, as a floor does, or stands, as a wall; None for neither."""
+    kind = KINDS_BY_CLASS.get(class_of(element))
+    if kind is not None:
+        return True if kind in COVERINGS else False if kind == "wall" else None
+    name = " ".join(element.names)
+    return False if WALL_WORDS.search(name) else True if LEVEL_WORDS.search(name) else None
 
 
 def may_be_wall(element: Element, size: Sequence[float] | None = None, volume: float | None = None) -> bool:

@@ -6,6 +6,7 @@ from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
+from statistics import mean
 
 from assess.errors import GeometryError
 from assess.geometry.formats.mesh_file import MAX_LISTED, Up
@@ -15,7 +16,7 @@ from assess.geometry.solid import scale_density
 from assess.messages.message import Message, Quantity, first_names, note, warning, whole_number
 from assess.model.part_bodies import DrawnBody, DrawnModel, leave_out, read_bodies
 from assess.model.part_contacts import find_contacts
-from assess.model.part_kinds import first_kind, kind_in_place, masonry_layers, reason_to_leave_out
+from assess.model.part_kinds import first_kind, kind_in_place, masonry_layers, reason_to_leave_out, says_level
 from assess.model.part_shapes import Shape, shape_of
 from assess.model.part_sides import face_outwards
 from assess.model.part_splitting import split_body
@@ -121,6 +122,7 @@ def structure_of_models(
         storeys=storeys,
         left_out=tuple(left_out),
         warnings=(
+            *_on_its_side(drafts),
             *_splits(drafts),
             *_layers(order, names, by_name),
             *_unborne(order, names, contacts),
@@ -132,6 +134,25 @@ def structure_of_models(
     return replace(structure, warnings=(*guessed, *structure.warnings))
 
 
+def _on_its_side(drafts: Sequence[_Draft]) -> Iterator[Message]:
+    """Yield a warning where most parts lie or stand as their names or classes do not say that they do.
+
+    Of parts that say nothing it is their thickness: floors are no thicker than walls.
+    """
+    lies = {"level": True, "sloped": True, "curved": True, "upright": False}
+    said = [(says_level(each.body.element), lies.get(each.shape.kind), each) for each in drafts]
+    told = [each for each in said if each[0] is not None and each[1] is not None]
+    against = [draft for level, lying, draft in told if level != lying]
+    if len(against) > len(told) / 2.0:
+        yield warning("lying-by-names", number=whole_number(len(against)), part=against[0].body.name)
+    plates = [(lying, draft.shape.thickness) for _, lying, draft in said if draft.shape.thickness < THICKEST_PLATE]
+    level, upright = ([thickness for lying, thickness in plates if lying is way] for way in (True, False))
+    if not told and level and upright and mean(level) > mean(upright):
+        words = {"level": mean(level), "upright": mean(upright)}
+        yield warning("lying-by-thickness", **{key: Quantity(each, "length", 2) for key, each in words.items()})
+
+
+THICKEST_PLATE = 2.0  # m: what is thicker is no floor and seldom a wall
 LISTED_FAULTS = 2  # of a file in which nothing is masonry: most of its parts have the same one
 
 
@@ -139,7 +160,8 @@ def _nothing(file: str, left_out: Sequence[LeftOut]) -> str:
     """Return the text of an error where nothing is masonry."""
     reasons = "; ".join(f"{each.name}: {each.reason}" for each in left_out[:LISTED_FAULTS])
     reasons += f"; and {len(left_out) - LISTED_FAULTS} more" if len(left_out) > LISTED_FAULTS else ""
-    cure = "check the unit (--unit), the axis that is up (--up) and the names"
+    unit = "the unit (--unit), " if Path(file).suffix.lower() in WITHOUT_UNIT else ""
+    cure = f"check {unit}the axis that is up (--up) and the names"
     return f"{file}: nothing in it is read as masonry ({reasons}); {cure}"
 
 

@@ -20,6 +20,7 @@ from assess.errors import GeometryError, ProjectError
 from assess.examples import name_schema
 from assess.examples.surfaces import ClosedSurface, ply
 from assess.geometry.formats.mesh_file import Up
+from assess.geometry.formats.readers import WITHOUT_UNIT
 from assess.geometry.solid import Solid
 from assess.loads.load import BodyLoad, OverburdenLoad
 from assess.mechanisms.four_hinge import FourHinge, RadialJoints
@@ -461,5 +462,6 @@ def _mechanisms_of(structure: Structure, model: Path, up: Up | None) -> Candidat
         return structure.mechanisms()
     except GeometryError as error:
         stated = f"--up {up} is stated" if up else "--up is not stated"
-        cure = f"check which axis points up ({stated}) and the unit (--unit)"
+        unit = " and the unit (--unit)" if model.suffix.lower() in WITHOUT_UNIT else ""
+        cure = f"check which axis points up ({stated}){unit}"
         raise GeometryError(f"{model}: its parts do not stand as those of a building do ({error}); {cure}") from None

@@ -21,6 +21,7 @@ from assess.project.question import (
     procedures_of,
 )
 from assess.project.section import ProjectSection
+from assess.project.sections.content import TO_FILL_IN
 from assess.results.provenance import count_from_0, tables_that_hold
 from assess.study.mechanism_results import load_messages
 from assess.study.study import (
@@ -63,13 +64,15 @@ def project_messages(
 
 
 def _sources_of_too_much(content: sections.Content) -> Iterator[Message]:
-    """Yield each source of a table that is too large for one: it vouches for no value."""
+    """Yield each source that vouches for no value: of a table that is too large for one, or still to be filled in."""
     if not content.report.sources:
         return
     values = (each for each in stated_values(content) if not isinstance(each.value, ProjectSection))
     stated = [".".join(map(str, each.path)) for each in values]
     held = {table for key in stated for table in tables_that_hold(key)}
-    for named in content.report.sources:
+    for named, text in content.report.sources.items():
+        if any(dots in text for dots in TO_FILL_IN):
+            yield warning("source-to-fill-in", "report.sources", key=named, text=text)
         key = count_from_0(named)
         if key not in held and any(each.startswith(f"{key}.") for each in stated):
             yield warning("source-of-too-much", "report.sources", key=named)

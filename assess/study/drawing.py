@@ -161,7 +161,11 @@ def _draw_negative_side(mechanism: Mechanism, oscillator: Oscillator) -> Displac
 
 def _hinges_of_chain(chain: Chain, mark: str) -> tuple[NamedPoint, ...]:
     """Return hinges A, B, … of a chain, in its own sign."""
-    return tuple(NamedPoint(f"{name}{mark}", at) for name, at in zip(hinge_names(chain), chain.hinges, strict=True))
+    hinges = ((round(x, ROUNDED) + 0.0, round(z, ROUNDED) + 0.0) for x, z in chain.hinges)
+    return tuple(NamedPoint(f"{name}{mark}", at) for name, at in zip(hinge_names(chain), hinges, strict=True))
+
+
+ROUNDED = 7  # decimals of a hinge [m]: what cuts of meshes leave beside 0 is 0
 
 
 def _draw_rotation(chain: Chain, branch: Branch, pieces: Sequence[BlockOutline], *, mark: str) -> DisplacedDrawing:

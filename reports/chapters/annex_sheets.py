@@ -14,7 +14,7 @@ from reports import governing
 from reports.chapters.cells import BRANCHES, NONE, OUTCOMES
 from reports.document import Block, Cell, Column, Field, Figure, Prose, Section, Sheet, Table, nonempty, tabulate
 from reports.figures import capacity, sketch
-from reports.figures.sketch import model_of_view
+from reports.figures.sketch import SEEN_FROM_ABOVE, model_of_view
 from reports.language.texts import Listing, Phrase, Term, Text, Verbatim, quantity, say, say_count
 from reports.mechanisms import (
     JOINT_MODELS,
@@ -104,7 +104,14 @@ LOAD_FIELDS: tuple[Field[LoadResult], ...] = (
 
 
 def loads_table(mechanism: MechanismResult, *, name: str) -> Table:
-    """Tabulate the loads of each block and their source."""
+    """Tabulate the loads of each block and their source; of what moves in a level plane, by their place in plan."""
+    if mechanism.kind in SEEN_FROM_ABOVE:
+        caption = say(
+            "Loads in plan, at x along the direction of motion and s along the wall; forces along the direction. Both "
+            "halves of the panel take them at their centroids: only their horizontal inertia and push act on it."
+        )
+        across = (Column(say("s"), "length"), LOAD_FIELDS[2][1])
+        return tabulate(name, caption, (*LOAD_FIELDS[:2], across, *LOAD_FIELDS[3:]), mechanism.loads, small=True)
     caption = say(
         "Loads, at x along the direction of motion and elevation z; forces along the direction and up. The weight of a "
         "non-bearing mass is carried elsewhere: only its horizontal inertia acts on the block."

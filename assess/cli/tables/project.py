@@ -98,7 +98,10 @@ def mechanisms_text(
     lines += [f"left out: {escape_text(text)}\n" for text in found.structure.left_out_texts]
     name, least, *others = MECHANISM_HEADER
     held = () if values is None else ("PGA held / site's",) if overturning is None else ("half overturn [g]",)
-    return text_table((name, least, *held, *others), rows) + "".join(lines)
+    return text_table((name, least, *held, *others), rows, widest=WIDEST_CELL) + "".join(lines)
+
+
+WIDEST_CELL = 120  # characters: the parameters of a corner are read whole
 
 
 def _rank_cell(candidate: Candidate, values: Mapping[str, float | None], *, histories: bool) -> str:

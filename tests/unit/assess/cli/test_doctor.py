@@ -87,6 +87,27 @@ def test_each_pair_of_parts_that_are_drawn_over_one_another_has_its_line(
     assert "3 parts, 0 not usable, 0 mended, 1 overlap of 0.75 m3\n" in capsys.readouterr().out
 
 
+def test_two_walls_that_overlap_along_their_length_are_no_corner(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Two leaves 0.1 m into one another, and a wall that crosses both."""
+    walls = {"outer": ((0, 0, 0), (6, 0.5, 3)), "inner": ((0, 0.4, 0), (6, 0.5, 3)), "side": ((0, 0, 0), (0.5, 4, 3))}
+    content = b""
+    for number, (name, (at, sizes)) in enumerate(walls.items()):
+        content += mesh_files.obj(CUBE * sizes + at, Q, name=name, before=8 * number)
+    (tmp_path / "walls.obj").write_bytes(content)
+    assert ended("geometry", tmp_path / "walls.obj", "--doctor", "--json") == 0
+    cures = {row["element"]: row["cure"] for row in json.loads(capsys.readouterr().out)}
+    assert "draw two leaves face to face" in cures["outer, inner"]
+    assert all("end one at the face of the other" in cures[f"{name}, side"] for name in ("outer", "inner"))
+
+
+def test_a_file_of_which_no_part_is_usable_ends_with_2(tmp_path: Path) -> None:
+    lines = mesh_files.obj(CUBE * (6, 0.5, 3), Q, name="wall").decode().splitlines()
+    (tmp_path / "open.obj").write_text("\n".join(lines[:-3]) + "\n")
+    assert ended("geometry", tmp_path / "open.obj", "--doctor") == 2
+
+
 def test_every_message_on_a_mesh_has_a_cure_or_tells_of_no_defect() -> None:
     """What a file is read as, and what is joined, is no defect."""
     sources = "".join(Path(str(module.__file__)).read_text(encoding="utf-8") for module in (mesh, repair, shells))

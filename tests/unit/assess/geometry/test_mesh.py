@@ -381,8 +381,8 @@ def test_scale_and_density_must_be_positive(tmp_path: Path) -> None:
 def test_a_size_that_suggests_a_wrong_unit_is_told_with_the_likely_one() -> None:
     assert size_warning(WALL) is None
     for factor, unit, hint in (
-        (1000.0, 1.0, ' With mesh_unit = "mm" it would measure 8.5 m'),
-        (0.001, 0.001, ' With mesh_unit = "m" it would measure 8.5 m'),
+        (1000.0, 1.0, ' With mesh_unit = "mm" (--unit) it would measure 8.5 m'),
+        (0.001, 0.001, ' With mesh_unit = "m" (--unit) it would measure 8.5 m'),
         (1000.0, None, ""),
     ):
         body = polyhedron(WALL.vertices * factor, WALL.triangles, density=DENSITY, name="wall")
@@ -420,11 +420,11 @@ def test_a_ply_file_says_by_its_type_how_finely_it_resolves(tmp_path: Path, kind
 @pytest.mark.parametrize(
     ("factor", "unit", "hint"),
     [
-        (1000.0, None, 'With mesh_unit = "mm" it would measure 8.5 m'),
-        (100.0, None, 'With mesh_unit = "cm" it would measure 8.5 m'),
-        (1000.0, 1.0, 'give another mesh_unit. With mesh_unit = "mm" it would measure 8.5 m'),
-        (1.0, 1000.0, 'give another mesh_unit. With mesh_unit = "m" it would measure 8.5 m'),
-        (0.001, None, 'With mesh_unit = "km" it would measure 8.5 m'),
+        (1000.0, None, 'With mesh_unit = "mm" (--unit) it would measure 8.5 m'),
+        (100.0, None, 'With mesh_unit = "cm" (--unit) it would measure 8.5 m'),
+        (1000.0, 1.0, 'give another mesh_unit (--unit). With mesh_unit = "mm" (--unit) it would measure 8.5 m'),
+        (1.0, 1000.0, 'give another mesh_unit (--unit). With mesh_unit = "m" (--unit) it would measure 8.5 m'),
+        (0.001, None, 'With mesh_unit = "km" (--unit) it would measure 8.5 m'),
         (1e-9, None, "No usual unit makes it a wall"),
     ],
 )
@@ -447,7 +447,7 @@ def test_inches_read_as_metres_are_suspected() -> None:
     inches = box(thickness=15.0, length=80.0, height=120.0, base=[0, 0, 0], density=DENSITY, name="wall")
     wanted = 'body "wall" measures 120 m at its longest and is about 15 m thick; is its unit right?'
     assert str(size_warning(inches)) == wanted
-    assert str(size_warning(inches, unit=1.0)) == wanted + ' With mesh_unit = "in" it would measure 3.048 m'
+    assert str(size_warning(inches, unit=1.0)) == wanted + ' With mesh_unit = "in" (--unit) it would measure 3.048 m'
     tower = box(thickness=8.0, length=8.0, height=45.0, base=[0, 0, 0], density=DENSITY, name="tower")
     assert size_warning(tower, unit=1.0) is None
 

@@ -80,12 +80,12 @@ def test_unit_up_and_element_of_a_mesh(tmp_path: Path) -> None:
 
 def test_a_wrong_unit_is_refused_with_the_likely_one_and_inches_are_suspected(tmp_path: Path) -> None:
     (tmp_path / "wall.obj").write_bytes(obj(*surfaces_of(solid_box((600.0, 4000.0, 4500.0)))))
-    with pytest.raises(GeometryError, match=r'measures 4500 m .* With mesh_unit = "mm" it would measure 4.5 m'):
+    with pytest.raises(GeometryError, match=r'4500 m .* With mesh_unit = "mm" \(--unit\) it would measure 4.5 m'):
         study(tmp_path, OF_MESH)
     (tmp_path / "wall.obj").write_bytes(obj(*surfaces_of(solid_box((15.0, 80.0, 120.0)))))
     (notice,) = of_bodies(study(tmp_path, OF_MESH))
     assert (notice.key, notice.where) == ("size-thick-in-unit", "bodies.w")
-    assert 'about 15 m thick; is its unit right? With mesh_unit = "in" it would measure 3.048 m' in notice.text
+    assert 'about 15 m thick; is its unit right? With mesh_unit = "in" (--unit) it would measure 3.048 m' in notice.text
 
 
 def test_several_bodies_of_several_densities(tmp_path: Path) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from itertools import product
 from pathlib import Path
 
@@ -151,3 +152,16 @@ def test_openings_are_measured_along_the_wall(tmp_path):
     assert len(doors) == 2
     assert [each.right - each.left for each in doors] == pytest.approx([1.2, 1.2])
     assert [each.top for each in doors] == pytest.approx([2.2, 2.2])
+
+
+@pytest.mark.parametrize("named", [True, False])
+@pytest.mark.parametrize("tower", [True, False])
+def test_a_model_on_its_side_is_asked_about_its_axis(tmp_path, named, tower) -> None:
+    """A house drawn with z up, and read with y up: by what its parts are called, or by floors thicker than walls."""
+    house = House(storeys=2, chimney=True, tower=tower).parts()
+    parts = house if named else [replace(part, name=f"body {number}") for number, part in enumerate(house)]
+    file = write_groups(tmp_path / "house.obj", parts)
+    keys = ("lying-by-names", "lying-by-thickness")
+    upright = [each.key for each in assess.read_building(file).warnings if each.key in keys]
+    lying = [each.key for each in assess.read_building(file, up="y").warnings if each.key in keys]
+    assert (upright, lying) == ([], [keys[0] if named else keys[1]])

@@ -152,7 +152,7 @@ def test_once_filled_in_it_runs(drawn, tmp_path) -> None:
     assert any(each.outcome.value == "pass" for each in results.verdict.mechanisms)
     spanning = [each for each in results.verdict.mechanisms if "bending" in each.mechanism]
     assert spanning
-    assert all(any("only if the top of" in str(said) for said in each.conditions) for each in spanning)
+    assert all(any("is held at its top and at its foot" in str(said) for said in each.conditions) for each in spanning)
 
 
 def test_shells_of_one_object_become_meshes_of_their_own(tmp_path) -> None:

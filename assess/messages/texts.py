@@ -39,7 +39,7 @@ UNCERTAINTY_TEXTS: Mapping[str, str] = {
     "fragility-hollow": "runs at scale factors above 4: {runs}, up to {largest}; motions scaled so far may not "
     "resemble strong earthquakes",
     "fragility-uncertain": "each record met a wall of its own, with sampled values of {keys}: the dispersion holds "
-    "what is not known of these, which `epistemic` must not hold again",
+    "what is not known of these, which the epistemic dispersion must not hold again",
     "fragility-long-periods": "{measure} needs periods up to {period}, beyond those to which {records} can be used",
     "fragility-no-events": "records that name no earthquake: {number}; each counts as an earthquake of its own, "
     "and intervals may be too narrow",

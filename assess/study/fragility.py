@@ -523,8 +523,9 @@ def _mechanism_notes(
     if vibrates(mechanism.variants.deciding) and any(state.name == "rocking" for state in question.states):
         yield note("fragility-no-threshold", where)
     if question.uncertain and study.sampling is not None:
-        keys = ", ".join(number.input.key for number in study.sampling.numbers if mechanism.name in number.mechanisms)
-        yield note("fragility-uncertain", where, keys=keys)
+        own = [each.input.key for each in study.sampling.numbers if mechanism.name in each.mechanisms]
+        if keys := ", ".join(key for key in own if not key.startswith("site.")):  # the motion is what curves are over
+            yield note("fragility-uncertain", where, keys=keys)
     large = runs.scale[runs.run & (np.nan_to_num(runs.scale) > LARGE_SCALE)]
     if large.size:
         largest = Quantity(float(large.max()), "ratio", 3)

@@ -280,6 +280,7 @@ class Section:
 
     level : 0 for a chapter, 1 for its parts
     mark : before the title: "3", "A", "M2"; "" for none
+    shares_page : whether one that starts a page may follow on another's, where it fits whole
     """
 
     title: Text
@@ -287,6 +288,7 @@ class Section:
     blocks: tuple[Block, ...]
     starts_page: bool = False
     mark: str = ""
+    shares_page: bool = False
 
 
 @dataclass(frozen=True)

@@ -12,7 +12,20 @@ from assess.messages.message import Quantity
 from assess.results import ContactSheet, HingeForceResult, LoadResult, MechanismResult, OscillatorResult, Results
 from reports import governing
 from reports.chapters.cells import BRANCHES, NONE, OUTCOMES
-from reports.document import Block, Cell, Column, Field, Figure, Prose, Section, Sheet, Table, nonempty, tabulate
+from reports.chapters.mechanism_page import left_for_annex
+from reports.document import (
+    Block,
+    Cell,
+    Column,
+    Field,
+    Figure,
+    Prose,
+    Section,
+    Sheet,
+    Table,
+    nonempty,
+    tabulate,
+)
 from reports.figures import capacity, sketch
 from reports.figures.sketch import SEEN_FROM_ABOVE, model_of_view
 from reports.language.texts import Listing, Phrase, Term, Text, Verbatim, quantity, say, say_count
@@ -268,6 +281,7 @@ def _sheets_section(results: Results, mechanism: MechanismResult, place: int) ->
     stem = file_stem(mechanism.name, place)
     blocks: list[Block] = [
         *_view(mechanism, stem),
+        *left_for_annex(results, mechanism, stem),
         parameters_table(mechanism, name=f"{stem}-parameters"),
         *nonempty(loads_table(mechanism, name=f"{stem}-loads")),
         *joint_blocks(mechanism, stem),

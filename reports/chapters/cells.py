@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+import re
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import replace
 
 from assess.codes.bases import BASES, IndexKind
 from assess.codes.check import Check, Family, Outcome, Reason
@@ -10,16 +12,19 @@ from assess.codes.histories import interval_figures, margin_figures, ratio_figur
 from assess.codes.procedures import PROCEDURES, family_of
 from assess.codes.question import Action, Missing, toml_lines
 from assess.codes.verdict import Answer, Decision, Index, MechanismVerdict, Override, Verdict
-from assess.messages.message import DIMENSIONS, Quantity
+from assess.messages.message import DIMENSIONS, Message, Quantity, message
+from assess.messages.texts import TEXTS
 from assess.results import MechanismResult, Results
 from reports import document, governing
 from reports.document import Block, Cell, Column, FileLines, OutcomeCell, Prose
 from reports.language.client_texts import CLIENT_TEXTS
+from reports.language.locale import Locale
 from reports.language.texts import Listing, Phrase, Term, Text, Verbatim, listing, names, quantity, say
 from reports.language.value_names import LOAD_KEY, LOAD_TITLES, key_words, value_word
-from reports.mechanisms import mechanism_list
+from reports.mechanisms import mechanism_list, mechanism_number
 from reports.project_values import project_text, split_key, starred_key
 
+NUMBER = re.compile(r"-?[0-9]+(?:\.[0-9]+)?")
 OVERTURNED, BEYOND = say("overturns"), say("beyond the spectrum")
 NO_ROCKING, NO_LASTING, NONE = say("does not rock"), say("no lasting rotation"), say("none")
 SLIDES = say("slides first")
@@ -370,14 +375,52 @@ def value_name(results: Results, key: str) -> Text:
     return say("{value} ({mechanisms})", value=name, mechanisms=mechanism_list(results, [owner])) if owner else name
 
 
-def override_text(results: Results, override: Override) -> Text:
-    """Return what the verdict hangs on, with the value in words."""
-    said = override.message
-    values = {
-        name: value_word(Verbatim(each.strip('"'))) if isinstance(each, str) else each
-        for name, each in said.values.items()
-    }
-    return Phrase(CLIENT_TEXTS[said.key].english, {**values, "key": value_name(results, override.key)})
+def override_texts(results: Results, verdict: Verdict) -> list[Text]:
+    """Return what the verdict hangs on, with values in words; what is the same for several mechanisms is said once."""
+    groups: dict[str, tuple[Phrase, list[Override]]] = {}
+    for each in verdict.overrides:
+        said = each.message
+        values = {
+            name: _stated_value(value) if isinstance(value, str) else value for name, value in said.values.items()
+        }
+        key = key_words(each.key)
+        phrase = Phrase(CLIENT_TEXTS[said.key].english, {**values, "key": key})
+        groups.setdefault(Locale().text(phrase), (phrase, []))[1].append(each)
+    return [
+        replace(phrase, values={**phrase.values, "key": _shared_name(results, same)})
+        for phrase, same in groups.values()
+    ]
+
+
+def _stated_value(text: str) -> Text:
+    """Return a value as the project states it: a number, one of the words to choose from, or its letters."""
+    bare = text.strip('"')
+    return quantity(float(bare)) if NUMBER.fullmatch(bare) else value_word(Verbatim(bare))
+
+
+def _shared_name(results: Results, same: Sequence[Override]) -> Text:
+    """Return what a value is called, with all mechanisms that have it alike."""
+    owners = [starred_key(results, each.key)[0] for each in same]
+    if len(same) == 1 or not all(owners):
+        return value_name(results, same[0].key)
+    return say("{value} ({mechanisms})", value=key_words(same[0].key), mechanisms=mechanism_list(results, owners))
+
+
+def condition_texts(results: Results, messages: Iterable[Message]) -> list[Text]:
+    """Return messages with numbers for the names of mechanisms; what is the same for several is said once."""
+    groups: dict[str, tuple[Message, list[str]]] = {}
+    known = {each.name for each in results.mechanisms}
+    for each in messages:
+        values = {gap: mechanism_number(results, v) if v in known else v for gap, v in each.values.items()}
+        is_told = each.key in TEXTS and values != each.values
+        said = message(each.key, values, severity=each.severity, where=each.where) if is_told else each
+        texts = [value for value in values.values() if isinstance(value, str)]
+        owners = [split_key(results, key)[0] for text in texts for key in text.split(", ")]
+        groups.setdefault(Locale().text(said), (said, []))[1].extend(filter(None, owners))
+    return [
+        say("{places}: {message}", places=mechanism_list(results, owners), message=said) if owners else said
+        for said, owners in groups.values()
+    ]
 
 
 def provisional_outcome(verdict: Verdict) -> list[Block]:

@@ -33,6 +33,7 @@ from reports.language.value_names import key_words
 from reports.mechanisms import (
     JOINT_MODELS,
     check_title,
+    mechanism_list,
     mechanism_number,
     mechanism_title,
     model_names,
@@ -52,25 +53,46 @@ def sections(
     building : the bodies of all mechanisms, None where its place among them is not drawn
     """
     case = tuple(represented_case(results, mechanism))
-    answers = answers_table(results, mechanism, name=f"{stem}-answers")
-    warnings = mechanism_warnings(results, mechanism)
-    pairs = _in_pairs([*_shape_figures(mechanism, stem, building), *_curve_figures(mechanism, stem)])
+    warnings, compact = _remarks(results, mechanism), has_compact_pages(results)
+    curves, parameters, answers = _curves_and_answers(results, mechanism, stem)
+    pairs = _in_pairs([*_shape_figures(mechanism, stem, building), *(() if compact else curves)])
     blocks: list[doc.Block] = [
         doc.Prose((description(mechanism), *case)),
         *verdict_summary(results, mechanism),
         *pairs[:1],
-        branch_parameters_table(results, mechanism, name=f"{stem}-page-parameters"),
-        *pairs[1:],
-        *doc.nonempty(answers),
+        *(() if compact else (parameters, *pairs[1:], *doc.nonempty(answers))),
         *governing_steps(results, mechanism),
         doc.Prose(tuple(_findings(results, mechanism))),
     ]
     if warnings:
         blocks += [doc.Prose((say("Remarks on this mechanism:"),)), doc.BulletList(warnings)]
     title, mark = Verbatim(mechanism_title(mechanism)), mechanism_number(results, mechanism.name)
-    return [
-        doc.Section(title, 0, tuple(block for block in blocks if block != doc.Prose(())), starts_page=True, mark=mark)
-    ]
+    shown = tuple(block for block in blocks if block != doc.Prose(()))
+    return [doc.Section(title, 0, shown, starts_page=True, mark=mark, shares_page=compact)]
+
+
+MOST_WITH_CURVES = 8
+"""Mechanisms up to which each has a page of its own, with parameters, curves and answers; of more annex A has them."""
+
+
+def has_compact_pages(results: Results) -> bool:
+    """Return whether two mechanisms may share a page, each drawn, with its steps to the number that decides."""
+    return len(results.mechanisms) > MOST_WITH_CURVES
+
+
+def left_for_annex(results: Results, mechanism: MechanismResult, stem: str) -> list[doc.Block]:
+    """Return the curves and answers of a mechanism whose page has no room for them; none of another."""
+    curves, _, answers = _curves_and_answers(results, mechanism, stem)
+    return [*_in_pairs(curves), *doc.nonempty(answers)] if has_compact_pages(results) else []
+
+
+def _curves_and_answers(
+    results: Results, mechanism: MechanismResult, stem: str
+) -> tuple[list[doc.Figure], doc.Table, doc.Table]:
+    """Return capacity curve and rotations over PGA, the parameters, and the answers of all methods."""
+    parameters = branch_parameters_table(results, mechanism, name=f"{stem}-page-parameters")
+    answers = answers_table(results, mechanism, name=f"{stem}-answers")
+    return list(_curve_figures(mechanism, stem)), parameters, answers
 
 
 def sketch_caption(mechanism: MechanismResult) -> Text:
@@ -124,6 +146,27 @@ def mechanism_warnings(results: Results, mechanism: MechanismResult) -> tuple[Me
     found = (each for each in results.warnings if each.severity != Severity.NOTE or each.key in HINGE_NOTES)
     own = {each.text: each for each in found if split_key(results, each.where)[0] == mechanism.name}
     return tuple(own.values())
+
+
+def _remarks(results: Results, mechanism: MechanismResult) -> tuple[Text, ...]:
+    """Return the warnings of a page; what several mechanisms share stands with the first of them, with all numbers."""
+    shown: list[Text] = []
+    earlier: list[str] = []
+    for each in mechanism_warnings(results, mechanism):
+        owners = [
+            one.name
+            for one in results.mechanisms
+            if any(other.text == each.text for other in mechanism_warnings(results, one))
+        ]
+        if len(owners) == 1:
+            shown.append(each)
+        elif owners[0] == mechanism.name:
+            shown.append(say("{places}: {message}", places=mechanism_list(results, owners), message=each))
+        else:
+            earlier.append(owners[0])
+    if earlier:
+        shown.append(say("see also the remarks on {mechanisms}", mechanisms=mechanism_list(results, earlier)))
+    return tuple(shown)
 
 
 def branch_parameters_table(results: Results, mechanism: MechanismResult, *, name: str) -> doc.Table:
@@ -181,6 +224,14 @@ def _shape_figures(mechanism: MechanismResult, stem: str, building: BuildingScen
         yield doc.Figure(f"{stem}-place", caption, partial(key_plan.draw_place, building, mechanism.name))
 
 
+def _curve_figures(mechanism: MechanismResult, stem: str) -> Iterator[doc.Figure]:
+    caption = say("Capacity curve: restoring moment over rotation, with the rotation φₒᵥ that overturns.")
+    yield doc.Figure(f"{stem}-capacity", caption, partial(capacity.draw_capacity, mechanism))
+    if mechanism.checks:
+        caption = say("Largest rotation over peak ground acceleration by each method; large markers: allowable.")
+        yield doc.Figure(f"{stem}-pga-rotation", caption, partial(comparison.draw_pga_rotation, mechanism))
+
+
 def _shape_caption(mechanism: MechanismResult) -> Text:
     turned = quantity(mechanism.drawing.displaced.rotation_rad, "rotation", 2)
     if mechanism.drawing.displaced_negative is None:
@@ -193,14 +244,6 @@ def _shape_caption(mechanism: MechanismResult) -> Text:
         "motion. Circles: hinges; crosses: centroids.",
         rotation=turned,
     )
-
-
-def _curve_figures(mechanism: MechanismResult, stem: str) -> Iterator[doc.Figure]:
-    caption = say("Capacity curve: restoring moment over rotation, with the rotation φₒᵥ that overturns.")
-    yield doc.Figure(f"{stem}-capacity", caption, partial(capacity.draw_capacity, mechanism))
-    if mechanism.checks:
-        caption = say("Largest rotation over peak ground acceleration by each method; large markers: allowable.")
-        yield doc.Figure(f"{stem}-pga-rotation", caption, partial(comparison.draw_pga_rotation, mechanism))
 
 
 def _findings(results: Results, mechanism: MechanismResult) -> Iterator[Text]:

@@ -31,7 +31,7 @@ def sections(results: Results) -> list[Section]:
     blocks: list[Block] = [
         *_failing(results, verdict),
         *_missing(results, verdict),
-        *_titled(say("To be shown, since a pass depends on it:"), list(verdict.conditions)),
+        *_titled(say("To be shown, since a pass depends on it:"), cells.condition_texts(results, verdict.conditions)),
         *_titled(say("To survey first:"), list(survey(results, verdict))),
         *_titled(say("To examine next:"), list(_next_checks(results))),
     ]

@@ -11,7 +11,6 @@ from assess.codes.sliding import SLIDING
 from assess.messages.message import Message
 from assess.results import MechanismResult, Results
 from reports.chapters import verdict
-from reports.chapters.cells import missing_texts
 from reports.document import Block, BulletList, Column, Field, Prose, Section, Table, nonempty, tabulate
 from reports.language.texts import Paragraph, Phrase, Term, Text, Verbatim, listing, quantity, say, say_count
 from reports.mechanisms import deformable_joints, mechanism_list, mechanism_number, procedure_title
@@ -296,18 +295,13 @@ def _limits_of_equation(results: Results) -> Iterator[Text]:
 
 
 def _left_over(results: Results) -> Iterator[Block]:
-    """Yield conditions, missing inputs and warnings in full where page 1 shows only the first of them."""
+    """Yield in full the lists of which page 1 shows only the first points."""
     found = results.verdict
     if found is None:
         return
-    lists: tuple[tuple[Text, list[Text]], ...] = (
-        (say("All conditions of the verdict:"), verdict.conditions(results, found)),
-        (say("All that is missing:"), missing_texts(results, found)),
-        (say("All warnings that bear on the verdict:"), verdict.warnings(results)),
-    )
-    for title, points in lists:
-        if verdict.is_shortened(points):
-            yield from (Prose((title,)), BulletList(tuple(points)))
+    for each in verdict.page_lists(results, found):
+        if each.is_shortened:
+            yield from (Prose((each.full_title,)), BulletList(tuple(each.points)))
 
 
 def _uncompared(results: Results) -> Iterator[Block]:

@@ -32,7 +32,7 @@ from reports.language.value_names import key_words, parameter_rows
 from reports.mechanisms import mechanism_list, numbered_title, procedure_title
 from reports.project_values import project_text, split_key
 
-MAX_POINTS = 6  # points of a list; page 1 holds no more
+MAX_POINTS = 4  # points of a list; page 1 holds no more
 
 LIMIT_STATES: Mapping[str, Phrase] = {
     "SLV": say("SLV (life safety)"),
@@ -73,18 +73,61 @@ def sections(results: Results) -> list[Section]:
     if verdict is None:
         words = say("These results hold no verdict: they were made by an older version of the program.")
         return [Section(say("Verdict"), 0, (Prose((words,)),))]
+    held, helping, missing, warned = map(_short_list, page_lists(results, verdict))
     blocks: list[Block] = [
         Banner(
             verdict.outcome.value, headline(verdict), verdict.at_the_limit and verdict.outcome != Decision.INCOMPLETE
         ),
         Facts(tuple(_basis_facts(results, verdict))),
-        *_short_list(say("The verdict is subject to these conditions:"), conditions(results, verdict)),
-        *_short_list(_hangs_on(verdict), [cells.override_text(results, each) for each in verdict.overrides]),
-        *_missing(verdict, results),
-        *_short_list(say("Warnings that bear on the verdict:"), warnings(results)),
+        *held,
+        *helping,
+        *missing,
+        *(cells.provisional_outcome(verdict) if missing else ()),
+        *warned,
         matrix(results, verdict),
     ]
     return [Section(say("Verdict"), 0, tuple(blocks))]
+
+
+@dataclass(frozen=True)
+class PageList:
+    """A list of page 1. title, full_title : there and where all of it is shown; most : points that page 1 shows."""
+
+    title: Text
+    full_title: Text
+    points: Sequence[Text]
+    most: int = MAX_POINTS
+
+    @property
+    def is_shortened(self) -> bool:
+        """Whether page 1 shows only the first points: a single one more has room."""
+        return len(self.points) > self.most + 1
+
+
+def page_lists(results: Results, verdict: Verdict) -> tuple[PageList, ...]:
+    """Return the lists of page 1: conditions, what the verdict hangs on, what is missing, warnings."""
+    is_open = verdict.outcome == Decision.INCOMPLETE
+    lists = (
+        PageList(
+            say("The verdict is subject to these conditions:"),
+            say("All conditions of the verdict:"),
+            conditions(results, verdict),
+        ),
+        PageList(_hangs_on(verdict), _hangs_on(verdict), cells.override_texts(results, verdict)),
+        PageList(
+            say("What is missing:"),
+            say("All that is missing:"),
+            cells.missing_texts(results, verdict) if is_open else [],
+        ),
+    )
+    shown = sum(min(len(each.points), MAX_POINTS + 1) for each in lists)
+    warned = PageList(
+        say("Warnings that bear on the verdict:"),
+        say("All warnings that bear on the verdict:"),
+        warnings(results),
+        max(2, 2 * MAX_POINTS - shown),
+    )
+    return (*lists, warned)
 
 
 def headline(verdict: Verdict) -> Text:
@@ -108,7 +151,10 @@ def _hangs_on(verdict: Verdict) -> Text:
 
 def conditions(results: Results, verdict: Verdict) -> list[Text]:
     """Return on what the verdict depends: what is still to be shown, and what the project vouches for."""
-    return [*verdict.conditions, *(cells.stated_premises(results) if verdict.basis else ())]
+    return [
+        *cells.condition_texts(results, verdict.conditions),
+        *(cells.stated_premises(results) if verdict.basis else ()),
+    ]
 
 
 def action_text(results: Results, verdict: Verdict) -> Text:
@@ -137,15 +183,11 @@ def warnings(results: Results) -> list[Text]:
     return [_placed(results, same) for same in found.values()]
 
 
-def is_shortened(points: Sequence[Text]) -> bool:
-    """Return whether page 1 shows only the first of these points."""
-    return len(points) > MAX_POINTS + 1
-
-
 ZETA = "zeta_E"
 ZETA_DEFINITION = say("ζ_E is the PGA at capacity over the PGA required, both as a_g S at the ground (NTC 2018, 8.3).")
 LEAST_RATIO = 0.001  # ratio that is written as a number
 MAX_COLUMNS = 8  # columns that can be read on a page
+MAX_ROWS = 8  # mechanisms up to which a row has two lines
 
 
 @dataclass(frozen=True)
@@ -169,7 +211,9 @@ def matrix(results: Results, verdict: Verdict) -> Table:
     """Tabulate mechanism by answer: the deciding one in the colour of its outcome, the others in grey."""
     has_index = verdict.index is not None and verdict.index.name != cells.DEMAND_CAPACITY
     shown, folded = _split_methods(_answering_methods(results), verdict, MAX_COLUMNS - 3 - has_index)
-    columns = [Column(say("Mechanism"), share=0.2), Column(say("Verdict")), Column(say("Holds up to PGA"))]
+    is_long = len(verdict.mechanisms) > MAX_ROWS
+    columns = [Column(say("Mechanism"), share=0.37 if is_long else 0.2), Column(say("Verdict"))]
+    columns += [Column(say("Holds up to PGA"))]
     columns += [Column(cells.index_symbol(verdict.index.name))] if has_index and verdict.index is not None else []
     columns += [Column(say("D/C, {method}", method=method.title)) for method in shown]
     columns += [Column(say("Largest D/C of the other methods"))] if folded else []
@@ -180,7 +224,7 @@ def matrix(results: Results, verdict: Verdict) -> Table:
             (
                 numbered_title(results, one.mechanism),
                 OutcomeCell(one.outcome.value, cells.outcome_text(one.outcome, near=one.at_the_limit)),
-                cells.margin_text(one, verdict.action),
+                _held_text(one, verdict, has_index=has_index),
                 *((_index_cell(one),) if has_index else ()),
                 *(mechanism and _method_cell(results, mechanism, one, method) for method in shown),
                 *((mechanism and _least_favourable_cell(results, mechanism, folded),) if folded else ()),
@@ -310,14 +354,6 @@ def _with_works(results: Results, target: Text) -> Text:
     return target if works is None else say("{target} ({works})", target=target, works=works)
 
 
-def _missing(verdict: Verdict, results: Results) -> list[Block]:
-    """Return what would complete the verdict, and what it would be with the safe values."""
-    if verdict.outcome != Decision.INCOMPLETE or not verdict.missing:
-        return []
-    blocks = _short_list(say("What is missing:"), cells.missing_texts(results, verdict))
-    return [*blocks, *cells.provisional_outcome(verdict)]
-
-
 def _remarks(results: Results) -> Iterator[Message]:
     for mechanism in results.mechanisms:
         deciding = (check for check in mechanism.checks if check.role == "deciding")
@@ -340,18 +376,18 @@ def _owner(results: Results, where: str) -> str:
     return where if named else split_key(results, where)[0]
 
 
-def _short_list(title: Text, points: Sequence[Text]) -> list[Block]:
+def _short_list(shown: PageList) -> list[Block]:
     """Return a list under its title; of a long one the first points, and how many there are besides."""
-    if not points:
+    if not shown.points:
         return []
-    if not is_shortened(points):
-        return [Prose((title,)), BulletList(tuple(points))]
+    if not shown.is_shortened:
+        return [Prose((shown.title,)), BulletList(tuple(shown.points))]
     rest = say_count(
         "and {number} other, under Scope and limits",
         "and {number} others, under Scope and limits",
-        len(points) - MAX_POINTS,
+        len(shown.points) - shown.most,
     )
-    return [Prose((title,)), BulletList((*points[:MAX_POINTS], rest))]
+    return [Prose((shown.title,)), BulletList((*shown.points[: shown.most], rest))]
 
 
 def _matrix_caption(verdict: Verdict) -> Text:
@@ -393,6 +429,13 @@ def _method_rank(method: MethodColumn, verdict: Verdict) -> int:
     if method.procedure in verdict.methods:
         return 1
     return 2 if method.procedure.startswith(f"{verdict.basis}-") else 3
+
+
+def _held_text(mechanism_verdict: MechanismVerdict, verdict: Verdict, *, has_index: bool) -> Text | None:
+    """Return up to which PGA a mechanism holds, with the factor on the site's own where no index beside it has that."""
+    if mechanism_verdict.margin is None or not has_index:
+        return cells.margin_text(mechanism_verdict, verdict.action)
+    return cells.capacity_pga_text(mechanism_verdict, mechanism_verdict.margin, verdict.action)
 
 
 def _method_cell(

@@ -10,7 +10,7 @@ from collections.abc import Mapping
 
 from assess.codes.procedures import PROCEDURES
 from reports.language.texts import Phrase, Text, listing, say
-from reports.language.value_names import key_words
+from reports.language.value_names import VALUE_WORDS, key_words
 
 CLIENT_TEXTS: Mapping[str, Phrase] = {
     "above-building": say("the supports of the mechanism are {height} above the ground, higher than the building"),
@@ -184,7 +184,9 @@ _KEY = re.compile(
 
 
 def client_value(text: str) -> Text | None:
-    """Return the words for a list of keys of the project file or of methods; None for another text."""
+    """Return the words for a value to choose from, for keys of the project file or methods; None for another text."""
+    if text in VALUE_WORDS:
+        return VALUE_WORDS[text]
     items = text.split(", ")
     if all(each in PROCEDURES for each in items):
         return listing(PROCEDURES[each].title for each in items)

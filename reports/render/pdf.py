@@ -34,11 +34,13 @@ from reportlab.platypus import Table as Grid
 from reports.document import (
     Banner,
     Block,
+    BulletList,
     Document,
     Facts,
     Figure,
     FigureRow,
     Photograph,
+    Prose,
     Section,
     Sheet,
     Signatures,
@@ -106,15 +108,22 @@ class Story:
             before = len(self.blocks.placed)
             parts = list(self._parts(first, end))
             if first:
-                yield PageStart(self.pages.height, parts, self.blocks.placed[before:])
-            yield from self._placed(parts, parts if first else parts[: len(sections[0].blocks)])
+                yield PageStart(
+                    self.pages.height, parts, self.blocks.placed[before:], shares=sections[first].shares_page
+                )
+            share = 0.5 * self.pages.height if sections[first].shares_page else 0.0
+            yield from self._placed(parts, parts if first else parts[: len(sections[0].blocks)], share)
 
-    def _placed(self, parts: Sequence[PagePart], page: Sequence[PagePart]) -> Iterator[Flowable]:
-        """Yield what the parts put into the story, the first ones, of one heading, on a page where they can be."""
+    def _placed(self, parts: Sequence[PagePart], page: Sequence[PagePart], share: float) -> Iterator[Flowable]:
+        """Yield what the parts put into the story, the first ones, of one heading, on a page where they can be.
+
+        share : height that they are to have with their heading, as far as they can [pt]; 0 for all of the page
+        """
         heads = [each for part in page for each in part.flowables if isinstance(each, Heading)]
         if len(heads) == 1 and page[0].flowables[0] is heads[0]:
             yield heads[0]
-            yield OnePage([replace(page[0], flowables=page[0].flowables[1:]), *page[1:]])
+            most = share - heads[0].wrap(self.pages.width, self.pages.height)[1] - _AROUND_HEADING if share else 0.0
+            yield OnePage([replace(page[0], flowables=page[0].flowables[1:]), *page[1:]], most)
             parts = parts[len(page) :]
         for part in parts:
             yield from part.place()
@@ -131,7 +140,10 @@ class Story:
                     yield PagePart(held, is_whole=True)
                     held = []
                 continue
-            for block in section.blocks:
+            for block, after in zip(section.blocks, (*section.blocks, None)[1:], strict=True):
+                if isinstance(block, Prose) and isinstance(after, BulletList) and len(block.paragraphs) == 1:
+                    held += self.blocks.flowables(block)  # the title of a list
+                    continue
                 yield PagePart(
                     [*held, *self.blocks.flowables(block)],
                     _is_whole(block),
@@ -167,9 +179,11 @@ class Story:
 
 ROOM_TO_BEGIN = 24 * mm
 """What a heading and its first lines, or a table after its first row, need on a page, or go to the next."""
-_LEAST_LEFT = 0.75  # share of a page below which a section that asks for a page begins a new one
+_LEAST_LEFT = 0.67  # share of a page below which a section that asks for a page begins a new one
 _SMALLEST_FIGURE = 0.7  # reduction of figures
 _PAGE_SIZES = (0.97, 0.94, 0.91, 0.88, 0.85, 0.82, 0.79)  # to which a page is set that is to hold all of its parts
+_SHARED_FIGURE = 0.7  # reduction of figures of what shares a page
+_AROUND_HEADING = 14.0  # above and below the heading of a part of a page [pt]
 _SLACK = 8.0  # of a page that is filled to its end: spaces that the parts put between each other [pt]
 
 
@@ -210,35 +224,35 @@ class PageUnlessRoom(CondPageBreak):
 
 
 class PageStart(CondPageBreak):
-    """Begins a page, unless this one is nearly empty.
+    """Begins a page, unless this one is nearly empty, or has room for all parts and may be shared.
 
     Where the parts after it need a little more than the page, their figures are reduced until it has room for all.
     """
 
-    def __init__(self, page: float, parts: Sequence[PagePart], drawings: Sequence[PlacedFigure]) -> None:
+    def __init__(
+        self, page: float, parts: Sequence[PagePart], drawings: Sequence[PlacedFigure], *, shares: bool
+    ) -> None:
         super().__init__(_LEAST_LEFT * page)
-        self.page, self.drawings = page, drawings
+        self.page, self.drawings, self.shares = page, drawings, shares
+        self.largest = _SHARED_FIGURE if shares else 1.0  # of figures
         self.flowables = list(chain.from_iterable(part.flowables for part in parts))
 
     def wrap(self, aW: float, aH: float) -> tuple[float, float]:
-        if aH >= self.height and self._needs_a_page(aW, aH):
-            self.height = self.page
+        if self.shares:
+            least = _PAGE_SIZES[-1] * self._height(aW, _SMALLEST_FIGURE, self.page)
+            self.height = min(self.height, least + _SLACK)
         if self.drawings:
             self._reduce(aW, (self.page if aH < self.height else aH) - _SLACK)
         width, height = super().wrap(aW, aH)
         return float(width), float(height)
 
-    def _needs_a_page(self, width: float, room: float) -> bool:
-        """Return whether all parts fit on a page of their own and not on what is left of this one."""
-        return room < self._height(width, _SMALLEST_FIGURE, 1.5 * self.page) <= self.page
-
     def _reduce(self, width: float, room: float) -> None:
-        whole = self._height(width, 1.0, 1.5 * room)
+        whole = self._height(width, self.largest, 1.5 * room)
         if whole <= room or whole > 1.5 * room:
             return
         least = self._height(width, _SMALLEST_FIGURE, 1.5 * room)
         share = (room - least) / (whole - least) if least <= room and least < whole else 1.0
-        self._set(_SMALLEST_FIGURE + (1 - _SMALLEST_FIGURE) * share)
+        self._set(_SMALLEST_FIGURE + (self.largest - _SMALLEST_FIGURE) * share)
 
     def _height(self, width: float, reduction: float, limit: float) -> float:
         """Return the height of all parts [pt] with figures so reduced; some value beyond `limit` where it is higher."""
@@ -251,19 +265,25 @@ class PageStart(CondPageBreak):
 
 
 class OnePage(Flowable):
-    """What belongs on the rest of a page, set smaller where it needs that; as it comes where that is not enough."""
+    """What belongs on the rest of a page, set smaller where it needs that; as it comes where that is not enough.
 
-    def __init__(self, parts: Sequence[PagePart]) -> None:
+    share : height to which it is set where it can be, for another to follow on the page [pt]; 0 for none
+    """
+
+    def __init__(self, parts: Sequence[PagePart], share: float = 0.0) -> None:
         super().__init__()
-        self.parts = parts
+        self.parts, self.share = parts, share
         self.flowables = list(chain.from_iterable(part.flowables for part in parts))
 
     def wrap(self, aW: float, aH: float) -> tuple[float, float]:
-        for self.scale in (1.0, *_PAGE_SIZES):
-            width, room = aW / self.scale, aH / self.scale
-            self.size = width, _stacked_height(self.flowables, width, 1.5 * room) + _SLACK
-            if self.size[1] <= room or self.size[1] * self.scale > aH / _PAGE_SIZES[-1]:
-                break
+        for most in (self.share, aH) if 0.0 < self.share < aH else (aH,):
+            for self.scale in (1.0, *_PAGE_SIZES):
+                width, room = aW / self.scale, most / self.scale
+                self.size = width, _stacked_height(self.flowables, width, 1.5 * room) + _SLACK
+                if self.size[1] <= room:
+                    return aW, self.size[1] * self.scale
+                if self.size[1] * self.scale > most / _PAGE_SIZES[-1] ** 2:  # wider lines are fewer, too
+                    break
         return aW, self.size[1] * self.scale
 
     def split(self, aW: float, aH: float) -> list[Flowable]:

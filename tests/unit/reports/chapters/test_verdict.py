@@ -9,10 +9,11 @@ import pytest
 
 from assess.codes.question import Missing
 from assess.codes.verdict import Decision, Index, Override
-from assess.messages.message import Message, Severity, warning
+from assess.messages.message import Message, Quantity, Severity, note, warning
 from assess.results import ChecklistItem, ReportMatter, ResolvedValue, Results
-from reports.chapters import annex_inputs, recommendations, scope, site, verdict
+from reports.chapters import annex_inputs, cells, recommendations, scope, site, verdict
 from reports.document import Banner, FileLines
+from reports.language.locale import Locale
 from tests.support.letters import letters, lines, text_of
 from tests.support.sample_results import with_verdict
 
@@ -159,7 +160,7 @@ def test_what_passes_asks_for_nothing(results: Results) -> None:
 def test_many_conditions_are_all_in_the_report(results: Results) -> None:
     many = with_verdict(results, conditions=tuple(map(condition, range(20))))
     first, rest = lines(verdict.sections(many)), lines(scope.sections(many))
-    assert "and 14 others, under Scope and limits" in first
+    assert "and 16 others, under Scope and limits" in first
     assert all(f"condition {number} is shown to hold" in rest for number in range(20))
 
 
@@ -169,13 +170,27 @@ def test_what_the_project_vouches_for_counts_among_the_conditions(results: Resul
     last = replace(results.mechanisms[1], loads=(tied,))
     several = replace(results, mechanisms=(results.mechanisms[0], last))
     many = with_verdict(several, conditions=tuple(map(condition, range(6))))
-    assert "and 2 others, under Scope and limits" in text_of(verdict.sections(many))
+    assert "and 4 others, under Scope and limits" in text_of(verdict.sections(many))
     assert "have the seats that the project gives" in text_of(scope.sections(many))
 
 
 def test_a_list_is_not_shortened_by_one_point(results: Results) -> None:
-    seven = with_verdict(results, conditions=tuple(map(condition, range(7))))
-    assert sum("is shown to hold" in line for line in lines(verdict.sections(seven))) == 7
+    five = with_verdict(results, conditions=tuple(map(condition, range(5))))
+    assert sum("is shown to hold" in line for line in lines(verdict.sections(five))) == 5
+
+
+def test_one_condition_of_several_mechanisms_is_one_line_with_their_numbers(results: Results) -> None:
+    """Keys of the mechanisms within it become words, which are the same for both."""
+    held = (note("not-drawn", keys=f"mechanisms.{each.name}.p") for each in results.mechanisms)
+    (said,) = [
+        line for line in lines(verdict.sections(with_verdict(results, conditions=tuple(held)))) if "drawn" in line
+    ]
+    assert said.startswith("all mechanisms: a pass is valid only if these are as stated")
+    assert said.endswith(": Frequency parameter p")
+    (top,) = cells.condition_texts(
+        results, [note("top-held", mechanism=results.mechanisms[1].name, force=Quantity(5e3, "force"))]
+    )
+    assert "the top of M2 is held" in Locale().text(top)
 
 
 def test_one_warning_of_several_mechanisms_is_one_line_with_their_numbers(results: Results) -> None:

@@ -295,11 +295,33 @@ def test_a_section_that_asks_for_it_begins_a_page_unless_the_page_is_nearly_empt
     no_head: dict[str, Any] = {"facts": (), "logo": None, "title": Verbatim("t")}
     assert ["Asking" in page for page in pages_of(write(tmp_path, much, asks, **no_head))] == [False, True]
     assert ["Asking" in page for page in pages_of(write(tmp_path, little, asks, **no_head))] == [True]
-    whole = section(
-        Prose((Verbatim("a line"),) * 42), title="Asking", starts_page=True
-    )  # a page, but not the rest of one
+    whole = section(Prose((Verbatim("a line"),) * 42), title="Asking", starts_page=True)  # more than is left
     pages = pages_of(write(tmp_path, little, whole, **no_head))
-    assert [(("Asking" in page), page.count("a line")) for page in pages] == [(False, 2), (True, 42)]
+    assert "Asking" in pages[0]  # no page is left nearly empty
+    assert sum(page.count("a line") for page in pages) == 44
+
+
+def test_a_section_that_may_share_a_page_follows_where_it_fits_whole(tmp_path: Path) -> None:
+    """Each has a good third of a page: several follow on a page, and none is divided."""
+    names = [f"Part {place}" for place in "ABCD"]
+    first = section(Prose((Verbatim("a line"),) * 30))
+    parts = [section(*[Prose((Verbatim(WORDS),))] * 9, title=name, starts_page=True) for name in names]
+    alone = pages_of(write(tmp_path, first, first, *parts))
+    shared = pages_of(write(tmp_path, first, first, *(replace(each, shares_page=True) for each in parts)))
+    found = [[sum(name in page for name in names) for page in pages[-4:]] for pages in (alone, shared)]
+    assert found[0] == [1, 1, 1, 1]
+    assert max(found[1][-2:]) > 1
+    assert len(shared) < len(alone)
+    assert all(page.count(WORDS[:30]) % 27 == 0 for page in shared)  # three in a paragraph, nine paragraphs
+
+
+def test_the_title_of_a_list_stays_with_it(tmp_path: Path) -> None:
+    listed = (Prose((Verbatim("What follows:"),)), BulletList((Verbatim(WORDS),) * 2))
+    for rows in range(20, 60):
+        texts = tuple(Verbatim("a line of its own") for _ in range(rows))
+        pages = pages_of(write(tmp_path, section(Prose(texts), *listed)))
+        page = next(each for each in pages if "What follows:" in each)
+        assert WORDS[:30] in page
 
 
 def test_figures_give_way_where_a_page_has_nearly_room_for_all(tmp_path: Path) -> None:

@@ -188,7 +188,15 @@ def test_one_condition_of_several_mechanisms_is_one_line_with_their_numbers(resu
     assert said.startswith("all mechanisms: a pass is valid only if these are as stated")
     assert said.endswith(": Frequency parameter p")
     (top,) = cells.condition_texts(
-        results, [note("top-held", mechanism=results.mechanisms[1].name, force=Quantity(5e3, "force"))]
+        results,
+        [
+            note(
+                "top-held",
+                mechanism=results.mechanisms[1].name,
+                foot=Quantity(2e3, "force"),
+                force=Quantity(5e3, "force"),
+            )
+        ],
     )
     assert "the top of M2 is held" in Locale().text(top)
 

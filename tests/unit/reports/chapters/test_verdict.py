@@ -198,7 +198,7 @@ def test_one_condition_of_several_mechanisms_is_one_line_with_their_numbers(resu
             )
         ],
     )
-    assert "the top of M2 is held" in Locale().text(top)
+    assert "M2 is held at its top" in Locale().text(top)
 
 
 def test_one_warning_of_several_mechanisms_is_one_line_with_their_numbers(results: Results) -> None:

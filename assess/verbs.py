@@ -35,8 +35,8 @@ if TYPE_CHECKING:
     from assess.results import Results
     from assess.results.fragility import FragilityResults
     from assess.study.block import Block
-    from assess.study.histories import RockingResponse
     from assess.study.motions import Motions
+    from assess.study.response import RockingResponse
     from assess.study.study import Progress, Study
     from records.pulses import PulseShape
     from records.record import Record
@@ -84,8 +84,8 @@ def respond(
     MechanismError : the mechanism stands only by ties or forces that are not shown to last
     RecordError : something is not one horizontal record of finite samples, or the scale is no finite number
     """
-    from assess.study.histories import respond_at_worst_rebound
     from assess.study.motions import Motions
+    from assess.study.response import respond_at_worst_rebound
     from records.errors import RecordError
     from records.record import Record as Known
     from records.record import is_vertical
@@ -131,7 +131,7 @@ def envelope(
     -------
     The outcome of each pulse [n, m], and at each frequency the least amplitude that overturns [n] [m/s2]
     """
-    from assess.study.histories import find_envelope as find
+    from assess.study.envelopes import find_envelope as find
 
     _check_block(block)
     _check_jobs(jobs)

@@ -72,11 +72,11 @@ def _artificial_records() -> None:
 @pytest.fixture(scope="session", autouse=True)
 def _eight_twins() -> Generator[FloatArray]:
     """Run histories of this process with two of their eight twins; what is about twins asks for `all_twins`."""
-    from assess.study import histories
+    from assess.study import level_peaks
 
-    every = histories.TWIN_FACTORS
+    every = level_peaks.TWIN_FACTORS
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(histories, "TWIN_FACTORS", every[: histories.OUTER_TWINS.stop])
+        patch.setattr(level_peaks, "TWIN_FACTORS", every[: level_peaks.OUTER_TWINS.stop])
         yield every
 
 
@@ -84,7 +84,7 @@ def _eight_twins() -> Generator[FloatArray]:
 def all_twins(_eight_twins: FloatArray) -> Generator[None]:
     """Run histories with their eight twins, as the program does."""
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("assess.study.histories.TWIN_FACTORS", _eight_twins)
+        patch.setattr("assess.study.level_peaks.TWIN_FACTORS", _eight_twins)
         yield
 
 

@@ -155,7 +155,7 @@ def envelope(
     from assess.outputs.manifest import ENVELOPES
     from assess.project.build import build
     from assess.results.json import dumps, dumps_envelopes
-    from assess.study.run import run_envelopes
+    from assess.study.envelopes import run_envelopes
     from assess.workers import available_cores, process_pool
 
     expected = (ENVELOPES, "envelopes.pdf", "envelopes.html", "tables.xlsx")

@@ -28,9 +28,7 @@ from assess.results.mechanism import MechanismResult
 from assess.study.amplification import MechanismAmplification
 from assess.study.checks import checks_of, context_of, with_histories
 from assess.study.histories import (
-    RockingCase,
     RockingHistories,
-    Solved,
     further_levels,
     mechanism_histories,
     rocking_case,
@@ -40,6 +38,7 @@ from assess.study.histories import (
     with_governing_trace,
     without_runs,
 )
+from assess.study.level_peaks import RockingCase, Solved
 from assess.study.mechanism_results import amplification_result, mechanism_result
 from assess.study.study import Progress, ScaledRecord, Study
 from assess.workers import available_cores

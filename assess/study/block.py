@@ -42,14 +42,10 @@ from assess.results import OscillatorResult
 from assess.short_repr import html_table
 from assess.study.amplification import NOT_AMPLIFIED, GroundLevel, HeightAboveGround, find_height, lowest_body_elevation
 from assess.study.assessment import check_mechanism
-from assess.study.histories import (
-    RockingCase,
-    RockingHistories,
-    check_record,
-    mechanism_histories,
-    without_runs,
-)
+from assess.study.histories import RockingHistories, mechanism_histories, without_runs
+from assess.study.level_peaks import RockingCase
 from assess.study.mechanism_results import oscillator_result, rigid_branches
+from assess.study.response import check_record
 from assess.study.study import Fitting, FragilityQuestion, ScaledRecord, Study
 from assess.study.suites import ALL_PERIODS, motions_of, suite_faults
 from records.errors import RecordError

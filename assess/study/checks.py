@@ -36,9 +36,7 @@ from assess.messages.message import Message, Quantity, Severity, Value, message
 from assess.oscillator import BranchName, Oscillator
 from assess.results import MechanismResult
 from assess.study.amplification import NOT_AMPLIFIED, MechanismAmplification
-from assess.study.histories import (
-    RockingHistories,
-)
+from assess.study.histories import RockingHistories
 from assess.study.mechanism_results import unsupported_messages
 from assess.study.study import ScaledRecord, Study, may_follow_motion
 from records.record import Record, scale

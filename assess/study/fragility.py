@@ -44,6 +44,7 @@ from assess.risk.exports import (
     pelicun_text,
 )
 from assess.short_repr import ShortRepr
+from assess.study.envelopes import MOST_RECORDS_NAMED, coarse_record_messages, envelope_cases, envelope_messages
 from assess.study.fragility_curves import (
     Origins,
     compare_measure,
@@ -70,8 +71,8 @@ from assess.study.fragility_runs import (
     run_once,
 )
 from assess.study.fragility_union import NamedRuns, find_union
-from assess.study.histories import RockingCase, vibrates
-from assess.study.run import MOST_RECORDS_NAMED, coarse_record_messages, envelope_cases, envelope_messages
+from assess.study.histories import vibrates
+from assess.study.level_peaks import RockingCase
 from assess.study.study import FragilityQuestion, Progress, ScaledRecord, Study, no_progress
 from assess.study.suites import motions_of
 from assess.study.uncertainty import sobol_points, values_at_point

@@ -24,7 +24,7 @@ from assess.results.fragility import (
     StateResult,
 )
 from assess.short_repr import ShortRepr
-from assess.study.histories import RockingCase, run_variants, variant_solver
+from assess.study.level_peaks import RockingCase, run_variants, variant_solver
 from assess.study.study import AVERAGE_PERIODS, FragilityQuestion
 from records.record import Record
 from records.response import pgv, response_spectrum

@@ -38,7 +38,8 @@ from assess.results import Control, HistoryResult
 from assess.short_repr import ShortRepr
 from assess.study.amplification import MechanismAmplification
 from assess.study.controls import control_not_made, make_control
-from assess.study.histories import fastest_vibration, history_severity, with_restitution_factor
+from assess.study.histories import fastest_vibration, history_severity
+from assess.study.level_peaks import with_restitution_factor
 from assess.study.study import ScaledRecord
 from records.record import Record, make_record
 from spectra.arrays import BoolArray, FloatArray

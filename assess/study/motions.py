@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from assess.study.histories import RockingResponse
+from assess.study.response import RockingResponse
 
 if TYPE_CHECKING:
     from pandas import DataFrame

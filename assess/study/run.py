@@ -11,29 +11,18 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
-from functools import partial
 
-import numpy as np
-from numpy.typing import NDArray
-
-from assess.amplification import pulse_factor
 from assess.codes.check import BuildingState, Check
 from assess.codes.context import Context
 from assess.codes.procedures import pga_rules, uses_histories
 from assess.codes.question import Question, methods_of
 from assess.codes.verdict import Verdict
-from assess.dynamics.packing import Equation
-from assess.dynamics.pulses import CriticalMechanism, Envelope, envelope, find_critical
 from assess.errors import AssessError
 from assess.mechanisms.mechanism import Mechanism
-from assess.messages.message import Message, Quantity, first_names, locate, message, note, warning
-from assess.oscillator import Oscillator
+from assess.messages.message import Message, locate, note, warning
 from assess.results import (
     SCHEMA_VERSION,
     Control,
-    CriticalBand,
-    CriticalResult,
-    EnvelopeResult,
     MechanismResult,
     Results,
 )
@@ -50,12 +39,16 @@ from assess.study.assessment import (
 from assess.study.checks import decide, mark_result
 from assess.study.controls import control_warnings, equilibrium_controls, multiplier_control
 from assess.study.drawing import edges_in_space
+from assess.study.envelopes import (
+    coarse_record_messages,
+    critical_result,
+    envelope_cases,
+    map_envelopes,
+    study_and_mechanism,
+)
 from assess.study.ground_motion import ground_motion, record_result, spectrum_result, with_primary_pulses
 from assess.study.histories import (
-    RockingCase,
     RockingHistories,
-    Solved,
-    fastest_vibration,
     further_levels,
     mechanism_histories,
     rule_levels,
@@ -63,14 +56,13 @@ from assess.study.histories import (
     run_to_decide,
 )
 from assess.study.history_controls import convergence_control, energy_control, governing_history
-from assess.study.mechanism_results import comparison_rows, parameters
+from assess.study.level_peaks import RockingCase, Solved
+from assess.study.mechanism_results import comparison_rows
 from assess.study.states import Overrides, decides, find_overrides, merge_states, require_sources
 from assess.study.study import (
     Progress,
-    PulseGrid,
     ScaledRecord,
     Study,
-    case_text,
     may_follow_motion,
     needs_motions,
     no_progress,
@@ -91,10 +83,7 @@ from assess.study.variations import (
     sweep_results,
 )
 from assess.workers import available_cores
-from records.pulses import PULSE_SHAPES
-from spectra.arrays import FloatArray
 from spectra.errors import SpectrumError
-from spectra.gravity import g
 from spectra.spectrum import Spectrum
 
 
@@ -202,7 +191,7 @@ def _run_state(
     verdict = _decide_with_tolerance(study, question, spectrum, results)
     results = tuple(mark_result(verdict, question, result) for result in results)
     cases = envelope_cases(study, controlling)
-    envelopes = _map_envelopes(cases, study.pulses, jobs=jobs, progress=progress)
+    envelopes = map_envelopes(cases, study.pulses, jobs=jobs, progress=progress)
     nga_numbers = dict(study.fitting.nga)
     records = tuple(record_result(motion, spectrum, nga=nga_numbers.get(motion.record.id)) for motion in motions)
     controls = _controls_of(study, controlling, motions, results, jobs=jobs)
@@ -222,7 +211,7 @@ def _run_state(
         spectrum=spectrum_result(spectrum),
         records=with_primary_pulses(records, motions, study.pulses),
         mechanisms=tuple(replace(result, envelope=envelopes.get(result.name)) for result in results),
-        critical=_critical_result(envelopes),
+        critical=critical_result(envelopes),
         comparison=comparison_rows(results),
         sweeps=sweep_results(sweeps, controlling),
         verdict=verdict,
@@ -337,164 +326,6 @@ class AssessedMechanism(ShortRepr):
     study: Study
     motions: tuple[ScaledRecord, ...]
     result: MechanismResult
-
-
-FEWEST_ELASTIC = 6.0
-"""Samples in a period of the elastic vibration about rest."""
-
-FEWEST_ROCKING = 10.0
-"""Samples within 1 / p, in which a rocking rotation grows e-fold."""
-
-MOST_RECORDS_NAMED = 3
-"""Records that a message names."""
-
-
-def coarse_record_messages(cases: Sequence[EnvelopeCase], motions: Sequence[ScaledRecord]) -> Iterator[Message]:
-    """Yield a warning for each mechanism for which some record is too coarse."""
-    for case in cases:
-        longest, why = longest_step(case.oscillator, equation=case.equation)
-        coarse = [motion.record for motion in motions if motion.record.dt > longest]
-        if coarse:
-            names = first_names([f"{record.id} ({record.dt:.4g} s)" for record in coarse], MOST_RECORDS_NAMED)
-            yield warning(
-                "coarse-record",
-                f"mechanisms.{case.name}",
-                records=names,
-                motion=why,
-                longest=Quantity(longest, "time", 3),
-            )
-
-
-def longest_step(oscillator: Oscillator, *, equation: Equation) -> tuple[float, Message]:
-    """Return the longest step of a record for an oscillator [s], and the motion that requires it.
-
-    The linearised equation has no vibration about rest.
-    """
-    p = max(branch.linearised.p for branch in oscillator.branches)
-    elastic = fastest_vibration(oscillator)
-    if equation == "exact" and FEWEST_ELASTIC * elastic > FEWEST_ROCKING * p:
-        return 1.0 / (FEWEST_ELASTIC * elastic), message(
-            "motion-elastic", {"frequency": Quantity(elastic, "frequency", 3)}
-        )
-    return 1.0 / (FEWEST_ROCKING * p), message("motion-rocking", {"p": Quantity(p, "angular frequency", 3)})
-
-
-def run_envelopes(study: Study, *, jobs: int = 0, progress: Progress = no_progress) -> Results:
-    """Find the overturning envelopes of a study, without spectrum, records or checks.
-
-    Mechanisms are those of the project file, without the cases of its sweeps.
-
-    Parameters
-    ----------
-    study : Study
-        The study; its own pulses are used, or the default ones.
-    jobs : int
-        Number of threads; 0 for all cores. The results do not depend on it.
-    progress : Progress
-        Called with the stage, the number of its parts done, and their total.
-
-    Returns
-    -------
-    Results
-        Parameters and envelope of each mechanism, and the critical mechanism at each frequency.
-    """
-    grid = study.pulses or DEFAULT_GRID
-    envelopes = _map_envelopes(envelope_cases(study, {}), grid, jobs=jobs, progress=progress)
-    progress("primary pulses", 0, 1)
-    recorded = tuple(record for record in study.records if not record.artificial)
-    recorded_only = replace(study, artificial=None, records=recorded)
-    motions = () if study.spectrum is None else motions_of(recorded_only, study.spectrum)
-    records = () if study.spectrum is None else tuple(record_result(motion, study.spectrum) for motion in motions)
-    program = describe_program()
-    return Results(
-        schema_version=SCHEMA_VERSION,
-        program=program,
-        inputs=study.inputs,
-        warnings=envelope_messages(study),
-        project=study.resolved,
-        spectrum=None if study.spectrum is None else spectrum_result(study.spectrum),
-        records=with_primary_pulses(records, motions, grid),
-        mechanisms=tuple(replace(each, envelope=envelopes.get(each.name)) for each in parameters(study)),
-        critical=_critical_result(envelopes),
-        comparison=(),
-        sweeps=(),
-        stamp=stamp("envelope", program, study.inputs),
-    )
-
-
-def envelope_cases(study: Study, controlling: Mapping[str, MechanismSweep]) -> tuple[EnvelopeCase, ...]:
-    """Return the mechanisms whose envelopes are sought, swept ones in their controlling case.
-
-    Mechanisms that fall at rest without actions that are not shown to last, and those of which no history is answered,
-    are left out.
-    """
-    cases = []
-    for name in (mechanism.name for mechanism in study.mechanisms):
-        swept = controlling.get(name)
-        study_there, mechanism = _where_assessed(study, swept, name)
-        oscillator = mechanism.variants.collapse
-        if oscillator is None or not mechanism.rocks:
-            continue
-        factor = partial(pulse_factor, study_there.amplified[name].amplification)
-        words = "" if swept is None else case_text(swept.sweep, swept.controlling_case, swept.mechanism)
-        cases.append(EnvelopeCase(name, oscillator, study_there.equations[name], factor, words))
-    return tuple(cases)
-
-
-DEFAULT_GRID = PulseGrid(PULSE_SHAPES["sine"], np.linspace(0.2, 10.0, 100), np.linspace(0.0, 3.0 * g, 100))
-
-
-@dataclass(frozen=True, repr=False)
-class EnvelopeCase(ShortRepr):
-    """A mechanism whose envelope is sought.
-
-    factor : amplification to its base at given frequencies [n] [Hz] -> [n]
-    case : the case of a sweep in words, else empty
-    """
-
-    name: str
-    oscillator: Oscillator
-    equation: Equation
-    factor: Callable[[FloatArray], FloatArray]
-    case: str = ""
-
-
-def envelope_result(computed: Envelope, oscillator: Oscillator | None) -> EnvelopeResult:
-    """Return an envelope in the units of results.
-
-    Parameters
-    ----------
-    computed : the envelope
-    oscillator : of the mechanism; where None, what is dimensionless is left out
-    """
-    form = oscillator and min((branch.linearised for branch in oscillator.branches), key=lambda form: form.multiplier)
-    bound = computed.lower_bound / g
-    above = computed.amplitude[None, :] > computed.lower_bound[:, None]  # nowhere, if nothing overturns
-    return EnvelopeResult(
-        shape=computed.shape.name,
-        gamma=computed.shape.gamma,
-        nu_rad=computed.shape.nu,
-        equation=computed.equation,
-        frequency_hz=tuple(computed.frequency.tolist()),
-        amplitude_g=tuple((computed.amplitude / g).tolist()),
-        overturned=tuple(tuple(row) for row in computed.overturned.tolist()),
-        lower_bound_g=_none_for_nan(bound),
-        polarity=tuple(computed.polarity.tolist()),
-        islands=tuple((above & ~computed.overturned).sum(axis=1).tolist()),
-        uplift_g=tuple((computed.uplift / g).tolist()),
-        factor=tuple(computed.factor.tolist()),
-        omega=tuple((2 * np.pi * computed.frequency / form.p).tolist()) if form else (),
-        lower_bound_ratio=_none_for_nan(bound * computed.factor / form.multiplier) if form else (),
-    )
-
-
-def envelope_messages(study: Study) -> tuple[Message, ...]:
-    """Return the messages on envelopes, where no procedure of a code is used."""
-    kept = tuple(message for message in study.messages if message.key != "confidence-factor")
-    if not study.sweeps:
-        return kept
-    keys = ", ".join(sweep.key for sweep in study.sweeps)
-    return (*kept, warning("sweep-left-out", "analysis.sweep", keys=keys))
 
 
 def _deciding_question(study: Study, controlling: Mapping[str, MechanismSweep]) -> Question:
@@ -665,17 +496,11 @@ def _as_assessed(
     jobs: int,
 ) -> AssessedMechanism:
     """Return a mechanism as it was assessed: in the study, or in the controlling case of its sweep."""
-    study_there, mechanism = _where_assessed(study, swept, result.name)
+    study_there, mechanism = study_and_mechanism(study, swept, result.name)
     motions_there = (
         motions if swept is None else motions_of_case(swept.controlling_case.study, study, motions, jobs=jobs)
     )
     return AssessedMechanism(mechanism, study_there, motions_there, result)
-
-
-def _where_assessed(study: Study, swept: MechanismSweep | None, name: str) -> tuple[Study, Mechanism]:
-    """Return the study in which a mechanism was assessed, that of the controlling case if swept, and the mechanism."""
-    deciding = study if swept is None else swept.controlling_case.study
-    return deciding, next(mechanism for mechanism in deciding.mechanisms if mechanism.name == name)
 
 
 def _study_messages(study: Study, controlling: Mapping[str, MechanismSweep]) -> tuple[Message, ...]:
@@ -697,62 +522,3 @@ def _suite_messages(study: Study, motions: tuple[ScaledRecord, ...]) -> tuple[Me
     if not any(motion.record.artificial for motion in motions):
         return ()
     return ((warning if may_follow_motion(study.question) else note)("artificial-records", "records"),)
-
-
-def _map_envelopes(
-    cases: Sequence[EnvelopeCase], grid: PulseGrid | None, *, jobs: int, progress: Progress
-) -> dict[str, EnvelopeResult]:
-    """Return the envelope of every mechanism by name; empty without a grid of pulses."""
-    if grid is None:
-        return {}
-    results = {}
-    for count, case in enumerate(cases):
-        progress("overturning envelopes", count, len(cases))
-        computed = envelope(
-            case.oscillator,
-            grid.shape,
-            grid.frequency,
-            grid.amplitude,
-            equation=case.equation,
-            factor=case.factor(grid.frequency),
-            threads=jobs,
-        )
-        results[case.name] = replace(envelope_result(computed, case.oscillator), case=case.case)
-    progress("overturning envelopes", len(cases), len(cases))
-    return results
-
-
-def _critical_result(envelopes: dict[str, EnvelopeResult]) -> CriticalResult | None:
-    """Return which mechanism is critical at each frequency; None without mechanisms."""
-    if not envelopes:
-        return None
-    names = list(envelopes)
-    frequency = np.array(next(iter(envelopes.values())).frequency_hz)
-    bounds = np.array([[np.nan if b is None else b for b in each.lower_bound_g] for each in envelopes.values()])
-    order = find_critical(frequency, bounds)
-    return CriticalResult(
-        frequency_hz=tuple(frequency.tolist()),
-        mechanism=_names(order.mechanism, names),
-        lower_bound_g=_none_for_nan(order.lower_bound),
-        runner_up=_names(order.runner_up, names),
-        margin=_none_for_nan(order.margin),
-        near=tuple(tuple(name for name, is_near in zip(names, row, strict=True) if is_near) for row in order.near.T),
-        bands=_bands(order, names),
-    )
-
-
-def _bands(order: CriticalMechanism, names: Sequence[str]) -> tuple[CriticalBand, ...]:
-    return tuple(
-        CriticalBand(None if band.mechanism is None else names[band.mechanism], band.start, band.end)
-        for band in order.bands
-    )
-
-
-def _names(index: NDArray[np.int64], names: Sequence[str]) -> tuple[str | None, ...]:
-    """Return the names of mechanisms by index, None for a negative one."""
-    return tuple(names[i] if i >= 0 else None for i in index)
-
-
-def _none_for_nan(values: FloatArray) -> tuple[float | None, ...]:
-    """Return numbers [n], None in place of nan."""
-    return tuple(None if np.isnan(value) else float(value) for value in values)

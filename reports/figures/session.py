@@ -15,11 +15,11 @@ from assess.results import HistoryTrace
 from assess.results.fragility import FragilityCurve, FragilityResults, MechanismFragility
 from assess.study.block import Block
 from assess.study.drawing import simplify_surfaces
+from assess.study.envelopes import envelope_result
 from assess.study.ground_motion import spectrum_result
-from assess.study.histories import RockingResponse
 from assess.study.mechanism_results import mechanism_result
 from assess.study.motions import Motions
-from assess.study.run import envelope_result
+from assess.study.response import RockingResponse
 from records.record import Record
 from records.response import response_spectrum
 from reports.figures import style

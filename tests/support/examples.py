@@ -133,7 +133,7 @@ def _shortened(text: str, *, levels: bool) -> str:
 def _sources() -> str:
     """A digest of the program's sources, its examples among them, of what it imports, and of how many twins it runs."""
     from assess.results.provenance import package_folder, sources_digest
-    from assess.study.histories import TWIN_FACTORS
+    from assess.study.level_peaks import TWIN_FACTORS
 
     pins = (ROOT / "requirements.lock").read_bytes()
     return sha256(sources_digest(package_folder()).encode() + pins + TWIN_FACTORS.tobytes()).hexdigest()[:16]

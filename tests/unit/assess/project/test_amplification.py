@@ -22,7 +22,8 @@ from assess.amplification import (
 from assess.errors import ProjectError
 from assess.geometry.solid import box
 from assess.study.assessment import building_states
-from assess.study.run import run_envelopes, run_study
+from assess.study.envelopes import run_envelopes
+from assess.study.run import run_study
 from assess.study.study import Study
 from tests.support import projects
 from tests.support.motions import write_noise

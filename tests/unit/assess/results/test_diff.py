@@ -12,7 +12,7 @@ from assess.codes.verdict import Decision
 from assess.messages.message import Message, Severity
 from assess.results import ResolvedValue, Results, SensitivityResult, SweepResult
 from assess.results.diff import KINDS, Difference, differences, same
-from assess.study.run import run_envelopes
+from assess.study.envelopes import run_envelopes
 from tests.support.projects import ASCE7, block, project_toml, published, results_of, study_of, wall
 
 PROJECT = project_toml(

@@ -18,8 +18,9 @@ from assess.codes.procedures import PROCEDURES
 from assess.project.build import build_to_decide
 from assess.project.project_file import load_tree
 from assess.study.assessment import MechanismCheck, building_states, check_mechanism, on_building
-from assess.study.histories import RockingCase, RockingHistories, run_levels
+from assess.study.histories import RockingHistories, run_levels
 from assess.study.histories import further_levels as levels_of_rules
+from assess.study.level_peaks import RockingCase
 from assess.study.study import ScaledRecord, Study, require_spectrum
 from assess.study.suites import motions_of, suite_faults
 from tools.adversary.projects import HISTORIES

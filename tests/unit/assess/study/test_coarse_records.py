@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from assess.oscillator import elastic_frequency
-from assess.study.run import EnvelopeCase, coarse_record_messages, longest_step
+from assess.study.envelopes import EnvelopeCase, coarse_record_messages, longest_step
 from assess.study.study import ScaledRecord
 from records.record import make_record
 from records.scaling import Scaling

@@ -13,8 +13,9 @@ from assess.codes.procedures import PROCEDURES
 from assess.errors import AssessError
 from assess.study.assessment import checks_without_twins
 from assess.study.checks import context_of
+from assess.study.envelopes import run_envelopes
 from assess.study.mechanism_results import parameters
-from assess.study.run import run_envelopes, run_study
+from assess.study.run import run_study
 from tests.support import projects
 from tests.support.projects import NTC, block, lines, project_toml, wall
 

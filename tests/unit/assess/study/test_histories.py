@@ -12,18 +12,8 @@ from assess.amplification import Unamplified, base_motion
 from assess.codes.histories import draw_values, share_upright
 from assess.dynamics.history import Jobs, peaks
 from assess.oscillator import Oscillator, RockingBlock, plain_branch
-from assess.study.histories import (
-    SCAN_STEP,
-    TWIN_FACTORS,
-    RockingCase,
-    level_solver,
-    run_histories,
-    run_levels,
-    scan_levels,
-    suites_of,
-    with_governing_trace,
-    with_restitution_factor,
-)
+from assess.study.histories import SCAN_STEP, run_histories, run_levels, scan_levels, with_governing_trace
+from assess.study.level_peaks import TWIN_FACTORS, RockingCase, level_solver, suites_of, with_restitution_factor
 from assess.study.study import ScaledRecord
 from records.record import make_record
 from records.scaling import Scaling

@@ -10,7 +10,9 @@ import pytest
 from scipy.constants import g
 
 from assess.oscillator import Oscillator, RockingBlock, plain_branch
-from assess.study.histories import find_envelope, respond, respond_at_worst_rebound, with_restitution_factor
+from assess.study.envelopes import find_envelope
+from assess.study.level_peaks import with_restitution_factor
+from assess.study.response import respond, respond_at_worst_rebound
 from assess.study.run import run_study
 from assess.study.suites import motions_of
 from records.errors import RecordError

@@ -14,7 +14,8 @@ from assess.amplification import BaseMotion
 from assess.errors import AssessError, GeometryError, MechanismError, ProjectError
 from assess.project.build import build
 from assess.project.project_file import load
-from assess.study.histories import RockingCase, scan_levels
+from assess.study.histories import scan_levels
+from assess.study.level_peaks import RockingCase
 from assess.study.mechanism_results import parameters
 from assess.study.run import run_study
 from assess.study.study import Study

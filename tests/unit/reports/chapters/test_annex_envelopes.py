@@ -7,7 +7,7 @@ import pytest
 
 from assess.dynamics.pulses import envelope
 from assess.oscillator import Oscillator, RockingBlock, plain_branch
-from assess.study.run import envelope_result
+from assess.study.envelopes import envelope_result
 from records.pulses import PULSE_SHAPES
 from reports.chapters.annex_envelopes import describe_envelope
 from reports.language.locale import Locale

@@ -10,14 +10,13 @@ CANDIDATE_TEXTS: Mapping[str, str] = {
     "reason-and": "{one}; {other}",
     "reason-facade": "free façade, {length} long, above z = {z}",
     "reason-inner-wall": "wall with rooms on both sides, {length} long, above z = {z}",
-    "reason-meets": "met by {walls}, and whether they are bonded only a survey can tell",
+    "reason-meets": "met by {walls}, whose bond is not known",
     "reason-no-return": "no wall meets it",
     "reason-bears": "{body} bears on it at z = {z}",
     "reason-tied": "by its shape {bodies} would push it over, yet it stands: that something takes the thrust is to be "
     "confirmed",
-    "reason-path": "the drawing does not tell which walls carry {bodies}: here the share of the lower static "
-    "multiplier is taken, so that all shares may add up to more than 1; by displacements another may be worse: give "
-    "the one surveyed",
+    "reason-path": "the drawing does not tell which walls carry {bodies}: the share of the lower static multiplier is "
+    "taken; give the one surveyed",
     "reason-ties": "{ties} may hold it and is left out",
     "reason-wedges": "a wedge of {walls} may come with it, cracked at up to 30 degrees from the vertical",
     "reason-corner": "outer corner of {one} and {other}, whose bond is not known",

@@ -27,6 +27,7 @@ from assess.mechanisms.four_hinge import FourHinge, RadialJoints
 from assess.mechanisms.mechanism import BlockMechanism, CutAngle
 from assess.mechanisms.two_block import TwoBlock
 from assess.mechanisms.wedged_block import Wedge, WedgedBlock
+from assess.messages.message import first_names
 from assess.model.candidates import CLASSES, Candidate, Candidates, OpenEntry, texts_of
 from assess.model.churches import is_church
 from assess.model.moving_parts import BuildingType
@@ -172,8 +173,9 @@ def mechanism_lines(
     """
     definition = candidate.definition
     assert definition is not None  # as it is stated
-    yield from _comment(f"{candidate.reason}.")
-    yield f"# Least static multiplier {candidate.multiplier:.3g}{_runners_up(candidate)}."
+    yield from _comment(
+        f"{candidate.reason}. Least static multiplier {candidate.multiplier:.3g}{_runners_up(candidate)}."
+    )
     yield f"[mechanisms.{candidate.name}]"
     yield f"label = {_text(str(candidate.title))}"
     yield f'kind = "{definition.kind}"'
@@ -186,12 +188,13 @@ def mechanism_lines(
         yield "examines = []"
     elif building_type is not None:
         yield f"examines = {_value(entry or [])}"
+    loads = [load for load in definition.loads if isinstance(load, BodyLoad | OverburdenLoad)]  # all that they have
+    rows = [_table(dict(_load_keys(load, names))) for load in loads]
+    if len(rows) == 1:
+        yield f"loads = [{rows[0]}]"
+    elif rows:
+        yield from ("loads = [", *(f"    {row}," for row in rows), "]")
     yield ""
-    for load in definition.loads:
-        assert isinstance(load, BodyLoad | OverburdenLoad)  # all that candidates have
-        yield f"[[mechanisms.{candidate.name}.loads]]"
-        yield from (f"{key} = {_value(value)}" for key, value in _load_keys(load, names))
-        yield ""
 
 
 def _keys(definition: BlockMechanism, names: Mapping[str, str]) -> Iterator[tuple[str, Any]]:
@@ -241,12 +244,16 @@ def _load_keys(load: BodyLoad | OverburdenLoad, names: Mapping[str, str]) -> Ite
         yield "tied", True
 
 
+LISTED_TIES = 2  # directions in which a mechanism is as weak
+
+
 def _runners_up(candidate: Candidate) -> str:
     """Say how the same parts fail at a multiplier as low, as far as statics tell."""
     ties = [
         f"{each.multiplier:.3g} towards {_value([round(x, 3) + 0.0 for x in each.direction])}"
-        for each in candidate.ties
+        for each in candidate.ties[:LISTED_TIES]
     ]
+    ties += [f"and {more} more"] if (more := len(candidate.ties) - LISTED_TIES) > 0 else []
     return f"; as weak: {', '.join(ties)}" if ties else ""
 
 
@@ -348,7 +355,7 @@ SURVEY = f"""\
 # [procedures.ntc2018]
 # knowledge_level = "LC1"
 # A tie, and a bond of the side walls that was seen, go into the table of their mechanism:
-#     [[mechanisms.NAME.loads]] with kind = "tie", force = "30 kN", at = [0, 0, 6], anchor = [0, 7, 6]
+#     loads = [{{ kind = "tie", force = "30 kN", at = [0, 0, 6], anchor = [0, 7, 6] }}]
 #     side_walls = {{ bond = "toothed", course = "0.25 m", overlap = "0.12 m", thickness = "0.5 m" }}"""
 WHO_SAYS = """\
 # Who says that the masonry does not fall apart and that roofs are tied; when, and by which test.
@@ -370,6 +377,7 @@ def _survey(structure: Structure, stated: Sequence[Candidate], likely: BuildingT
         yield '# each mechanism examines with examines = "…" in its table.'
         yield "# [report]"
         yield f'# building_type = "{likely}"'
+    yield from _to_be_seen(stated)
     yield WHO_SAYS
     masonry = [name for name, part in seen.items() if part.kind not in COVERINGS]
     yield from (f'# "materials.{name}.disintegration" = {SOURCE}' for name in masonry)
@@ -385,6 +393,24 @@ def _survey(structure: Structure, stated: Sequence[Candidate], likely: BuildingT
         if part.kind not in COVERINGS:
             yield '# disintegration = "excluded"'
         yield ""
+
+
+def _to_be_seen(stated: Sequence[Candidate]) -> Iterator[str]:
+    """Yield what of cracks and levels only a survey can tell, where mechanisms hang on it."""
+    wedged = [each.name for each in stated if isinstance(each.definition, WedgedBlock)]
+    if wedged:
+        yield "# The cracks of wedges, 0 to 30 deg from the vertical as is weakest here: as they were seen, in"
+        yield f"#     wedges of {first_names(wedged, LISTED_NAMES)}"
+    inclined = [each for each in stated if each.kind == "apse"]
+    for each in inclined:
+        yield "# The direction in which an apse falls, the weakest here, and its crack: as they were seen, in"
+        yield f"#     direction and cut of {each.name}"
+    if any(each.kind == "overturning" for each in stated):
+        yield "# Storeys whose floors are not drawn: a wall may crack at each level, so add what turns above it,"
+        yield '#     cut = "3.1 m" in a table as those above'
+
+
+LISTED_NAMES = 3  # mechanisms in a comment of the survey
 
 
 def _comment(text: str, width: int = 116) -> Iterator[str]:

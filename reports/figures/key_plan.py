@@ -72,17 +72,21 @@ def draw_key_plan(building: BuildingScene, locale: Locale) -> Figure:
         figure, axes = scene_sheet(camera, WIDTH, locale, below=LEGEND_HEIGHT)
         _paint_building(axes, building, camera, dict(enumerate(building.moving_parts)))
         occluders, owner = project_faces(building.surface, building.owner, camera)
+        through = len(building.moving_parts) <= MOST_SEEN_THROUGH
         for edge in building.beside:
-            _draw_line(axes, camera.project(edge), occluders, colour=BESIDE, width=0.6, dash="-")
+            _draw_line(axes, camera.project(edge), occluders, through, colour=BESIDE, width=0.6, dash="-")
         tags = []
         for place, part in enumerate(building.moving_parts):
-            _draw_lines(axes, part, camera, occluders)
+            _draw_lines(axes, part, camera, occluders, through=through)
             seen = visible_middle(occluders.faces[owner == place], occluders)
             x, y, _ = (camera.project(part.middle) if seen is None else seen).tolist()
             tags.append(Label(part.title, (x, y)))
         write_tags(axes, tags)
         _legend(figure, axes, building, locale)
         return figure
+
+
+MOST_SEEN_THROUGH = 8  # moving parts: of more, what is hidden of their lines would cover those that are seen
 
 
 def key_plan_caption(building: BuildingScene) -> Text:
@@ -349,16 +353,20 @@ def _paint_building(axes: Axes, building: BuildingScene, camera: Camera, shown: 
     paint_bodies(axes, building.surface, building.owner, camera, Appearance(colours, hatched, SHARP_ANGLE))
 
 
-def _draw_lines(axes: Axes, part: MovingPart, camera: Camera, occluders: Occluders) -> None:
-    """Draw the axes of rotation of a part, thick, and its cracks, dashed; what is hidden of them is dotted."""
+def _draw_lines(axes: Axes, part: MovingPart, camera: Camera, occluders: Occluders, *, through: bool = True) -> None:
+    """Draw the axes of rotation of a part, thick, and its cracks, dashed; `through`: dotted where they are hidden."""
     for ring in part.cracks:
-        _draw_line(axes, camera.project(ring), occluders, colour=INK, width=0.7, dash=CRACK_DASHES)
+        _draw_line(axes, camera.project(ring), occluders, through, colour=INK, width=0.7, dash=CRACK_DASHES)
     for line in part.hinges:
-        _draw_line(axes, camera.project(line), occluders, colour=HINGE_COLOUR, width=1.8, dash="-")
+        _draw_line(axes, camera.project(line), occluders, through, colour=HINGE_COLOUR, width=1.8, dash="-")
 
 
-def _draw_line(axes: Axes, line: FloatArray, occluders: Occluders, *, colour: str, width: float, dash: Any) -> None:
+def _draw_line(
+    axes: Axes, line: FloatArray, occluders: Occluders, through: bool, *, colour: str, width: float, dash: Any
+) -> None:
     for piece, hidden in split_line(line, occluders):
+        if hidden and not through:
+            continue
         stroke = {"linewidth": 0.5, "linestyle": (0, (1, 1.5))} if hidden else {"linewidth": width, "linestyle": dash}
         axes.plot(*piece[:, :2].T, color=colour, solid_capstyle="round", **stroke)
 

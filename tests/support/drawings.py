@@ -11,11 +11,14 @@ HEADINGS = (
     "Who says",
     "The masonry",
     "The storeys",
+    "The cracks",
+    "The direction",
+    "Storeys whose",
     "The kind",
     "each mechanism",
     "---- To fill",
 )
-EXAMPLES = ("    [[", "    side_walls", "    storeys", *HEADINGS)
+EXAMPLES = ("    ", *HEADINGS)
 
 
 def obj_of(parts: Sequence[Part], *, named: bool = True) -> str:

@@ -68,7 +68,7 @@ def test_shares_that_the_drawing_leaves_open_are_stated_with_a_source_to_fill_in
     (tmp_path / "house.obj").write_text(obj_of((*walls, roof)))
     _, candidates = write_project([tmp_path / "house.obj"], tmp_path / "new")
     text = (tmp_path / "new" / "project.toml").read_text(encoding="utf-8")
-    assert text.count("share = 0.5\n") == 4
+    assert text.count("share = 0.5 }") == 4
     assert '# "mechanisms.front-1-overturning.loads[1].share" = ' in text
     found = {each.name: each.multiplier for each in candidates if is_stated(each)}
     assert multipliers(tmp_path / "new") == pytest.approx(found, rel=2e-3)

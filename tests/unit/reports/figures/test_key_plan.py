@@ -128,6 +128,21 @@ def test_bodies_of_no_mechanism_are_lines_where_all_stand_at_their_places(result
     assert not apart.beside.size
 
 
+def test_of_many_mechanisms_only_what_is_seen_of_their_lines_is_drawn(
+    results: Results, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    found = building_of(built(results, [(wall((0.8 * x, 0.0, 0.0), cut=3.0), f"w{x}") for x in range(3)]))
+    assert found is not None
+
+    def dotted() -> int:
+        lines = key_plan.draw_key_plan(found, Locale()).axes[0].lines
+        return sum(line.get_linestyle() == "--" and line.get_linewidth() == 0.5 for line in lines)
+
+    assert dotted() > 0
+    monkeypatch.setattr(key_plan, "MOST_SEEN_THROUGH", 2)
+    assert dotted() == 0
+
+
 def test_results_without_geometry_have_no_key_plan(results: Results) -> None:
     bare = built(results, [(None, "wall")])
     assert building_of(bare) is None

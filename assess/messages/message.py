@@ -196,6 +196,16 @@ def warning(key: str, where: str = "", /, **values: Value) -> Message:
     return message(key, values, severity=Severity.WARNING, where=where)
 
 
+def with_values(given: Message, values: Mapping[str, Value]) -> Message:
+    """Return a message with other values; as it is where another version made it, in other words."""
+    english = TEXTS.get(given.key, "")
+    try:
+        is_of_today = english.format(**given.values) == given.text
+    except KeyError:
+        is_of_today = False
+    return replace(given, text=english.format(**values), values=dict(values)) if is_of_today else given
+
+
 def note(key: str, where: str = "", /, **values: Value) -> Message:
     """Make the note of a key of `TEXTS`, which affects no verdict.
 

@@ -12,8 +12,7 @@ from assess.codes.histories import interval_figures, margin_figures, ratio_figur
 from assess.codes.procedures import PROCEDURES, family_of
 from assess.codes.question import Action, Missing, toml_lines
 from assess.codes.verdict import Answer, Decision, Index, MechanismVerdict, Override, Verdict
-from assess.messages.message import DIMENSIONS, Message, Quantity, message
-from assess.messages.texts import TEXTS
+from assess.messages.message import DIMENSIONS, Message, Quantity, with_values
 from assess.results import MechanismResult, Results
 from reports import document, governing
 from reports.document import Block, Cell, Column, FileLines, OutcomeCell, Prose
@@ -412,8 +411,7 @@ def condition_texts(results: Results, messages: Iterable[Message]) -> list[Text]
     known = {each.name for each in results.mechanisms}
     for each in messages:
         values = {gap: mechanism_number(results, v) if v in known else v for gap, v in each.values.items()}
-        is_told = each.key in TEXTS and values != each.values
-        said = message(each.key, values, severity=each.severity, where=each.where) if is_told else each
+        said = with_values(each, values)
         texts = [value for value in values.values() if isinstance(value, str)]
         owners = [split_key(results, key)[0] for text in texts for key in text.split(", ")]
         groups.setdefault(Locale().text(said), (said, []))[1].extend(filter(None, owners))

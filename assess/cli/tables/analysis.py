@@ -10,6 +10,7 @@ from dataclasses import replace
 from textwrap import wrap
 
 from assess.cli.tables import messages_text, on_one_line, text_table
+from assess.cli.tables.units import in_units_of_project
 from assess.codes.histories import interval_figures, margin_figures
 from assess.codes.question import Missing, toml_lines
 from assess.codes.verdict import (
@@ -71,6 +72,7 @@ def run_text(results: Results, *, verbose: bool = False) -> str:
 
     Notes, which bear on nothing that decides, are counted, and written where `verbose` asks for them.
     """
+    results = in_units_of_project(results)
     found = results.verdict
     if found is None:
         return "no verdict\n"

@@ -18,7 +18,7 @@ from assess.codes.bases import BASES
 from assess.codes.check import Check, Reason, reason_message
 from assess.codes.question import Action, MechanismChecks, Missing, Question
 from assess.codes.verdict import verdict
-from assess.messages.message import Message, Quantity, Severity, warning
+from assess.messages.message import Message, Quantity, Severity, note, warning
 from assess.outputs.manifest import MANIFEST
 from assess.project.build import build
 from assess.project.project_file import load
@@ -443,3 +443,22 @@ def test_what_was_done_to_a_mesh_is_told_on_stderr_whatever_is_printed(
     told = capsys.readouterr()
     assert "warning: bodies.wall: wall.obj: holes closed by planes: 1 with 3 edges and an area of 0.9 m2" in told.err
     assert "hole" not in told.out
+
+
+def test_a_project_in_us_units_gets_them_on_the_terminal(project: Path) -> None:
+    """4448.2216152605 N to the kip, 0.3048 m to the foot, exactly."""
+    found = results_of(project, rated())
+    told = (
+        note(
+            "top-held", mechanism="wall", force=Quantity(2 * 4448.2216152605, "force"), foot=Quantity(22241.1, "force")
+        ),
+    )
+    warned = (warning("above-building", height=Quantity(3.048, "length")),)
+    assert found.verdict is not None
+    found = replace(found, verdict=replace(found.verdict, conditions=told), warnings=warned)
+    american = replace(found, project={**found.project, "report.units": ResolvedValue("US", True)})
+    here, there = (" ".join(run_text(each).split()) for each in (found, american))
+    assert "8900 N at the top" in here
+    assert "2 kip at the top and 5 kip at the foot" in there
+    assert "3.048 m above the ground" in here
+    assert "10 ft above the ground" in there

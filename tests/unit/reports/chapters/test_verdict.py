@@ -143,6 +143,11 @@ def test_one_key_of_several_mechanisms_is_one_line(results: Results) -> None:
     assert f"Disintegration of the masonry (M2): {why}" in lines(verdict.sections(other))
 
 
+def test_a_condition_of_another_version_keeps_its_own_words(results: Results) -> None:
+    old = Message("top-held", Severity.NOTE, "", "the top of parapet is held", {"mechanism": "parapet"})
+    assert cells.condition_texts(results, [old]) == [old]
+
+
 def test_what_a_verdict_hangs_on_is_said_without_a_key(results: Results) -> None:
     parapet = results.mechanisms[1]
     key = f"mechanisms.{parapet.name}.loads[1].force"

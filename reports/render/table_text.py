@@ -14,7 +14,7 @@ from assess.codes.calculation_sheet import INPUT_FIGURES, RESULT_FIGURES, Step, 
 from assess.messages.message import Quantity
 from reports.document import Banner, Cell, Column, Document, Link, OutcomeCell, Sheet, Table
 from reports.language.locale import UNITS, Locale, visible
-from reports.language.texts import Text, Verbatim, say
+from reports.language.texts import Term, Text, Verbatim, say
 from spectra.arrays import is_number
 from spectra.formulas import harmless_cell
 
@@ -264,7 +264,7 @@ def _in_unit(number: float, dimension: str, locale: Locale) -> float:
 
 
 def _word(english: str, locale: Locale) -> str:
-    return locale.word(english) if english else ""
+    return locale.text(Term(english)) if english else ""
 
 
 def _formula(step: Step, locale: Locale) -> str:

@@ -12,9 +12,10 @@ from assess.examples import EXAMPLES
 from assess.messages.message import note
 from assess.messages.texts import TEXTS
 from reports.assessment import assessment
-from reports.document import Sheet
+from reports.document import Equations, Sheet
 from reports.language.client_texts import CLIENT_TERMS, CLIENT_TEXTS
 from reports.language.locale import Locale
+from reports.render.table_text import equations_line
 from tests.languages.fixed_terms import fixed_terms
 from tests.languages.test_reports import texts_in
 from tests.support.examples import example_results
@@ -25,6 +26,7 @@ KEY = re.compile(
     r"|(?<![\w./])[a-z]{2,}[0-9]*(?:_[a-z0-9]{2,})+"  # floor_vertical_ratio
     r"|(?<![\w._])[a-z][a-z-]{2,} = "  # tied = true
 )
+TABLE = re.compile(r"\[(?:building|site|verdict|records|analysis|report)\]")
 FILES = (".ply", ".json", ".pdf", ".toml", ".csv", ".ifc")
 
 
@@ -38,7 +40,9 @@ def test_signed_pages_have_no_key_of_the_project_file(name: str, language: str) 
     locale = Locale(language, titles=document.numbers)
     own = str([each.value for each in results.project.values()]) + str(asdict(results.report))
     told = (locale.text(text) for text in texts_in(document.sections) if not isinstance(text, Sheet))
-    found = {match[0] for text in told for match in KEY.finditer(text)}
+    blocks = (block for section in document.sections for block in section.blocks if isinstance(block, Equations))
+    worked = (equations_line(block.steps, locale, str) for block in blocks)
+    found = {match[0] for text in (*told, *worked) for match in (*KEY.finditer(text), *TABLE.finditer(text))}
     assert {each for each in found if each not in own and not each.endswith(FILES)} == set()
 
 

@@ -197,7 +197,13 @@ def warning(key: str, where: str = "", /, **values: Value) -> Message:
 
 
 def with_values(given: Message, values: Mapping[str, Value]) -> Message:
-    """Return a message with other values; as it is where another version made it, in other words."""
+    """Return a message with other values; as it is where another version made it, in other words.
+
+    Parameters
+    ----------
+    given : the message
+    values : in place of its own
+    """
     english = TEXTS.get(given.key, "")
     try:
         is_of_today = english.format(**given.values) == given.text

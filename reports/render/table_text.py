@@ -7,6 +7,7 @@ import io
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from math import isclose, nan
 from pathlib import Path
 from typing import TypeGuard
 
@@ -17,6 +18,7 @@ from reports.language.locale import UNITS, Locale, visible
 from reports.language.texts import Term, Text, Verbatim, say
 from spectra.arrays import is_number
 from spectra.formulas import harmless_cell
+from spectra.gravity import g
 
 PlainCell = str | float | int | bool | None
 NOTHING = "—"
@@ -88,6 +90,7 @@ def plain_cell(cell: Cell, column: Column, locale: Locale) -> PlainCell:
     return locale.text(content)
 
 
+SAME = 1e-3  # of a number: what one printed to four figures stands for
 SIGNS: Mapping[str, str] = {"": "", "<=": "≤ ", ">=": "≥ "}
 _DECIMAL = re.compile(r"(?<=\d)\.(?=\d)")  # in a formula, which has no other points between digits
 _POWERS = str.maketrans("23", "²³")
@@ -125,12 +128,32 @@ def sheet_rows(steps: Iterable[Step], locale: Locale) -> Iterator[SheetRow]:
 
 
 def equations_line(steps: Sequence[Step], locale: Locale, formula: Callable[[str], str]) -> str:
-    """Return the steps in one line: "T = 2 π √(d / a) = 1.6 s; …". formula : escapes and marks up what it is given."""
-    written = []
-    for row in sheet_rows(steps, locale):
+    """Return the steps in one line, each with what it takes that no step before it gives.
+
+    Parameters
+    ----------
+    steps : in the order of the calculation
+    locale : language, and units beside the SI ones in which formulas are worked
+    formula : escapes and marks up what it is given
+
+    Returns
+    -------
+    str
+        "T = 2 π √(d / a) = 1.6 s [d = 0.11]; …".
+    """
+    written, known = [], {"g": g}
+    for step, row in zip(steps, sheet_rows(steps, locale), strict=True):
         repeated = row.formula == row.symbol
         left = row.symbol if repeated or not row.formula else f"{row.symbol} = {row.formula}"
-        written.append(f"{formula(left)} = {formula(f'{row.result} ({row.beside})' if row.beside else row.result)}")
+        new = [
+            f"{each.symbol} = {locale.number(each.value)}"
+            for each in (*step.inputs, *step.at)
+            if not isclose(known.get(each.symbol, nan), each.value, rel_tol=SAME)
+        ]
+        beside = " ".join(part for part in (row.beside and f"({row.beside})", new and f"[{', '.join(new)}]") if part)
+        written.append(f"{formula(left)} = {formula(f'{row.result} {beside}'.rstrip())}")
+        known |= {each.symbol: each.value for each in (*step.inputs, *step.at)}
+        known |= {step.symbol: step.value} if step.value is not None else {}
     return "; ".join(written)
 
 

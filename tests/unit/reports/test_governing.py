@@ -100,12 +100,23 @@ def test_signed_pages_show_other_codes_where_the_project_lists_its_procedures() 
     assert governing.by_own_code(replace(church, verdict=None)).verdict is None
 
 
+def test_every_step_prints_what_no_step_before_it_gives() -> None:
+    """gamma psi by NTC 2018, C7.2.10, from the storeys, the height and that of the building alone."""
+    church = example_results("chiesa")
+    (line,) = governing_steps(church, church.mechanisms[0])
+    steps = {each.split(" = ")[0]: each for each in equations_line(line.steps, Locale(), str).split("; ")}
+    shown, _, given = steps["γψ"].partition(" [")
+    storeys, place, height = (float(each.split(" = ")[1]) for each in given.rstrip("]").split(", "))
+    assert float(shown.split(" = ")[-1]) == pytest.approx(3 * storeys * place / ((2 * storeys + 1) * height), rel=2e-3)
+    assert "[" not in steps["a(d_SLV)"]  # of λ, e* and FC, which stand before it
+
+
 def test_the_number_that_decides_is_redone_from_what_the_page_prints() -> None:
     """By NTC 2018, C8.7.1.2.1.8: from d, a(d), FC and the ordinate alone, to the figures printed."""
     church = example_results("chiesa")
     for mechanism in church.mechanisms[:3]:
         (line,) = governing_steps(church, mechanism)
-        steps = (each.split(" = ") for each in equations_line(line.steps, Locale(), str).split("; "))
+        steps = (each.partition(" [")[0].split(" = ") for each in equations_line(line.steps, Locale(), str).split("; "))
         shown = {parts[0]: parts[-1] for parts in steps}
         value = {symbol: float(text.split()[0].split("\N{NO-BREAK SPACE}")[0]) for symbol, text in shown.items()}
         assert value["a0*"] == pytest.approx(value["α0"] * g / (value["e*"] * value["FC"]), rel=2e-3)

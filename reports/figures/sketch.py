@@ -60,6 +60,7 @@ TALLEST, LOWEST = 2.5, 0.9  # of the figure, of a panel [in]
 LEFT, BOTTOM, TOP, GAP = 0.42, 0.36, 0.2, 0.08  # around and between the panels [in]
 MASONRY_BESIDE = 0.35  # of the mechanism's size: what is shown of the masonry that stays, at either side
 SEEN_FROM_ABOVE = frozenset({"horizontal-arch"})  # kinds that move in a level plane
+TICK_ROOM = 0.06  # of a panel: a number nearer to its side runs into that of the next
 _ARROW = {"arrowstyle": "-|>", "linewidth": 1.1, "shrinkA": 0, "shrinkB": 0}
 LOAD_ARROW = 0.16  # length of a load's arrow, as a part of the mechanism's size
 
@@ -227,8 +228,9 @@ def _add_panel(
     across, up = 0.5 * wide / scale, 0.5 * high / scale
     axes.set(xlim=(middle - across, middle + across), ylim=(level - up, level + up))
     axes.grid(visible=False)
-    for axis, steps in ((axes.xaxis, 3), (axes.yaxis, 6)):
+    for axis, steps, beside in ((axes.xaxis, 3, TICK_ROOM), (axes.yaxis, 6, 0.0)):
         low, top = (float(end) / metres.unit.size for end in axis.get_view_interval())
+        low, top = low + beside * (top - low), top - beside * (top - low)
         ticks = [each for each in MaxNLocator(steps, steps=[1, 2, 5, 10]).tick_values(low, top) if low <= each <= top]
         names = [metres.locale.number(each, figures=3) for each in ticks]
         axis.set_ticks([each * metres.unit.size for each in ticks], labels=names)

@@ -72,6 +72,16 @@ def find_contact(
     ------
     GeometryError : the bodies overlap and the surface of one is not that of a solid
     """
+    margin = max(tolerance, JOINT)
+    ends = [(solid.vertices.min(axis=0) - margin, solid.vertices.max(axis=0)) for solid in (block, body)]
+    if (ends[0][0] > ends[1][1]).any() or (ends[1][0] > ends[0][1]).any():
+        return None
+    return _contact_of((block, body), tolerance, joint)
+
+
+@keep_of_bodies
+def _contact_of(solids: tuple[Solid, ...], tolerance: float, joint: float) -> ContactArea | None:
+    block, body = solids
 
     def contact(cosine: float, *, bearing: bool) -> ContactArea | None:
         faces = _facing_parts(block, body, reach=tolerance, cosine=cosine, bearing=bearing)
@@ -132,7 +142,9 @@ def _join_patches(faces: FacePatches, *, bearing: bool) -> ContactArea | None:
     if area <= SPLINTER:
         return None
     centroid, normal = (A @ each / area for each in (faces.centroid, faces.normal))
-    return ContactArea(area, centroid, normal / (float(np.linalg.norm(normal)) or 1.0), bearing)
+    normal = normal / (float(np.linalg.norm(normal)) or 1.0)
+    centroid.flags.writeable = normal.flags.writeable = False
+    return ContactArea(area, centroid, normal, bearing)
 
 
 SPLINTER = JOINT**2  # m2: what meets in less does not touch
@@ -280,7 +292,9 @@ def _embedded_contact(block: Solid, body: Solid) -> ContactArea | None:
     weight = -normals[faces_down, 2] * areas_and_normals(underside)[0]
     z = float(weight @ underside[:, :, 2].mean(axis=1) / weight.sum())
     centre = shapely.get_coordinates(shapely.centroid(region))[0] + origin[:2]
-    return ContactArea(area, np.array([*centre, z]), np.array([0.0, 0.0, 1.0]), True)
+    place, upwards = np.array([*centre, z]), np.array([0.0, 0.0, 1.0])
+    place.flags.writeable = upwards.flags.writeable = False
+    return ContactArea(area, place, upwards, True)
 
 
 def _open_region(region: shapely.Geometry, *, width: float) -> shapely.Geometry:

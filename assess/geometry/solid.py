@@ -64,12 +64,12 @@ class Solid(ShortRepr):
 def keep_of_bodies(
     find: Callable[Concatenate[tuple[Solid, ...], P], T],
 ) -> Callable[Concatenate[tuple[Solid, ...], P], T]:
-    """Return a function of bodies, known by identity, that keeps its last answers: 256 of small ones, 4 of others.
+    """Return a function of bodies, known by identity, that keeps its last answers: 1024 of small ones, 4 of others.
 
     A project asks the same of the same bodies for each of its states, directions and variations. What else it is
     called with must be hashable; answers are shared, so their arrays must not be written to.
     """
-    of_small, of_large = lru_cache(maxsize=256)(find), lru_cache(maxsize=4)(find)
+    of_small, of_large = lru_cache(maxsize=1024)(find), lru_cache(maxsize=4)(find)
 
     def answer(solids: tuple[Solid, ...], /, *args: P.args, **kwargs: P.kwargs) -> T:
         small = sum(len(solid.triangles) for solid in solids) <= SMALL

@@ -308,6 +308,8 @@ def weakest_wedges(
     steepest = Alternative(with_wedges((STEEPEST,)), direction, {"angle": Quantity(STEEPEST, "angle", 3)})
     parameters = {"hinge": Quantity(elevation, "length"), "angle": Quantity(least.at[0], "angle", 3)}
     found = Found(least.value, direction, parameters, None, (steepest,), least.evaluations, tied=turned.tied)
+    if least.at[0] == 0.0:
+        return found  # it turns alone
     definition = FacadeWithWedges(
         blocks=(tuple(part.name for part in (*parts, *side_walls)),),
         direction=direction,

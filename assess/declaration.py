@@ -44,6 +44,7 @@ RANGES: dict[str, tuple[float, float]] = {
     "stress": (1e-3, 1e13),
     "stiffness": (1e-3, 1e17),
     "density": (1e-3, 1e5),
+    "area": (1e-9, 1e6),
     "mass per area": (1e-6, 1e7),
     "inertia": (1e-12, 1e18),
     "angle": (1e-9, 1e3),
@@ -359,6 +360,7 @@ JointStiffness = Annotated[
 ]
 PositiveDensity = Annotated[float, Number("density", above=0)]
 PositiveInertia = Annotated[float, Number("inertia", above=0)]
+PositiveArea = Annotated[float, Number("area", above=0)]
 PositiveAreaMass = Annotated[float, Number("mass per area", above=0)]
 PositiveFrequency = Annotated[float, Number("frequency", above=0)]
 PositiveRate = Annotated[float, Number("rate", above=0)]

@@ -22,10 +22,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
+from math import inf
 from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 
+from assess.errors import MechanismError
 from assess.messages.message import Message, Term
 from assess.short_repr import ShortRepr
 from spectra.arrays import FloatArray
@@ -125,6 +127,53 @@ class Branch:
 
 
 @dataclass(frozen=True, repr=False)
+class TieLaw(ShortRepr):
+    """A tie on an oscillator.
+
+    Attributes
+    ----------
+    stiffness : k, of bar and anchorage [N/m]
+    strength : force at yield [N]
+    gone : elongation at which it breaks or its anchor fails [m]; below strength / stiffness it never yields
+    elongation, rate : e [m] and de/dphi [m] at the rotations of each branch, at rest what its pretension gives;
+        the positive branch first [branches][n]
+    """
+
+    stiffness: float
+    strength: float
+    gone: float
+    elongation: tuple[FloatArray, ...]
+    rate: tuple[FloatArray, ...]
+
+    def __post_init__(self) -> None:
+        """Refuse what is no tie, or one that shortens again after it has yielded."""
+        for name in ("stiffness", "strength"):
+            if not 0.0 < getattr(self, name) < inf:
+                raise MechanismError(f"a tie has {name} {getattr(self, name):.6g}; it must be positive and finite")
+        for e, rate in zip(self.elongation, self.rate, strict=True):
+            if (rate[e > self.strength / self.stiffness] <= 0.0).any():
+                raise MechanismError(
+                    "a tie yields and then shortens again before the mechanism overturns, which histories do not "
+                    "follow: look at its anchor"
+                )
+
+
+@dataclass(frozen=True, repr=False)
+class Memory(ShortRepr):
+    """What an oscillator without memory lacks: its motion depends on how far it has rocked.
+
+    bare : the oscillator without ties that stretch and without friction
+    ties : on it
+    friction : moment of the side walls as the mechanism opens, at the rotations of each branch [branches][n] [N m];
+        empty if there is none
+    """
+
+    bare: Oscillator
+    ties: tuple[TieLaw, ...] = ()
+    friction: tuple[FloatArray, ...] = ()
+
+
+@dataclass(frozen=True, repr=False)
 class Oscillator:
     """A mechanism as the dynamics and the codes see it.
 
@@ -132,6 +181,7 @@ class Oscillator:
     mass : total moved mass, bearing or not [kg]
     equilibrium, equilibrium_negative : phi_e, the rotation at rest from which each branch counts, in its own sign
         [rad]; not zero if a flexible joint carries an eccentric load
+    memory : of ties that stretch, whose tables are those of the first way out; None without any
     """
 
     positive: Branch
@@ -139,6 +189,7 @@ class Oscillator:
     mass: float
     equilibrium: float = 0.0
     equilibrium_negative: float = 0.0
+    memory: Memory | None = None
 
     def __repr__(self) -> str:
         sides = "one-sided" if self.negative is None else "two-sided"
@@ -175,6 +226,11 @@ class Oscillator:
     def equilibria(self) -> tuple[float, float]:
         """The rotations at rest from which the positive and the negative branch count [rad]."""
         return self.equilibrium, self.equilibrium_negative
+
+    @property
+    def bare(self) -> Oscillator:
+        """The oscillator to whose overturning rotations the ratios of its histories refer: without what remembers."""
+        return self if self.memory is None else self.memory.bare
 
     @property
     def symmetric(self) -> bool:

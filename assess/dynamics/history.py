@@ -32,7 +32,8 @@ from assess.dynamics.packing import (
     pack_all,
     tables_of,
 )
-from assess.oscillator import Oscillator
+from assess.errors import MechanismError
+from assess.oscillator import Memory, Oscillator
 from assess.short_repr import ShortRepr
 from records.record import Record, make_record
 from spectra.arrays import BoolArray, FloatArray, IntArray
@@ -195,6 +196,13 @@ def make_solver(
     ------
     MechanismError : a branch that cannot rock
     """
+    if any(one.memory for one in oscillators):
+        _require_exact(equation)
+        from assess.dynamics.ties import make_tied_solver  # which builds on this file
+
+        memories = [one.memory or Memory(one) for one in oscillators]
+        solve = make_tied_solver(memories, motions, threads=threads, tolerance=tolerance)
+        return lambda jobs: solve(jobs).peaks
     each = pack_all(oscillators, equation)
     run = _RUNS[equation](each, motions, tolerance)
 
@@ -206,14 +214,19 @@ def make_solver(
             path, events = np.empty((0, 3)), np.zeros((1, 4))
             run(checked.oscillator[part], checked.motion[part], checked.scale[part], 0.0, found[part], path, events)
 
-        if threads == 1:
-            work(slice(0, checked.scale.size))
-        else:
-            with ThreadPoolExecutor(threads or os.cpu_count() or 1) as pool:
-                list(pool.map(work, _job_slices(checked, motions)))
+        share_out(work, checked, motions, threads=threads)
         return peaks_found(found, checked, oscillators, each)
 
     return answer
+
+
+def share_out(work: Callable[[slice], None], jobs: Jobs, motions: Sequence[Record], *, threads: int) -> None:
+    """Run `work` on slices of jobs, on a number of threads, 0 for all cores."""
+    if threads == 1:
+        work(slice(0, jobs.scale.size))
+        return
+    with ThreadPoolExecutor(threads or os.cpu_count() or 1) as pool:
+        list(pool.map(work, _job_slices(jobs, motions)))
 
 
 def trace(
@@ -307,6 +320,14 @@ def _trace(
     capacity: int,
 ) -> tuple[Trace, Events]:
     """Run one job and return its samples, and as many of its events as there is room for."""
+    if oscillator.memory is not None:
+        _require_exact(equation)
+        if release:
+            raise MechanismError("a mechanism with ties that stretch is released from rest only")
+        from assess.dynamics.ties import tied_trace  # which builds on this file
+
+        found, _, happened = tied_trace(oscillator.memory, motion, scale=scale, tolerance=tolerance, capacity=capacity)
+        return found, happened
     one = pack(oscillator, equation)
     run = _RUNS[equation]([one], [motion], tolerance)
     path, events = np.zeros((motion.npts, 3)), np.zeros((capacity + 1, 4))
@@ -314,7 +335,13 @@ def _trace(
     start = _release_coordinate(one, release) if release else 0.0
     samples = run(first, first, np.array([scale]), start, np.empty((1, columns.FOUND)), path, events)
     traced = trace_found(motion, one, path[:samples])
-    return traced, _events(events[1 : 1 + int(events[0, 0])], one)
+    return traced, events_found(events[1 : 1 + int(events[0, 0])], one)
+
+
+def _require_exact(equation: Equation) -> None:
+    """Raise MechanismError for the linearised equation, which knows no tie that stretches."""
+    if equation != "exact":
+        raise MechanismError('ties that stretch need the exact equation; write [analysis] equation = "exact"')
 
 
 def trace_found(motion: Record, one: PackedOscillator, path: FloatArray) -> Trace:
@@ -330,7 +357,7 @@ def trace_found(motion: Record, one: PackedOscillator, path: FloatArray) -> Trac
     return Trace(_frozen(motion.time[: y.size]), _frozen(rotation), _frozen(velocity))
 
 
-def _events(happened: FloatArray, one: PackedOscillator) -> Events:
+def events_found(happened: FloatArray, one: PackedOscillator) -> Events:
     """Return the uplifts and impacts among the events of the kernel [n, 4]."""
     time, kind, value, on = happened[happened[:, columns.KIND] != columns.PEAK].T
     velocity = np.zeros(time.size)

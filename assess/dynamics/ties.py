@@ -11,67 +11,23 @@ import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from assess.dynamics import history
-from assess.dynamics.history import TOLERANCE, Jobs, Peaks, Trace
+from assess.dynamics.history import TOLERANCE, Events, Jobs, Peaks, Trace
 from assess.dynamics.kernel import columns
 from assess.dynamics.packing import PackedOscillator, branches_of, pack_all, tables_of
-from assess.errors import MechanismError
-from assess.oscillator import Oscillator
+from assess.oscillator import Memory
 from assess.short_repr import ShortRepr
 from records.record import Record
 from spectra.arrays import BoolArray, FloatArray, IntArray
 
-RunTied = Callable[[IntArray, IntArray, FloatArray, FloatArray, FloatArray, FloatArray], int]
+if TYPE_CHECKING:
+    from scipy.interpolate import CubicHermiteSpline
 
-
-@dataclass(frozen=True, repr=False)
-class TieLaw(ShortRepr):
-    """A tie on an oscillator.
-
-    Attributes
-    ----------
-    stiffness : k, of bar and anchorage [N/m]
-    strength : force at yield [N]
-    gone : elongation at which it breaks or its anchor fails [m]; below strength / stiffness it never yields
-    elongation, rate : e [m] and de/dphi [m] at the rotations of each branch, at rest what its pretension gives;
-        the positive branch first [branches][n]
-    """
-
-    stiffness: float
-    strength: float
-    gone: float
-    elongation: tuple[FloatArray, ...]
-    rate: tuple[FloatArray, ...]
-
-    def __post_init__(self) -> None:
-        """Refuse what is no tie, or one that shortens again after it has yielded."""
-        for name in ("stiffness", "strength"):
-            if not 0.0 < getattr(self, name) < math.inf:
-                raise MechanismError(f"a tie has {name} {getattr(self, name):.6g}; it must be positive and finite")
-        for e, rate in zip(self.elongation, self.rate, strict=True):
-            if (rate[e > self.strength / self.stiffness] <= 0.0).any():
-                raise MechanismError(
-                    "a tie yields and then shortens again before the mechanism overturns, which histories do not "
-                    "follow: look at its anchor"
-                )
-
-
-@dataclass(frozen=True, repr=False)
-class TiedOscillator(ShortRepr):
-    """A mechanism with memory.
-
-    bare : without ties and friction
-    ties : on it
-    friction : moment of the side walls as the mechanism opens, at the rotations of each branch [branches][n] [N m];
-        empty if there is none
-    """
-
-    bare: Oscillator
-    ties: tuple[TieLaw, ...] = ()
-    friction: tuple[FloatArray, ...] = ()
+RunTied = Callable[[IntArray, IntArray, FloatArray, FloatArray, FloatArray, FloatArray, FloatArray], int]
 
 
 @dataclass(frozen=True, repr=False)
@@ -87,7 +43,7 @@ class TiedPeaks(ShortRepr):
 
 
 def tied_peaks(
-    oscillators: Sequence[TiedOscillator], motions: Sequence[Record], jobs: Jobs, *, tolerance: float = TOLERANCE
+    oscillators: Sequence[Memory], motions: Sequence[Record], jobs: Jobs, *, tolerance: float = TOLERANCE
 ) -> TiedPeaks:
     """Return the largest response of every job, by the exact equation, with what is left of the ties.
 
@@ -101,53 +57,104 @@ def tied_peaks(
     ------
     MechanismError : a branch that cannot rock
     """
+    return make_tied_solver(oscillators, motions, threads=1, tolerance=tolerance)(jobs)
+
+
+def make_tied_solver(
+    oscillators: Sequence[Memory], motions: Sequence[Record], *, threads: int, tolerance: float = TOLERANCE
+) -> Callable[[Jobs], TiedPeaks]:
+    """Return a solver for these oscillators and motions; call it with Jobs.
+
+    Parameters
+    ----------
+    oscillators, motions : what jobs name by their indices
+    threads : number of threads, 0 for all cores; the result does not depend on it
+    tolerance : error allowed in a step [-]
+    """
     each = _packed(oscillators)
     run = _solver(oscillators, each, motions, tolerance)
-    checked = history.checked_jobs(jobs, oscillators=len(oscillators), motions=len(motions))
-    found = np.empty((checked.scale.size, columns.FOUND))
-    plastic = np.zeros((checked.scale.size, _most_ties(oscillators)))
-    run(checked.oscillator, checked.motion, checked.scale, found, plastic, np.empty((0, 3 + plastic.shape[1])))
-    return TiedPeaks(
-        history.peaks_found(found, checked, [one.bare for one in oscillators], each),
-        np.where(np.isfinite(plastic), plastic, np.nan),
-        np.isinf(plastic),
-    )
+
+    def answer(jobs: Jobs) -> TiedPeaks:
+        checked = history.checked_jobs(jobs, oscillators=len(oscillators), motions=len(motions))
+        found = np.empty((checked.scale.size, columns.FOUND))
+        plastic = np.zeros((checked.scale.size, _most_ties(oscillators)))
+
+        def work(part: slice) -> None:
+            path, events = np.empty((0, 3 + plastic.shape[1])), np.zeros((1, 4))
+            which = checked.oscillator[part], checked.motion[part], checked.scale[part]
+            run(*which, found[part], plastic[part], path, events)
+
+        history.share_out(work, checked, motions, threads=threads)
+        return TiedPeaks(
+            history.peaks_found(found, checked, [one.bare for one in oscillators], each),
+            np.where(np.isfinite(plastic), plastic, np.nan),
+            np.isinf(plastic),
+        )
+
+    return answer
 
 
 def tied_trace(
-    oscillator: TiedOscillator, motion: Record, *, scale: float, tolerance: float = TOLERANCE
-) -> tuple[Trace, FloatArray]:
-    """Return the history at the samples of the record, and the plastic elongation of each tie there [n, ties] [m].
+    oscillator: Memory, motion: Record, *, scale: float, tolerance: float = TOLERANCE, capacity: int = 0
+) -> tuple[Trace, FloatArray, Events]:
+    """Return the history at the samples of the record, the plastic elongation of each tie there, and its events.
 
-    A tie that is gone has an infinite one.
+    A tie that is gone has an infinite plastic elongation [n, ties] [m]; one that yields has that of the last peak.
 
     Parameters
     ----------
     oscillator, motion : the mechanism and the ground motion
     scale : factor on the motion, negative for the reversed polarity [-]
     tolerance : error allowed in a step [-]
+    capacity : most events that are kept
     """
     (one,) = _packed([oscillator])
     run = _solver([oscillator], [one], [motion], tolerance)
     first, ties = np.zeros(1, dtype=np.int64), _most_ties([oscillator])
-    path = np.zeros((motion.npts, 3 + ties))
+    path, events = np.zeros((motion.npts, 3 + ties)), np.zeros((capacity + 1, 4))
     path[0, 2] = -1.0
-    samples = run(first, first, np.array([scale]), np.empty((1, columns.FOUND)), np.zeros((1, ties)), path)
-    return history.trace_found(motion, one, path[:samples, :3]), path[:samples, 3:]
+    found, plastic = np.empty((1, columns.FOUND)), np.zeros((1, ties))
+    samples = run(first, first, np.array([scale]), found, plastic, path, events)
+    happened = history.events_found(events[1 : 1 + int(events[0, 0])], one)
+    return history.trace_found(motion, one, path[:samples, :3]), path[:samples, 3:], happened
 
 
-def _packed(oscillators: Sequence[TiedOscillator]) -> list[PackedOscillator]:
+def tie_energy(oscillator: Memory, path: Trace, plastic: FloatArray) -> FloatArray:
+    """Return what the ties have taken up since rest, elastic and for good, at the samples of a history [n] [J].
+
+    Parameters
+    ----------
+    oscillator, path : the mechanism and its history
+    plastic : elongation of each tie at its samples, as `tied_trace` gives it [n, ties] [m]
+    """
+    total = np.zeros(path.time.size)
+    for number, tie in enumerate(oscillator.ties):
+        e = np.empty(path.time.size)
+        for side, branch in enumerate(oscillator.bare.branches):
+            here = path.rotation < 0.0 if side else path.rotation >= 0.0
+            shape = _cubic_spline(branch.rotation, tie.elongation[side], tie.rate[side])
+            e[here] = shape(np.abs(path.rotation[here]))
+        k, most = tie.stiffness, tie.strength
+        gone = np.isinf(plastic[:, number]) | (e >= tie.gone)
+        left = np.where(gone, max(tie.gone - most / k, 0.0), np.maximum(plastic[:, number], e - most / k))
+        pull = np.where(gone, min(most, k * tie.gone), np.clip(k * (e - left), 0.0, most))
+        at_rest = k * max(float(tie.elongation[0][0]), 0.0) ** 2 / 2
+        total += pull**2 / (2 * k) + most * left - at_rest
+    return total
+
+
+def _packed(oscillators: Sequence[Memory]) -> list[PackedOscillator]:
     """Pack the bare oscillators; each side has a table of its own, as ties differ where the body is alike."""
     found = pack_all([one.bare for one in oscillators], "exact")
     return [replace(one, sides=tuple(replace(side) for side in one.sides)) for one in found]
 
 
-def _most_ties(oscillators: Sequence[TiedOscillator]) -> int:
+def _most_ties(oscillators: Sequence[Memory]) -> int:
     return max((len(one.ties) for one in oscillators), default=0)
 
 
 def _solver(
-    oscillators: Sequence[TiedOscillator],
+    oscillators: Sequence[Memory],
     each: Sequence[PackedOscillator],
     motions: Sequence[Record],
     tolerance: float,
@@ -182,6 +189,12 @@ def _solver(
 
 def _cubics(y: FloatArray, value: FloatArray, slope: FloatArray) -> FloatArray:
     """Return the cubics through values and slopes at y [n], highest power first [n - 1, 4]."""
+    return np.ascontiguousarray(_cubic_spline(y, value, slope).c.T)
+
+
+def _cubic_spline(x: FloatArray, value: FloatArray, slope: FloatArray) -> CubicHermiteSpline:
+    """Return the spline through values and slopes at x [n], of which two alike are one."""
     from scipy.interpolate import CubicHermiteSpline
 
-    return np.ascontiguousarray(CubicHermiteSpline(y, value, slope).c.T)
+    keep = np.r_[True, np.diff(x) > 0.0]
+    return CubicHermiteSpline(x[keep], value[keep], slope[keep])

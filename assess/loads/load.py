@@ -13,7 +13,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass, replace
-from math import hypot
+from math import hypot, inf
 from typing import Annotated, Any, ClassVar, Literal, get_args
 
 import numpy as np
@@ -28,11 +28,13 @@ from assess.declaration import (
     Name,
     NotAKey,
     Number,
+    PositiveArea,
     PositiveAreaMass,
     PositiveForce,
     PositiveLength,
     PositiveMass,
     PositiveRatio,
+    PositiveStress,
     Safe,
     Share,
     StatedDirection,
@@ -40,7 +42,11 @@ from assess.declaration import (
 )
 from assess.geometry.contact import CONTACT_TOLERANCE
 from assess.messages.message import Message, Term
+from spectra.arrays import FloatArray
 from spectra.gravity import g
+
+DUCTILE = 1.25
+"""Anchorage over yield force of the bar, from which on the bar is taken to yield first."""
 
 Place = tuple[float, ...]
 Point = tuple[float, float]
@@ -140,9 +146,13 @@ class ForceLoad:
 
 @dataclass(frozen=True, kw_only=True)
 class TieLoad:
-    """A tie of constant pretension; slack on the branch where it shortens.
+    """A tie: of constant pretension, slack on the branch where it shortens; or, with `area`, a bar that stretches.
 
-    It counts up to collapse only with until = "collapse", strength, length, fracture_strain and a source.
+    A constant one counts up to collapse only with until = "collapse", strength, length, fracture_strain and a source. A
+    bar pulls with its pretension and young_modulus area / length for each metre that it lengthens, up to area
+    yield_stress; it yields, goes slack when the wall comes back, and breaks at fracture_strain. `strength` is then that
+    of its anchorage: below 1.25 times the yield force the bar does not yield first, and the tie is gone where it is
+    reached.
     """
 
     kind: ClassVar[Literal["tie"]] = "tie"
@@ -166,7 +176,19 @@ class TieLoad:
     strength: Annotated[
         PositiveForce | None, UNCERTAIN, Evidence("measured", "up", "the wall without the tie", safe=Safe.ABSENT)
     ] = None
-    """least of bar, plate, masonry and far wall; it never pulls with more"""
+    """least of bar, plate, masonry and far wall; it never pulls with more. With `area`: of all but the bar"""
+    area: Annotated[
+        PositiveArea | None, UNCERTAIN, Evidence("measured", "up", "the wall without the tie", safe=Safe.ABSENT)
+    ] = None
+    """of the bar's section, like "314 mm^2"; the tie then stretches, by young_modulus and yield_stress, to an anchor"""
+    young_modulus: Annotated[
+        PositiveStress | None, Evidence("measured", "up", "the wall without the tie", safe=Safe.ABSENT)
+    ] = None
+    """of the bar, like "210 GPa\""""
+    yield_stress: Annotated[
+        PositiveStress | None, UNCERTAIN, Evidence("measured", "up", "the wall without the tie", safe=Safe.ABSENT)
+    ] = None
+    """of the bar, like "235 MPa\""""
     length: Annotated[
         PositiveLength | None, Evidence("drawn", "up", "absent: it does not last to collapse", safe=Safe.ABSENT)
     ] = None
@@ -184,6 +206,19 @@ class TieLoad:
         """Yield the keys that do not go together."""
         if (self.direction is None) == (self.anchor is None):
             yield "anchor", "give either anchor or direction, the way the tie pulls"
+        bar = {key: getattr(self, key) for key in ("area", "young_modulus", "yield_stress")}
+        if all(value is None for value in bar.values()):
+            return
+        for key, value in {**bar, "length": self.length, "fracture_strain": self.fracture_strain}.items():
+            if value is None:
+                yield (
+                    key,
+                    "missing; a tie that stretches needs area, young_modulus, yield_stress, length, fracture_strain",
+                )
+        if self.anchor is None:
+            yield "anchor", "missing; a tie that stretches does so towards its fixed end"
+        if self.until is not None:
+            yield "until", "a tie that stretches ends by its own law; remove until"
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -410,8 +445,10 @@ class Force:
 class Tie:
     """A tie of constant pretension `pull` [N] along `direction` (a unit vector), or always towards `anchor`.
 
-    It is slack on the branch where it shortens, unless `both`.
-    strength : least of bar, plate, masonry and far wall [N], above which it never pulls
+    It is slack on the branch where it shortens, unless `both`. One with a stiffness k [N/m] and the force [N] at which
+    its bar yields pulls with pull + k e, e its elongation from rest, between zero and that force.
+    strength : least of bar, plate, masonry and far wall [N], above which it never pulls; of one that stretches, of all
+        but the bar
     length, fracture_strain : of the bar [m], [-]; it ends where it has lengthened by more than their product
     evidence : where it is shown that it lasts as `until` says; empty where it is not
     """
@@ -429,6 +466,8 @@ class Tie:
     length: float | None = None
     fracture_strain: float | None = None
     evidence: str = ""
+    stiffness: float | None = None
+    yield_force: float | None = None
 
     @property
     def source(self) -> str:
@@ -436,21 +475,50 @@ class Tie:
         return source_phrase(self.source_parts)
 
     @property
+    def stretches(self) -> bool:
+        """Whether its force follows its elongation."""
+        return self.stiffness is not None
+
+    @property
     def tension(self) -> float:
-        """The force with which it pulls [N]: its pretension, and never more than its strength."""
-        return self.pull if self.strength is None else min(self.pull, self.strength)
+        """The force with which it pulls at rest [N]: its pretension, and never more than its strength."""
+        most = [each for each in (self.pull, self.strength, self.yield_force) if each is not None]
+        return min(most)
+
+    @property
+    def most(self) -> float:
+        """The force beyond which a tie that stretches does not go [N]: of its bar or, where less, of its anchorage."""
+        return min(each for each in (self.yield_force, self.strength, inf) if each is not None)
+
+    @property
+    def ductile(self) -> bool:
+        """Whether the bar of a tie that stretches yields before its anchorage fails, with DUCTILE to spare."""
+        return self.strength is not None and self.strength >= DUCTILE * (self.yield_force or 0.0)
 
     @property
     def elongation(self) -> float | None:
-        """The elongation at which it breaks [m]; None if that is not known."""
-        known = self.length is not None and self.fracture_strain is not None
-        return (self.length or 0.0) * (self.fracture_strain or 0.0) if known else None
+        """The elongation from rest at which it breaks, or its anchorage fails [m]; None if that is not known."""
+        if self.length is None or self.fracture_strain is None:
+            return None
+        if self.stiffness is None:
+            return self.length * self.fracture_strain
+        elastic = (self.most - self.tension) / self.stiffness
+        return elastic + self.length * self.fracture_strain if self.ductile else elastic
+
+    def pull_at(self, elongation: FloatArray) -> FloatArray:
+        """Return the force of a tie that stretches as it first does [n] [N], before it breaks.
+
+        Parameters
+        ----------
+        elongation : from rest, negative where it shortens [n] [m]
+        """
+        return np.clip(self.tension + (self.stiffness or 0.0) * elongation, 0.0, self.most)
 
     @property
     def missing(self) -> tuple[str, ...]:
         """The keys of the project file that are missing before it counts as lasting to collapse."""
-        shown = {key: getattr(self, key) for key in ("until", "strength", "length", "fracture_strain")}
-        return _missing_keys({**shown, "source": self.evidence})
+        keys = ("strength",) if self.stretches else ("until", "strength", "length", "fracture_strain")
+        return _missing_keys({**{key: getattr(self, key) for key in keys}, "source": self.evidence})
 
 
 ForceOrTie = Force | Tie
@@ -469,7 +537,8 @@ def pull_at_rest(tie: Tie) -> Point:
 
 def lasts(action: ForceOrTie) -> bool:
     """Return whether it is shown to last to collapse (NTC 2018, C8.7.1.2.1.6), but for a tie's fracture strain."""
-    return action.until == "collapse" and not action.missing
+    until = "collapse" if isinstance(action, Tie) and action.stretches else action.until
+    return until == "collapse" and not action.missing
 
 
 def upward(load: Load) -> float:

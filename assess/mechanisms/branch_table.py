@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, fields, replace
+from functools import partial
 from itertools import pairwise
 from math import hypot, inf
 
@@ -144,8 +145,27 @@ def negligible_moments(chain: Chain) -> FloatArray:
 
 
 def single_stage(chain: Chain) -> Stages:
-    """Return the chain with every action at every rotation."""
-    return (ChainStage(0.0, chain),)
+    """Return the chain with every action at every rotation, but for ties that stretch, which break.
+
+    A stage begins where such a tie begins to yield, is slack or breaks.
+    """
+    bars = [(number, each) for number, each in enumerate(chain.actions) if isinstance(each, Tie) and each.stretches]
+    ends = {number: _breaking_rotation(chain, tie) for number, tie in bars}
+    found = []
+    for start in sorted({0.0, *_kinks(chain), *(end for end in ends.values() if end < inf)}):
+        absent = tuple(number for number, end in ends.items() if end <= start)
+        found.append(ChainStage(start, _remove_actions(chain, absent), absent))
+    return tuple(found)
+
+
+def _kinks(chain: Chain) -> list[float]:
+    """Return the rotations at which the bars of ties begin to yield, or are slack [rad]."""
+    found: set[float] = set()
+    for tie in chain.actions:
+        if isinstance(tie, Tie) and tie.stiffness is not None:
+            for sign, amount in ((1.0, tie.most - tie.tension), (-1.0, tie.tension)):
+                found.add(rotation_reaching(chain, tie, amount / tie.stiffness, partial(_signed_elongation, tie, sign)))
+    return sorted(each for each in found if 0.0 < each < inf)
 
 
 def stage_signature(found: Stages) -> Signature:
@@ -164,7 +184,8 @@ def divide_into_stages(chain: Chain, ends: Sequence[float], moments: ActionMomen
     ended = [number for number, end in enumerate(ends) if end < moments.scan[-1] and values[number].min() < 0.0]
     if not ended:
         return single_stage(chain)
-    marks = {0.0}
+    kinks = {0.0, *_kinks(chain)}
+    marks = set(kinks)
     for number in ended:
         marks |= {ends[number], *_sign_changes(number, values[number], moments, after=ends[number])}
     least = AT_REST * moments.scan[-1]
@@ -174,7 +195,7 @@ def divide_into_stages(chain: Chain, ends: Sequence[float], moments: ActionMomen
         middle = 0.5 * (start + stop)
         now = moments.at_rotations(np.array([middle]))[:, 0]
         absent = tuple(number for number in ended if middle > ends[number] and now[number] < 0.0)
-        if not found or found[-1].absent != absent:
+        if not found or found[-1].absent != absent or start in kinks:
             found.append(ChainStage(start, _remove_actions(chain, absent), absent))
     return tuple(found)
 
@@ -342,6 +363,10 @@ def _horizontal_travel(path: PointPath) -> FloatArray:
 def _displacement(path: PointPath) -> FloatArray:
     """Return the displacement from rest [n] [m]."""
     return np.asarray(np.hypot(path.x - path.x[0], path.z - path.z[0]))
+
+
+def _signed_elongation(tie: Tie, sign: float, path: PointPath) -> FloatArray:
+    return sign * _elongation(tie, path)
 
 
 def _elongation(tie: Tie, path: PointPath) -> FloatArray:

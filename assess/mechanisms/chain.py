@@ -434,7 +434,11 @@ def generalised_moment(load: Force | Tie, moved: PointPath) -> FloatArray:
         work = load.tension * (along * moved.dx + up * moved.dz)
     else:
         to_x, to_z = load.anchor[0] - moved.x, load.anchor[1] - moved.z
-        work = load.tension * (to_x * moved.dx + to_z * moved.dz) / np.hypot(to_x, to_z)
+        far = np.hypot(to_x, to_z)
+        if load.stretches:
+            at_rest = hypot(load.anchor[0] - load.at[0], load.anchor[1] - load.at[1])
+            return load.pull_at(far - at_rest) * (to_x * moved.dx + to_z * moved.dz) / far
+        work = load.tension * (to_x * moved.dx + to_z * moved.dz) / far
     slack = not load.both and work[0] > 0.0  # the point moves along the pull of the tie: the tie shortens
     return np.zeros_like(work) if slack else np.asarray(work)
 

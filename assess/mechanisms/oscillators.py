@@ -16,7 +16,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from assess.errors import InterfaceError, MechanismError
-from assess.loads.load import Force, ForceOrTie, lasts
+from assess.loads.load import Force, ForceOrTie, PointMass, Tie, lasts
 from assess.mechanisms.branch_table import (
     ActionMoments,
     ChainStage,
@@ -29,9 +29,9 @@ from assess.mechanisms.branch_table import (
     stage_signature,
     staged_branch,
 )
-from assess.mechanisms.chain import Chain, ChainPair, virtual_work
+from assess.mechanisms.chain import Chain, ChainPair, move, trace_point, virtual_work
 from assess.mechanisms.flexible_oscillator import flexible_moments, flexible_oscillator, same_stages
-from assess.oscillator import Branch, Oscillator
+from assess.oscillator import Branch, Memory, Oscillator, TieLaw
 
 CLEARLY = 1.0 + 1e-6  # two rotations that differ by less are one
 AT_OVERTURNING = 1e-9  # of a rotation: an end this near overturning comes with it
@@ -62,10 +62,12 @@ class Variants:
         """The oscillators that histories follow, the deciding one first; the worst response counts.
 
         What resists and is not shown to last is left out of the deciding one. That is not always worse: a vertical
-        force moves the frequency of rocking and the impacts' velocities, so histories run with it as well.
+        force moves the frequency of rocking and the impacts' velocities, so histories run with it as well. A tie that
+        stretches is followed through yield and rupture, so where it is shown to be there histories have it.
         """
         each: dict[int, Oscillator] = {}
-        for oscillator in (self.deciding, self.breaking, self.starting):
+        stretching = self.breaking is not None and self.breaking.memory is not None
+        for oscillator in (None if stretching else self.deciding, self.breaking, self.starting):
             if oscillator is not None and (self.collapse is not None or not each):
                 each.setdefault(id(oscillator), oscillator)
         return tuple(each.values())
@@ -265,10 +267,67 @@ def _make_oscillator(pair: ChainPair, front: Stages, back: Stages) -> Oscillator
     pair : the chains of both directions
     front, back : the stages of the positive and of the negative chain; back is ignored for one-sided rocking
     """
+    stretching = dict.fromkeys(tie.name for side in (front, back) for tie in side[0].chain.actions if _stretches(tie))
+    if stretching:
+        if pair.has_joints:
+            raise MechanismError(
+                f'mechanism "{pair.name}": ties that stretch are followed on rigid joints; give the tie a constant '
+                'force, or write model = "rigid"'
+            )
+        made = _rigid_oscillator(pair, front, back)
+        return replace(made, memory=_memory(pair, front, back, list(stretching)))
     made = flexible_oscillator(pair, front, back) if pair.has_joints else _rigid_oscillator(pair, front, back)
     if made.negative is None or not _same_branch(made.positive, made.negative):
         return made
     return replace(made, negative=made.positive)
+
+
+def _stretches(action: ForceOrTie) -> bool:
+    return isinstance(action, Tie) and action.stretches
+
+
+def _memory(pair: ChainPair, front: Stages, back: Stages, names: Sequence[str]) -> Memory:
+    """Return the bare oscillator of stages with the laws of their ties that stretch, by name."""
+    bare = _make_oscillator(pair, *(_without_bars(side) for side in (front, back)))
+    sides = [(front[0].chain, bare.positive)]
+    sides += [] if bare.negative is None else [(back[0].chain, bare.negative)]
+    return Memory(bare, tuple(_law(name, sides) for name in names))
+
+
+def _without_bars(stages: Stages) -> Stages:
+    """Return the stages without ties that stretch."""
+    return tuple(
+        replace(
+            stage,
+            chain=replace(
+                stage.chain,
+                loads=tuple(each for each in stage.chain.loads if isinstance(each, PointMass) or not _stretches(each)),
+            ),
+        )
+        for stage in stages
+    )
+
+
+def _law(name: str, sides: Sequence[tuple[Chain, Branch]]) -> TieLaw:
+    """Return the law of a tie on chains with their bare branches; slack on a chain that does not have it."""
+    ties = [
+        next((each for each in chain.actions if each.name == name and isinstance(each, Tie)), None)
+        for chain, _ in sides
+    ]
+    tie = next(each for each in ties if each is not None)
+    stiffness = tie.stiffness or 1.0
+    at_rest, elongation, rate = tie.tension / stiffness, [], []
+    for (chain, branch), here in zip(sides, ties, strict=True):
+        if here is None or here.anchor is None:
+            elongation.append(np.full_like(branch.rotation, -1.0))
+            rate.append(np.zeros_like(branch.rotation))
+            continue
+        path = trace_point(move(chain, branch.rotation), block=here.block, at=here.at)
+        to_x, to_z = here.anchor[0] - path.x, here.anchor[1] - path.z
+        far = np.hypot(to_x, to_z)
+        elongation.append(at_rest + far - far[0])
+        rate.append(-(to_x * path.dx + to_z * path.dz) / far)
+    return TieLaw(stiffness, tie.most, at_rest + (tie.elongation or 0.0), tuple(elongation), tuple(rate))
 
 
 def _rigid_oscillator(pair: ChainPair, front: Stages, back: Stages) -> Oscillator:

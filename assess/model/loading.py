@@ -220,6 +220,7 @@ def _tie_in_plane(name: str, load: TieLoad, at: Point, direction: Sequence[float
     """Return a tie in the plane of motion; raise GeometryError if its anchor is then where it holds the block."""
     way = None if load.direction is None else unit_in_plane(load.direction, direction)
     anchor = None if load.anchor is None else point_in_plane(load.anchor, direction)
+    stiffness = None if load.area is None else (load.young_modulus or 0.0) * load.area / (load.length or 1.0)
     if anchor == at:
         raise GeometryError(f"{where}.anchor: seen in the plane of motion it is where the tie holds; move one")
     return Tie(
@@ -235,6 +236,8 @@ def _tie_in_plane(name: str, load: TieLoad, at: Point, direction: Sequence[float
         length=load.length,
         fracture_strain=load.fracture_strain,
         evidence=load.evidence,
+        stiffness=stiffness,
+        yield_force=None if load.area is None else load.area * (load.yield_stress or 0.0),
     )
 
 

@@ -136,7 +136,7 @@ def envelope_cases(study: Study, controlling: Mapping[str, MechanismSweep]) -> t
             continue
         factor = partial(pulse_factor, study_there.amplified[name].amplification)
         words = "" if swept is None else case_text(swept.sweep, swept.controlling_case, swept.mechanism)
-        cases.append(EnvelopeCase(name, oscillator, study_there.equations[name], factor, words))
+        cases.append(EnvelopeCase(name, oscillator.bare, study_there.equations[name], factor, words))
     return tuple(cases)
 
 

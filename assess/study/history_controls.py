@@ -29,11 +29,12 @@ import numpy as np
 from assess.amplification import base_motion
 from assess.dynamics.history import TOLERANCE, Events, Trace, free_rocking, peaks, product, trace_with_events
 from assess.dynamics.packing import Equation
+from assess.dynamics.ties import tie_energy, tied_trace
 from assess.loads.load import Force, PointMass, Tie
 from assess.mechanisms.chain import Chain, PointPath, move, trace_point
 from assess.mechanisms.mechanism import Mechanism
 from assess.messages.message import Message, Quantity, note, whole_number
-from assess.oscillator import Branch, Linearised, Oscillator
+from assess.oscillator import Branch, Linearised, Memory, Oscillator
 from assess.results import Control, HistoryResult
 from assess.short_repr import ShortRepr
 from assess.study.amplification import MechanismAmplification
@@ -147,6 +148,7 @@ def energy_control(mechanism: Mechanism, governing: GoverningHistory | None, *, 
         return _free_rocking_control(mechanism, equation=equation)
     motion = sampled_finely(governing.motion, governing.oscillator)
     path, events = trace_with_events(governing.oscillator, motion, scale=governing.scale, equation=governing.equation)
+    stored = _tie_energies(governing.oscillator, motion, governing.scale)
     if governing.history.overturned:  # its last sample is where it overturned, between two samples of the record
         path = Trace(path.time[:-1], path.rotation[:-1], path.velocity[:-1])
     energies = energy_balance(
@@ -157,6 +159,7 @@ def energy_control(mechanism: Mechanism, governing: GoverningHistory | None, *, 
         motion,
         scale=governing.scale,
     )
+    energies = replace(energies, energy=energies.energy + stored[: energies.energy.size])
     worst, largest = energies.worst, float(energies.energy.max())
     if largest <= 0.0:
         return _free_rocking_control(mechanism, equation=equation)
@@ -172,13 +175,21 @@ def energy_control(mechanism: Mechanism, governing: GoverningHistory | None, *, 
     )
 
 
+def _tie_energies(oscillator: Oscillator, motion: Record, scale: float) -> FloatArray:
+    """Return what ties that stretch have taken up at the samples of a history [n] [J]; zeros where there are none."""
+    if oscillator.memory is None:
+        return np.zeros(motion.npts)
+    path, plastic, _ = tied_trace(oscillator.memory, motion, scale=scale)
+    return tie_energy(oscillator.memory, path, plastic)
+
+
 def branch_energies(mechanism: Mechanism, oscillator: Oscillator, equation: Equation) -> tuple[EnergiesAt, ...]:
     """Return the energies of each branch: of the masses of a rigid chain with all its actions, else of the table."""
     if equation == "linearised":
         return tuple(_energies_of_linearised(branch.linearised) for branch in oscillator.branches)
-    if _is_rigid_chain_throughout(mechanism):
+    if _is_rigid_chain_throughout(mechanism) and oscillator.memory is None:
         return tuple(map(_energies_of_masses, mechanism.chains))
-    return tuple(map(_energies_of_table, oscillator.branches))
+    return tuple(map(_energies_of_table, oscillator.bare.branches))
 
 
 def sampled_finely(motion: Record, oscillator: Oscillator) -> Record:
@@ -486,7 +497,22 @@ def _coarser_oscillator(oscillator: Oscillator) -> Oscillator:
     positive, negative = oscillator.positive, oscillator.negative
     first = _coarser_branch(positive)
     other = first if negative is positive else None if negative is None else _coarser_branch(negative)
-    return replace(oscillator, positive=first, negative=other)
+    memory = None if oscillator.memory is None else _coarser_memory(oscillator.memory)
+    return replace(oscillator, positive=first, negative=other, memory=memory)
+
+
+def _coarser_memory(memory: Memory) -> Memory:
+    """Return the memory with every second rotation of its tables."""
+    kept = [every_second(branch.rotation) for branch in memory.bare.branches]
+    ties = tuple(
+        replace(
+            tie,
+            elongation=tuple(each[at] for each, at in zip(tie.elongation, kept, strict=True)),
+            rate=tuple(each[at] for each, at in zip(tie.rate, kept, strict=True)),
+        )
+        for tie in memory.ties
+    )
+    return replace(memory, bare=_coarser_oscillator(memory.bare), ties=ties)
 
 
 def _coarser_branch(branch: Branch) -> Branch:

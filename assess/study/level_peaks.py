@@ -189,8 +189,10 @@ def with_restitution_factor(oscillator: Oscillator, factor: float) -> Oscillator
     """Return the oscillator with its restitution multiplied by a factor, at most 1."""
     if factor == 1.0:
         return oscillator
-    restitution = min(1.0, factor * oscillator.positive.restitution)
-    return replace(oscillator, positive=replace(oscillator.positive, restitution=restitution))
+    restitution, memory = min(1.0, factor * oscillator.positive.restitution), oscillator.memory
+    if memory is not None:
+        memory = replace(memory, bare=with_restitution_factor(memory.bare, factor))
+    return replace(oscillator, positive=replace(oscillator.positive, restitution=restitution), memory=memory)
 
 
 def suites_of(level_peaks: LevelPeaks) -> tuple[SuiteResponse, ...]:

@@ -131,6 +131,9 @@ LOAD_TITLES: Mapping[str, Phrase] = {
     "strength": say("strength"),
     "length": say("length"),
     "fracture_strain": say("strain at fracture"),
+    "area": say("area of the section"),
+    "young_modulus": say("modulus of elasticity"),
+    "yield_stress": say("yield stress"),
     "psi_2": say("combination factor"),
 }
 """What the values of a load are called, by the key of each."""

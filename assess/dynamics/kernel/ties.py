@@ -330,7 +330,7 @@ def rock_with_memory(branches: FloatArray, table: FloatArray, smooth: IntArray, 
                      elongation: FloatArray, friction: FloatArray, tolerance: float, ground: FloatArray,
                      offset: IntArray, blocks: FloatArray, block_offset: IntArray, dt: FloatArray,
                      oscillator: IntArray, motion: IntArray, scale: FloatArray, found: FloatArray, plastic: FloatArray,
-                     path: FloatArray) -> int:  # fmt: skip
+                     path: FloatArray, events: FloatArray) -> int:  # fmt: skip
     """Run all jobs and fill `found` [jobs, 8] and `plastic` [jobs, ties] [m]; return the samples passed by the last.
 
     laws [oscillators, 2, ties, LAW]; elongation [ties, segments, 4] [m] and friction [segments, 4] [1/s2]: cubics over
@@ -344,7 +344,7 @@ def rock_with_memory(branches: FloatArray, table: FloatArray, smooth: IntArray, 
     now, pieces = np.empty((longest, table.shape[1])), np.empty((longest, 2), dtype=np.int64)
     span, hint = np.zeros((2, 2), dtype=np.int64), np.zeros(2, dtype=np.int64)
     slow, pace, reached = np.empty(2), np.empty(2), np.zeros(2)
-    cuts, phases, events = np.empty(CUTS * ties + 3), np.empty(ties, dtype=np.int64), np.zeros((1, 4))
+    cuts, phases = np.empty(CUTS * ties + 3), np.empty(ties, dtype=np.int64)
     branch = np.empty((2, branches.shape[2]))
     for j in range(oscillator.shape[0]):
         m, o = motion[j], oscillator[j]

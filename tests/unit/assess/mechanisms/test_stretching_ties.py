@@ -1,0 +1,130 @@
+"""Ties that stretch: their moment over rotation, yield, rupture and anchorage, against virtual work by hand."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+from scipy.constants import g
+
+import assess
+from assess.errors import AssessError, MechanismError
+from assess.interfaces.contact import Interface
+from assess.loads.load import Tie
+from assess.mechanisms.branch_table import rigid_branch
+from assess.mechanisms.chain import Chain, RigidBlock
+
+MASS, THICKNESS, HEIGHT = 285e3 / g, 0.6, 6.0  # a wall of 285 kN
+AREA, YOUNG, YIELD, LENGTH, STRAIN = 314e-6, 210e9, 235e6, 10.0, 0.02
+STIFFNESS, MOST = YOUNG * AREA / LENGTH, AREA * YIELD
+BAR = {"area": AREA, "young_modulus": YOUNG, "yield_stress": YIELD, "length": LENGTH, "fracture_strain": STRAIN}
+AT, ANCHOR = (-0.3, 5.5), (-10.3, 5.0)
+
+
+def tie(**changes: Any) -> Tie:
+    made = Tie("tie 1", 10e3, AT, anchor=ANCHOR, length=LENGTH, fracture_strain=STRAIN, strength=2 * MOST)
+    return replace(made, stiffness=STIFFNESS, yield_force=MOST, evidence="tests", **changes)
+
+
+def chain(*ties: Tie) -> Chain:
+    inertia = MASS / 12 * (THICKNESS**2 + HEIGHT**2)
+    block = RigidBlock(MASS, (0.0, HEIGHT / 2), inertia)
+    return Chain((block,), ((THICKNESS / 2, 0.0),), ties)
+
+
+def lengthening(phi: np.ndarray) -> np.ndarray:
+    """The distance of the tie's ends less that at rest, the block turned about its edge."""
+    x, z = AT[0] - THICKNESS / 2, AT[1]
+    there = THICKNESS / 2 + x * np.cos(phi) + z * np.sin(phi), z * np.cos(phi) - x * np.sin(phi)
+    return np.asarray(
+        np.hypot(there[0] - ANCHOR[0], there[1] - ANCHOR[1]) - np.hypot(AT[0] - ANCHOR[0], AT[1] - ANCHOR[1])
+    )
+
+
+def test_its_moment_is_the_work_of_its_force() -> None:
+    """Over a step of rotation the restoring moment grows by the tie's force times its lengthening over that step."""
+    held, free = (rigid_branch(chain(*ties), restitution=1.0, name="wall") for ties in ((tie(),), ()))
+    phi, step = held.rotation[held.rotation < 0.03][1:], 1e-6
+    bare = np.interp(phi, free.rotation, free.restoring)  # a sine over 257 nodes: to 1e-6
+    slope = (lengthening(phi + step) - lengthening(phi - step)) / (2 * step)
+    pull = np.minimum(10e3 + STIFFNESS * lengthening(phi), MOST)
+    assert pull[0] < MOST == pull[-1]
+    np.testing.assert_allclose(np.interp(phi, held.rotation, held.restoring) - bare, pull * slope, rtol=2e-4)
+
+
+def test_at_rest_it_pulls_with_its_pretension() -> None:
+    held, free = (rigid_branch(chain(*ties), restitution=1.0, name="wall") for ties in ((tie(),), ()))
+    along, up = np.array([ANCHOR[0] - AT[0], ANCHOR[1] - AT[1]]) / np.hypot(10.0, 0.5)
+    arm = -along * AT[1] + up * (AT[0] - THICKNESS / 2)
+    assert held.restoring[0] - free.restoring[0] == pytest.approx(10e3 * arm, rel=1e-12)
+
+
+def test_the_net_stiffness_is_zero_at_weight_times_height_over_the_square_of_the_arm() -> None:
+    """k_cr = W h_G / h_t^2 of a level tie, 24 kN/m for 285 kN, 3 m and 6 m: softer, it does not straighten the wall."""
+    critical = 285e3 * 3.0 / 6.0**2
+    assert critical == pytest.approx(23.75e3)
+    for share, sign in ((0.9, -1.0), (1.1, 1.0)):
+        soft = replace(tie(), at=(0.3, 6.0), anchor=(-9.7, 6.0), pull=1e-3, stiffness=share * critical, yield_force=1e9)
+        branch = rigid_branch(chain(soft), restitution=1.0, name="wall")
+        assert np.sign(branch.restoring_spline(1e-4, 1)) == sign
+
+
+@pytest.mark.parametrize(
+    ("strength", "gone"), [(1.25, (MOST - 10e3) / STIFFNESS + LENGTH * STRAIN), (1.24, (MOST - 10e3) / STIFFNESS)]
+)
+def test_it_stretches_only_where_its_anchorage_has_a_quarter_to_spare(strength: float, gone: float) -> None:
+    assert tie(strength=strength * MOST).elongation == pytest.approx(gone, rel=1e-12)
+
+
+def test_an_anchorage_weaker_than_the_bar_ends_it() -> None:
+    weak = tie(strength=0.5 * MOST)
+    assert weak.elongation == pytest.approx((0.5 * MOST - 10e3) / STIFFNESS)
+    branch = rigid_branch(chain(weak), restitution=1.0, name="wall")
+    jumps = branch.rotation[1:][np.diff(branch.rotation) == 0.0]
+    assert lengthening(jumps[-1:])[0] == pytest.approx(weak.elongation, rel=1e-9)
+
+
+def facade(**changes: Any) -> assess.Block:
+    wall = assess.box(thickness=THICKNESS, length=4.0, height=HEIGHT, density=2000.0)
+    load = assess.TieLoad(
+        force=10e3,
+        at=[0, 0, 5.5],
+        anchor=[-10, 0, 5.5],
+        **{**BAR, "strength": 2 * MOST, "fracture_strain": 0.1, **changes},
+    )
+    return assess.single_block(wall, direction=[1, 0, 0], sides="one", loads=[load])
+
+
+def test_histories_have_a_tie_that_a_source_vouches_for() -> None:
+    record = assess.artificial_records(assess.spectrum("ec8", a_g=0.35 * g, ground_type="C"), count=1, seed=1)[0]
+    held, unknown = facade(evidence="tests"), facade()
+    assert held.mechanism.variants.of_histories[0].memory is not None
+    assert not assess.respond(held, record, scale=1.0).overturned
+    assert assess.respond(unknown, record, scale=1.0).overturned
+
+
+@pytest.mark.parametrize(
+    ("changes", "words"),
+    [
+        ({"yield_stress": None}, "yield_stress"),
+        ({"length": None}, "length"),
+        ({"until": "collapse"}, "ends by its own law"),
+        ({"anchor": None, "direction": [-1, 0, 0]}, "towards its fixed end"),
+    ],
+)
+def test_keys_that_do_not_go_together(changes: dict[str, Any], words: str) -> None:
+    given = {"force": 10e3, "at": [0, 0, 5.5], "anchor": [-10, 0, 5.5], **BAR, **changes}
+    wall = assess.box(thickness=THICKNESS, length=4.0, height=HEIGHT, density=2000.0)
+    with pytest.raises(AssessError, match=words):
+        assess.single_block(wall, direction=[1, 0, 0], loads=[assess.TieLoad(**given)])
+
+
+def test_on_joints_that_deform_it_is_refused() -> None:
+    wall = assess.box(thickness=THICKNESS, length=4.0, height=HEIGHT, density=2000.0)
+    load = assess.TieLoad(force=10e3, at=[0, 0, 5.5], anchor=[-10, 0, 5.5], **BAR)
+    soft = Interface(model="flexible", stiffness=1e9, strength=2e6)
+    block = assess.single_block(wall, direction=[1, 0, 0], loads=[load], interface=soft)
+    with pytest.raises(MechanismError, match="rigid joints"):
+        block.rocking  # noqa: B018

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Literal, TypeVar
+from typing import TYPE_CHECKING, Any, Literal, TypeVar
 from urllib.parse import quote
 
 from assess.codes.calculation_sheet import Step
@@ -102,6 +102,8 @@ class Table:
 
 
 Item = TypeVar("Item")
+Whole = TypeVar("Whole")
+Value = TypeVar("Value")
 Field = tuple[Column, Callable[[Item], Cell]]
 """A column of a table, with what its cell is for an item."""
 
@@ -272,6 +274,39 @@ def tabulate(
     rows = tuple(tuple(cell(item) for cell in cells) for item in every)
     for_information = frozenset(place for place, item in enumerate(every) if muted is not None and muted(item))
     return Table(name, caption, columns, rows, for_information, small)
+
+
+def tabulate_parts(
+    name: str,
+    caption: Text,
+    wholes: tuple[Iterable[Field[Whole]], Iterable[Whole]],
+    parts: tuple[Iterable[Field[Item]], Callable[[Whole], Iterable[Item]]],
+    *,
+    muted: Callable[[Item], bool] | None = None,
+    small: bool = False,
+) -> Table:
+    """Return the table of the parts of some things, a row for each part.
+
+    Parameters
+    ----------
+    name, caption, muted, small : as of `tabulate`
+    wholes : the columns that a thing has, which come first, and the things
+    parts : the columns that its part has, and what its parts are
+    """
+    fields, things = wholes
+    part_fields, parts_of = parts
+    leading: list[Field[tuple[Whole, Item]]] = [(column, _of_whole(cell)) for column, cell in fields]
+    own: list[Field[tuple[Whole, Item]]] = [(column, _of_part(cell)) for column, cell in part_fields]
+    pairs = [(thing, part) for thing in things for part in parts_of(thing)]
+    return tabulate(name, caption, (*leading, *own), pairs, muted=muted and _of_part(muted), small=small)
+
+
+def _of_whole(cell: Callable[[Whole], Cell]) -> Callable[[tuple[Whole, Any]], Cell]:
+    return lambda pair: cell(pair[0])
+
+
+def _of_part(cell: Callable[[Item], Value]) -> Callable[[tuple[Any, Item]], Value]:
+    return lambda pair: cell(pair[1])
 
 
 @dataclass(frozen=True)

@@ -7,6 +7,7 @@ from functools import partial
 from math import radians
 
 from assess.codes.histories import FIGURES, standing_figures
+from assess.codes.verdict import Decision
 from assess.messages.message import Message, Quantity
 from assess.results import HistoryResult, MechanismResult, Results, SuiteResult, SweepResult
 from reports import governing
@@ -234,22 +235,16 @@ def _responses(mechanism: MechanismResult, stem: str) -> list[Block]:
     """Return the largest responses to the records that move a mechanism, and how many do not."""
     moved = [history for history in mechanism.histories if _moves(history)]
     not_moved = len(mechanism.histories) - len(moved)
-    blocks: list[Block] = []
-    if moved:
-        blocks.append(histories_table(replace(mechanism, histories=tuple(moved)), name=f"{stem}-responses"))
+    moving = replace(mechanism, histories=tuple(moved))
+    blocks: list[Block] = [histories_table(moving, name=f"{stem}-responses")] if moved else []
     if not_moved:
-        blocks.append(
-            Prose(
-                (
-                    say_count(
-                        "{number} history of {all} does not move the mechanism.",
-                        "{number} histories of {all} do not move the mechanism.",
-                        not_moved,
-                        all=count(len(mechanism.histories)),
-                    ),
-                )
-            )
+        words = say_count(
+            "{number} history of {all} does not move the mechanism.",
+            "{number} histories of {all} do not move the mechanism.",
+            not_moved,
+            all=count(len(mechanism.histories)),
         )
+        blocks.append(Prose((words,)))
     return blocks
 
 
@@ -320,44 +315,36 @@ def _sweep_sentence(found: SweepResult, *, otherwise: Text) -> Text:
 
 def _sweep_table(found: SweepResult, *, name: str) -> Table:
     """Tabulate a sweep, a line for each value in the user's order."""
-    on_joints = any(value is not None for value in found.overturning_flexible_rad)
-    extra = (Column(say("φₒᵥ on joints"), "rotation"), Column(say("Elastic frequency"), "frequency"))
-    columns = (
-        Column(say("Value")),
-        Column(Verbatim("p"), "angular frequency"),
-        Column(say("λ at uplift"), "ratio"),
-        Column(Verbatim("φₒᵥ"), "rotation"),
-        *(extra if on_joints else ()),
-        Column(say("Restitution η"), "ratio"),
-        Column(say("Demand / capacity"), "ratio"),
-        Column(say("PGA at capacity"), "ground acceleration"),
-        Column(say("Verdict")),
-        Column(say("Case")),
+    on_joints: tuple[Field[int], ...] = (
+        (Column(say("φₒᵥ on joints"), "rotation"), lambda place: found.overturning_flexible_rad[place]),
+        (Column(say("Elastic frequency"), "frequency"), lambda place: found.elastic_frequency_hz[place]),
+    )
+    has_joints = any(value is not None for value in found.overturning_flexible_rad)
+    fields: tuple[Field[int], ...] = (
+        (Column(say("Value")), lambda place: swept_value(found.value[place], found.unit)),
+        (Column(Verbatim("p"), "angular frequency"), lambda place: found.p_eq_per_s[place]),
+        (Column(say("λ at uplift"), "ratio"), lambda place: uplift_cell(found.uplift_multiplier[place])),
+        (Column(Verbatim("φₒᵥ"), "rotation"), lambda place: found.overturning_rad[place]),
+        *(on_joints if has_joints else ()),
+        (Column(say("Restitution η"), "ratio"), lambda place: found.restitution[place]),
+        (
+            Column(say("Demand / capacity"), "ratio"),
+            lambda place: OVERTURNED if found.overturned[place] else found.demand_capacity[place],
+        ),
+        (Column(say("PGA at capacity"), "ground acceleration"), lambda place: found.capacity_pga_g[place]),
+        (Column(say("Verdict")), lambda place: _decision_cell(found.outcome[place])),
+        (Column(say("Case")), lambda place: say("controls") if place == found.controlling else None),
     )
     caption = say(
         "{key}: rocking parameters of the branch that uplifts first, and the answer that decides; where none does, the "
         "worst of all checks of a code at all levels.",
         key=Verbatim(found.key),
     )
-    rows = tuple(_sweep_row(found, place, on_joints=on_joints) for place in range(len(found.value)))
-    return Table(name, caption, columns, rows, small=True)
+    return tabulate(name, caption, fields, range(len(found.value)), small=True)
 
 
-def _sweep_row(found: SweepResult, place: int, *, on_joints: bool) -> tuple[Cell, ...]:
-    joints: tuple[Cell, ...] = (found.overturning_flexible_rad[place], found.elastic_frequency_hz[place])
-    outcome = found.outcome[place]
-    return (
-        swept_value(found.value[place], found.unit),
-        found.p_eq_per_s[place],
-        uplift_cell(found.uplift_multiplier[place]),
-        found.overturning_rad[place],
-        *(joints if on_joints else ()),
-        found.restitution[place],
-        OVERTURNED if found.overturned[place] else found.demand_capacity[place],
-        found.capacity_pga_g[place],
-        OutcomeCell(outcome.value, OUTCOMES[outcome.value]),
-        say("controls") if place == found.controlling else None,
-    )
+def _decision_cell(decision: Decision) -> OutcomeCell:
+    return OutcomeCell(decision.value, OUTCOMES[decision.value])
 
 
 def _weakest_direction(mechanism: MechanismResult, stem: str) -> list[Block]:

@@ -86,22 +86,17 @@ PARAMETERS: tuple[tuple[str, Phrase, str, str], ...] = (
 
 def parameters_table(mechanism: MechanismResult, *, name: str) -> Table:
     """Tabulate the rocking parameters of both branches."""
-    columns: tuple[Column, ...] = (
-        Column(say("Parameter")),
-        Column(say("Symbol"), share=0.2),
-        Column(say("Positive branch"), share=0.18),
-        Column(say("Negative branch"), share=0.18),
-    )
-    branches = (mechanism.oscillator, mechanism.oscillator_negative)
-    rows: tuple[tuple[Cell, ...], ...] = tuple(
-        (label, Verbatim(symbol), *(_parameter_cell(branch, key, dimension) for branch in branches))
+    branches = [(say("Positive branch"), mechanism.oscillator)]
+    caption = say("Rocking parameters. The mechanism rocks to one side only.")
+    if mechanism.oscillator_negative is not None:
+        branches.append((say("Negative branch"), mechanism.oscillator_negative))
+        caption = say("Rocking parameters of each branch, that is, of each direction of rotation.")
+    columns = (Column(say("Parameter")), Column(say("Symbol"), share=0.2))
+    rows = tuple(
+        (label, Verbatim(symbol), *(_parameter_cell(branch, key, dimension) for _, branch in branches))
         for key, label, symbol, dimension in PARAMETERS
     )
-    caption = say("Rocking parameters of each branch, that is, of each direction of rotation.")
-    if mechanism.oscillator_negative is None:
-        columns, rows = columns[:3], tuple(row[:3] for row in rows)
-        caption = say("Rocking parameters. The mechanism rocks to one side only.")
-    return Table(name, caption, columns, rows, small=True)
+    return Table(name, caption, (*columns, *(Column(title, share=0.18) for title, _ in branches)), rows, small=True)
 
 
 LOAD_FIELDS: tuple[Field[LoadResult], ...] = (
@@ -132,10 +127,8 @@ def loads_table(mechanism: MechanismResult, *, name: str) -> Table:
     return tabulate(name, caption, LOAD_FIELDS, mechanism.loads, small=True)
 
 
-def _parameter_cell(branch: OscillatorResult | None, key: str, dimension: str) -> Cell:
+def _parameter_cell(branch: OscillatorResult, key: str, dimension: str) -> Cell:
     """Return a parameter of a branch with its unit; "none" where joints have no threshold of uplift."""
-    if branch is None:
-        return None
     value: float | None = attrgetter(key)(branch)
     if value is None:
         return NONE if key == "uplift_multiplier" else None

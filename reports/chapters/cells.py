@@ -64,6 +64,11 @@ def outcome_cell(check: Check, answers: Sequence[Answer] = ()) -> OutcomeCell:
     return OutcomeCell(colour, OUTCOMES[outcome])
 
 
+def is_thesis_reading(check: Check) -> bool:
+    """Return whether a check is a reading by Mehrotra, which is for information."""
+    return check.reading == "thesis"
+
+
 def unbounded_text(check: Check) -> Phrase | None:
     """Return why a check fails without a finite demand; None where it has one."""
     return {"overturned": OVERTURNED, "beyond the spectrum": BEYOND}.get(check.unbounded)

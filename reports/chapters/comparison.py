@@ -57,14 +57,8 @@ def ratios_table(results: Results) -> Table:
     """Tabulate demand over capacity of the methods that may decide: at the site's own action and at other levels."""
     own, others = governing.site_pga(results), _evenly_chosen(governing.other_levels(results))
     levels = others if own is None else (own, *others)
-    ratios = (_level_column(level) for level in levels)
-    columns = (
-        MECHANISM,
-        METHOD,
-        *ratios,
-        CAPACITY_PGA,
-        Column(say("PGA at capacity over the site’s"), "ratio", FIGURES),
-    )
+    over_site = Column(say("PGA at capacity over the site’s"), "ratio", FIGURES)
+    columns = (MECHANISM, METHOD, *map(_level_column, levels), CAPACITY_PGA, over_site)
     rows = tuple(_ratios_row(results, mechanism, levels) for mechanism in results.mechanisms)
     return Table("levels", _ratios_caption(results, others), columns, rows, small=True)
 

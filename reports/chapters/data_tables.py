@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from operator import attrgetter
 
 from assess.codes.check import Check
-from assess.results import BranchCurve, ComparisonRow, RecordSpectrum, Results, SpectrumResult
+from assess.results import BranchCurve, ComparisonRow, MechanismResult, RecordSpectrum, Results, SpectrumResult
 from reports import governing
 from reports.chapters import (
     annex_envelopes,
@@ -18,7 +19,7 @@ from reports.chapters import (
     suite,
     uncertainty,
 )
-from reports.document import Cell, Column, Field, Table, tabulate
+from reports.document import Cell, Column, Field, Table, tabulate, tabulate_parts
 from reports.language.texts import Listing, Term, Verbatim, quantity, say
 from reports.mechanisms import file_stem, numbered_title, procedure_title
 
@@ -77,15 +78,12 @@ CHECK_FIELDS: tuple[Field[Check], ...] = (
 
 def checks_table(results: Results) -> Table:
     """Tabulate every check of every mechanism: demand, allowable, ratio, outcome, role and reason."""
-    pairs = [(mechanism, check) for mechanism in results.mechanisms for check in mechanism.checks]
-    columns = (cells.MECHANISM, *(column for column, _ in CHECK_FIELDS))
-    rows = tuple(
-        (numbered_title(results, mechanism.name), *(cell(check) for _, cell in CHECK_FIELDS))
-        for mechanism, check in pairs
-    )
-    muted = frozenset(place for place, (_, check) in enumerate(pairs) if check.reading == "thesis")
     caption = say("Demand, allowable, ratio and outcome of every check. Readings by Mehrotra (grey) never decide.")
-    return Table("verdicts", caption, columns, rows, muted)
+    mechanisms: tuple[Field[MechanismResult], ...] = (
+        (cells.MECHANISM, lambda mechanism: numbered_title(results, mechanism.name)),
+    )
+    checks = (CHECK_FIELDS, attrgetter("checks"))
+    return tabulate_parts("verdicts", caption, (mechanisms, results.mechanisms), checks, muted=cells.is_thesis_reading)
 
 
 ComparedCheck = tuple[ComparisonRow, Check | None]
@@ -107,7 +105,13 @@ def comparison_table(results: Results) -> Table:
         "Demand and capacity of all mechanisms. Compare only lines with the same input; readings by Mehrotra are grey."
     )
     pairs = [(row, governing.check_of(results, row)) for row in results.comparison]
-    return tabulate("comparison", caption, fields, pairs, muted=_is_thesis_reading)
+    return tabulate(
+        "comparison",
+        caption,
+        fields,
+        pairs,
+        muted=lambda pair: pair[1] is not None and cells.is_thesis_reading(pair[1]),
+    )
 
 
 def spectra_table(results: Results) -> Table:
@@ -166,22 +170,12 @@ def _pga_at_capacity_table(results: Results) -> Table:
 def _rotations_table(results: Results) -> Table:
     """Tabulate the largest rotation at each level and the allowable one, by procedure (as thesis Table 8.10)."""
     levels = governing.pga_levels(tuple(check for mechanism in results.mechanisms for check in mechanism.checks))
-    columns = (
-        cells.MECHANISM,
-        cells.PROCEDURE,
-        cells.METHOD,
-        *(Column(say("At {pga}", pga=quantity(level, "ground acceleration", 3)), "ratio") for level in levels),
-        Column(say("Allowable"), "ratio"),
-    )
+    at_levels = (Column(say("At {pga}", pga=quantity(level, "ground acceleration", 3)), "ratio") for level in levels)
+    columns = (cells.MECHANISM, cells.PROCEDURE, cells.METHOD, *at_levels, Column(say("Allowable"), "ratio"))
     rows = tuple(
-        (
-            numbered_title(results, mechanism.name),
-            Verbatim(procedure),
-            procedure_title(procedure),
-            *_rotation_cells(checks, levels),
-        )
-        for mechanism in results.mechanisms
-        for procedure, checks in governing.group_by_procedure(mechanism.checks).items()
+        (numbered_title(results, m.name), Verbatim(name), procedure_title(name), *_rotation_cells(checks, levels))
+        for m in results.mechanisms
+        for name, checks in governing.group_by_procedure(m.checks).items()
         if any(check.capacity_rotation_ratio is not None for check in checks)
     )
     caption = say(
@@ -204,11 +198,6 @@ def _compared_rotation(pair: ComparedCheck) -> Cell:
 def _compared_ratio(pair: ComparedCheck) -> Cell:
     row, check = pair
     return row.demand_capacity if check is None else cells.unbounded_text(check) or row.demand_capacity
-
-
-def _is_thesis_reading(pair: ComparedCheck) -> bool:
-    _, check = pair
-    return check is not None and check.reading == "thesis"
 
 
 def _capacity_curves_table(results: Results) -> Table:
@@ -245,12 +234,8 @@ def _pga_curves_table(results: Results) -> Table:
         for ratio, pga in zip(check.pga_curve.rotation_ratio, check.pga_curve.pga_g, strict=True)
     )
     caption = say("Peak ground acceleration over rotation, by each procedure.")
-    return Table(
-        "pga-rotation-curves",
-        caption,
-        (cells.MECHANISM, cells.PROCEDURE, cells.LIMIT_STATE, ROTATION, cells.LEVEL),
-        rows,
-    )
+    columns = (cells.MECHANISM, cells.PROCEDURE, cells.LIMIT_STATE, ROTATION, cells.LEVEL)
+    return Table("pga-rotation-curves", caption, columns, rows)
 
 
 def _one_for_each_curve(checks: tuple[Check, ...]) -> tuple[Check, ...]:

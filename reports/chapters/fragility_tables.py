@@ -6,6 +6,9 @@ The spreadsheet has a table for each dimension of the intensity measures.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from dataclasses import replace
+from functools import partial
+from operator import attrgetter
 
 from assess.results.fragility import (
     FragilityCurve,
@@ -15,9 +18,8 @@ from assess.results.fragility import (
     MechanismFragility,
     RecordRunsResult,
     RiskResult,
-    Trend,
 )
-from reports.document import Cell, Column, Field, OutcomeCell, Table, tabulate
+from reports.document import Cell, Column, Field, OutcomeCell, Table, tabulate, tabulate_parts
 from reports.intensity_measures import (
     DIMENSION_WORDS,
     FIGURES,
@@ -42,22 +44,29 @@ from reports.language.texts import Phrase, Text, Verbatim, quantity, say
 MECHANISM, STATE, MEASURE = Column(say("Mechanism")), Column(say("State")), Column(say("Measure"))
 FIVE, HALF = Column(say("5 % of records")), Column(say("50 % of records (median)"))
 DISPERSION = Column(say("Dispersion β"))
-RATE = Column(say("Annual rate"), "annual rate", RATE_FIGURES)
-PROBABILITY = Column(say("In 50 years"), "percent", RATE_FIGURES)
-TARGET = Column(say("Target rate"), "annual rate", FIGURES)
+RECORD, EVENT = Column(say("Record")), Column(say("Earthquake"))
 
-WITH_EPISTEMIC = Column(say("With epistemic dispersion"), "annual rate", RATE_FIGURES)
+RATE: Field[RiskResult] = (Column(say("Annual rate"), "annual rate", RATE_FIGURES), lambda risk: risk.annual_rate)
+PROBABILITY: Field[RiskResult] = (
+    Column(say("In 50 years"), "percent", RATE_FIGURES),
+    lambda risk: PERCENT * risk.probability_50_years,
+)
+TARGET: Field[RiskResult] = (Column(say("Target rate"), "annual rate", FIGURES), lambda risk: risk.target_rate)
+WITH_EPISTEMIC: Field[RiskResult] = (
+    Column(say("With epistemic dispersion"), "annual rate", RATE_FIGURES),
+    lambda risk: risk.with_epistemic,
+)
+OUTCOME: Field[RiskResult] = (Column(say("Outcome")), lambda risk: risk.outcome and _outcome_cell(risk))
 RATE_FIELDS: tuple[Field[RiskResult], ...] = (
     (STATE, lambda risk: state_text(risk.state)),
     (MEASURE, lambda risk: measure_text(risk.measure)),
     (Column(say("Curve")), lambda risk: RATE_CURVES[risk.curve]),
-    (RATE, lambda risk: risk.annual_rate),
-    (PROBABILITY, lambda risk: PERCENT * risk.probability_50_years),
-    (TARGET, lambda risk: risk.target_rate),
+    RATE,
+    PROBABILITY,
+    TARGET,
     (Column(say("Beyond the hazard"), "annual rate", RATE_FIGURES), lambda risk: risk.beyond),
     (Column(say("Above the runs"), "annual rate", RATE_FIGURES), lambda risk: risk.above_runs),
 )
-EPISTEMIC_FIELD: Field[RiskResult] = (WITH_EPISTEMIC, lambda risk: risk.with_epistemic)
 SIGNIFICANT = 0.05
 
 MAX_ISLANDS = 6
@@ -78,13 +87,17 @@ def overview_table(results: FragilityResults) -> Table:
     """Tabulate what is found of every mechanism in its last state, with the rate beside the target."""
     risks = [main_risk(each) for each in results.mechanisms]
     with_rate, with_target = any(risks), any(risk is not None and risk.target_rate is not None for risk in risks)
-    columns = [MECHANISM, MEASURE, FIVE, HALF, DISPERSION, *([RATE, PROBABILITY] if with_rate else [])]
-    columns += [WITH_EPISTEMIC, TARGET, Column(say("Outcome"))] if with_target else []
-    rows = tuple(tuple(_overview_row(results, each))[: len(columns)] for each in results.mechanisms)
+    fields: tuple[Field[MechanismFragility], ...] = (
+        (MECHANISM, lambda each: numbered_name(results, each)),
+        (MEASURE, lambda each: None if (measure := first_measure(each)) is None else measure_text(measure)),
+        *((column, partial(_fitted_cell, place)) for place, column in enumerate((FIVE, HALF, DISPERSION))),
+        *map(_of_main_risk, (RATE, PROBABILITY) if with_rate else ()),
+        *map(_of_main_risk, (WITH_EPISTEMIC, TARGET, OUTCOME) if with_target else ()),
+    )
     caption = say("Every mechanism: intensity at which 5 % and 50 % of the records overturn it, with 95 % intervals.")
     if any(state is not None and state.name != "overturning" for state in map(last_state, results.mechanisms)):
         caption = say("Every mechanism: intensity at which 5 % and 50 % of the records bring it to its last state.")
-    return Table("fragility", caption, tuple(columns), rows, small=True)
+    return tabulate("fragility", caption, fields, results.mechanisms, small=True)
 
 
 def curves_table(mechanism: MechanismFragility, name: str) -> Table:
@@ -123,31 +136,28 @@ def curves_table(mechanism: MechanismFragility, name: str) -> Table:
 def measures_table(mechanism: MechanismFragility, name: str) -> Table:
     """Compare the measures in the last state by dispersion, and by the trends of what is left."""
     state = last_state(mechanism)
-    columns = (
-        MEASURE,
-        Column(say("Dispersion β"), "ratio", 2),
-        *(Column(label) for label in (say("Trend on magnitude"), say("on ln distance"), say("on ln scale factor"))),
+    fields: tuple[Field[MeasureComparison], ...] = (
+        (MEASURE, lambda each: measure_text(each.measure)),
+        (Column(DISPERSION.label, "ratio", 2), lambda each: each.dispersion),
+        (Column(say("Trend on magnitude")), partial(_trend_text, "magnitude")),
+        (Column(say("on ln distance")), partial(_trend_text, "distance")),
+        (Column(say("on ln scale factor")), partial(_trend_text, "scale")),
     )
-    rows = tuple(_measure_row(each) for each in mechanism.comparison if each.state == state)
+    found = (each for each in mechanism.comparison if each.state == state)
     caption = say(
         "How well each measure explains {state}: the less the dispersion, the better. Trends: slope of what is left, "
         "with its p-value, corrected for the number of trends by Holm; significant below 0.05, where the measure "
         "misses what the records differ in.",
         state=say("no state") if state is None else state_text(state),
     )
-    return Table(name, caption, columns, rows, small=True)
+    return tabulate(name, caption, fields, found, small=True)
 
 
 def islands_table(mechanism: MechanismFragility, name: str, *, most: int | None = None) -> Table:
     """Tabulate the islands of the records. most: rows; all of them if None."""
     measure = first_measure(mechanism)
-    columns = (
-        Column(say("Record")),
-        Column(say("Earthquake")),
-        Column(say("Stands again from scale"), "ratio", FIGURES),
-        Column(say("To scale"), "ratio", FIGURES),
-        Column(say("Intensity")),
-    )
+    scales = (Column(label, "ratio", FIGURES) for label in SCALES)
+    columns = (RECORD, EVENT, *scales, Column(say("Intensity")))
     rows = []
     for run in mechanism.runs:
         unit = None if measure is None else unit_intensity(mechanism, measure, run)
@@ -174,7 +184,7 @@ def islands_table(mechanism: MechanismFragility, name: str, *, most: int | None 
 def rates_table(mechanism: MechanismFragility, name: str) -> Table:
     """Tabulate the annual rates of a mechanism, a row for each state, measure and curve."""
     has_epistemic = any(risk.with_epistemic is not None for risk in mechanism.risks)
-    fields = (*RATE_FIELDS, *([EPISTEMIC_FIELD] if has_epistemic else []))
+    fields = (*RATE_FIELDS, WITH_EPISTEMIC) if has_epistemic else RATE_FIELDS
     caption = say(
         "Annual rates and probabilities in 50 years. Beyond the hazard: what the rate can lack, if every motion "
         "stronger than the last row of the hazard reaches the state. Above the runs: the same of motions within the "
@@ -185,24 +195,23 @@ def rates_table(mechanism: MechanismFragility, name: str) -> Table:
 
 def fragility_records_table(results: FragilityResults) -> Table:
     """Tabulate the records with event, magnitude, distance and the range of scale over all mechanisms."""
-    columns = (
-        Column(say("Record"), share=0.3),
-        Column(say("Earthquake")),
-        Column(say("Magnitude M"), "ratio", 2),
-        Column(say("Distance R"), "distance", 3),
-        Column(say("Least scale"), "ratio", FIGURES),
-        Column(say("Largest scale"), "ratio", FIGURES),
-    )
     found: dict[str, list[RecordRunsResult]] = {}
     for mechanism in results.mechanisms:
         for run in mechanism.runs:
             found.setdefault(run.record, []).append(run)
-    rows = tuple(_record_row(runs) for runs in found.values())
-    return Table(
-        "fragility-records", say("Records, with the scale factors at which they were run."), columns, rows, small=True
-    )
+    caption = say("Records, with the scale factors at which they were run.")
+    return tabulate("fragility-records", caption, RECORD_FIELDS, found.values(), small=True)
 
 
+RECORD_FIELDS: tuple[Field[list[RecordRunsResult]], ...] = (
+    (replace(RECORD, share=0.3), lambda runs: Verbatim(runs[0].record)),
+    (EVENT, lambda runs: Verbatim(runs[0].event)),
+    (Column(say("Magnitude M"), "ratio", 2), lambda runs: runs[0].magnitude),
+    (Column(say("Distance R"), "distance", 3), lambda runs: runs[0].distance_km and 1000.0 * runs[0].distance_km),
+    (Column(say("Least scale"), "ratio", FIGURES), lambda runs: min(_scales(runs), default=None)),
+    (Column(say("Largest scale"), "ratio", FIGURES), lambda runs: max(_scales(runs), default=None)),
+)
+SCALES = (say("Stands again from scale"), say("To scale"))
 LEAD = (MECHANISM, STATE, MEASURE)
 LARGE = say("Scaled by more than 4")
 Rows = list[tuple[Cell, ...]]
@@ -239,16 +248,10 @@ GAPS = {
 }
 
 
-def _overview_row(results: FragilityResults, mechanism: MechanismFragility) -> Iterator[Cell]:
-    measure, curve, risk = first_measure(mechanism), main_curve(mechanism), main_risk(mechanism)
-    yield numbered_name(results, mechanism)
-    yield None if measure is None else measure_text(measure)
-    yield from (None, None, None) if curve is None else _fitted(curve)
-    yield None if risk is None else risk.annual_rate
-    yield None if risk is None else PERCENT * risk.probability_50_years
-    yield None if risk is None else risk.with_epistemic
-    yield None if risk is None else risk.target_rate
-    yield None if risk is None or risk.outcome is None else _outcome_cell(risk)
+def _of_main_risk(field: Field[RiskResult]) -> Field[MechanismFragility]:
+    """Return the column of the rate that represents a mechanism."""
+    column, cell = field
+    return column, lambda each: None if (risk := main_risk(each)) is None else cell(risk)
 
 
 def _outcome_cell(risk: RiskResult) -> OutcomeCell:
@@ -260,14 +263,16 @@ def _outcome_cell(risk: RiskResult) -> OutcomeCell:
     return OUTCOMES[risk.outcome or "pass"]
 
 
-def _fitted(curve: FragilityCurve) -> tuple[Cell, Cell, Cell]:
-    """Return the cells of a lognormal: 5 %, median and dispersion with their intervals."""
-    fitted = curve.lognormal
-    if fitted is None:
-        return say("not bounded"), say("not bounded"), None
-    five = value_with_interval(fitted.five_percent, fitted.five_percent_interval, curve.measure)
-    half = value_with_interval(fitted.median, fitted.median_interval, curve.measure)
-    return five, half, dispersion_text(fitted)
+def _fitted_cell(place: int, mechanism: MechanismFragility) -> Cell:
+    """Return 5 %, median or dispersion, by its place, of the curve that represents a mechanism, with its interval."""
+    curve = main_curve(mechanism)
+    fitted = None if curve is None else curve.lognormal
+    if curve is None or fitted is None:
+        return None if curve is None or place > 1 else say("not bounded")
+    if place > 1:
+        return dispersion_text(fitted)
+    value, ends = ((fitted.five_percent, fitted.five_percent_interval), (fitted.median, fitted.median_interval))[place]
+    return value_with_interval(value, ends, curve.measure)
 
 
 def _lognormal_numbers(fitted: LognormalResult) -> Iterator[Cell]:
@@ -281,14 +286,9 @@ def _lognormal_numbers(fitted: LognormalResult) -> Iterator[Cell]:
         yield from ends or (None, None)
 
 
-def _measure_row(each: MeasureComparison) -> tuple[Cell, ...]:
-    found = {trend.on: trend for trend in each.trends}
-    trends = (_trend_text(found.get(on)) for on in ("magnitude", "distance", "scale"))
-    return measure_text(each.measure), each.dispersion, *trends
-
-
-def _trend_text(trend: Trend | None) -> Text | None:
+def _trend_text(on: str, compared: MeasureComparison) -> Text | None:
     """Return a trend with its p-value and whether it is significant, in words; None where it is not known."""
+    trend = next((each for each in compared.trends if each.on == on), None)
     if trend is None:
         return None
     values = {"slope": quantity(trend.slope, figures=2), "p": quantity(trend.p_value, figures=2)}
@@ -297,17 +297,8 @@ def _trend_text(trend: Trend | None) -> Text | None:
     return say("{slope}, p = {p}: not significant", **values)
 
 
-def _record_row(runs: list[RecordRunsResult]) -> tuple[Cell, ...]:
-    scales = [scale for run in runs for scale in run.scale]
-    far = runs[0].distance_km
-    return (
-        Verbatim(runs[0].record),
-        Verbatim(runs[0].event),
-        runs[0].magnitude,
-        None if far is None else 1000.0 * far,
-        min(scales, default=None),
-        max(scales, default=None),
-    )
+def _scales(runs: list[RecordRunsResult]) -> list[float]:
+    return [scale for run in runs for scale in run.scale]
 
 
 Maker = Callable[[FragilityResults, str], tuple[tuple[Column, ...], Rows]]
@@ -319,14 +310,17 @@ def _by_dimension(results: FragilityResults, name: str, caption: Phrase, make: M
         yield Table(f"fragility-{name}-{word}", caption, columns, tuple(rows))
 
 
-def _curves_of(
-    results: FragilityResults, dimension: str
-) -> Iterator[tuple[MechanismFragility, FragilityCurve, tuple[Cell, ...]]]:
+def _lead(
+    results: FragilityResults, mechanism: MechanismFragility, of: FragilityCurve | RiskResult | MeasureComparison
+) -> tuple[Cell, ...]:
+    return numbered_name(results, mechanism), state_text(of.state), measure_text(of.measure)
+
+
+def _curves_of(results: FragilityResults, dimension: str) -> Iterator[tuple[FragilityCurve, tuple[Cell, ...]]]:
     for mechanism in results.mechanisms:
         for curve in mechanism.curves:
             if curve.measure.dimension == dimension:
-                lead = numbered_name(results, mechanism), state_text(curve.state), measure_text(curve.measure)
-                yield mechanism, curve, lead
+                yield curve, _lead(results, mechanism, curve)
 
 
 def _curve_rows(results: FragilityResults, dimension: str) -> tuple[tuple[Column, ...], Rows]:
@@ -339,7 +333,7 @@ def _curve_rows(results: FragilityResults, dimension: str) -> tuple[tuple[Column
         *(Column(each) for each in (say("Records"), say("Earthquakes"), say("Not reached"), LARGE)),
     )
     rows: Rows = []
-    for _, curve, lead in _curves_of(results, dimension):
+    for curve, lead in _curves_of(results, dimension):
         counts = (curve.records, curve.events, curve.censored, curve.hollow)
         for word, fitted in ((say("lognormal"), curve.lognormal), (say("bound"), curve.first)):
             if fitted is not None:
@@ -356,7 +350,7 @@ def _point_rows(results: FragilityResults, dimension: str) -> tuple[tuple[Column
     )
     rows: Rows = [
         (*lead, p.intensity, p.records, p.reached, p.hollow, p.share, p.low, p.high)
-        for _, curve, lead in _curves_of(results, dimension)
+        for curve, lead in _curves_of(results, dimension)
         for p in curve.empirical
     ]
     return columns, rows
@@ -366,18 +360,11 @@ def _contribution_rows(results: FragilityResults, dimension: str) -> tuple[tuple
     columns = (
         *LEAD,
         Column(say("Curve")),
-        Column(say("From"), dimension),
-        Column(say("To"), dimension),
+        *(Column(label, dimension) for label in (say("From"), say("To"))),
         Column(say("Share of the rate"), "ratio"),
     )
     rows: Rows = [
-        (
-            numbered_name(results, mechanism),
-            state_text(risk.state),
-            measure_text(risk.measure),
-            RATE_CURVES[risk.curve],
-            *each,
-        )
+        (*_lead(results, mechanism, risk), RATE_CURVES[risk.curve], *each)
         for mechanism in results.mechanisms
         for risk in mechanism.risks
         if risk.measure.dimension == dimension
@@ -387,14 +374,9 @@ def _contribution_rows(results: FragilityResults, dimension: str) -> tuple[tuple
 
 
 def _intensity_rows(results: FragilityResults, dimension: str) -> tuple[tuple[Column, ...], Rows]:
-    columns = (MECHANISM, MEASURE, Column(say("Record")), Column(say("Intensity"), dimension))
+    columns = (MECHANISM, MEASURE, RECORD, Column(say("Intensity"), dimension))
     rows: Rows = [
-        (
-            numbered_name(results, each),
-            measure_text(measure),
-            Verbatim(run.record),
-            unit_intensity(each, measure, run),
-        )
+        (numbered_name(results, each), measure_text(measure), Verbatim(run.record), unit_intensity(each, measure, run))
         for each in results.mechanisms
         for measure in measures_of(each)
         if measure.dimension == dimension
@@ -404,14 +386,8 @@ def _intensity_rows(results: FragilityResults, dimension: str) -> tuple[tuple[Co
 
 
 def _all_runs_table(results: FragilityResults) -> Table:
-    columns = (
-        MECHANISM,
-        Column(say("Record")),
-        Column(say("Earthquake")),
-        Column(say("Scale"), "ratio"),
-        Column(say("Rotation φ/φₒᵥ"), "ratio"),
-        Column(say("Overturned")),
-    )
+    numbers = (Column(label, "ratio") for label in (say("Scale"), say("Rotation φ/φₒᵥ")))
+    columns = (MECHANISM, RECORD, EVENT, *numbers, Column(say("Overturned")))
     rows = tuple(
         (numbered_name(results, each), Verbatim(run.record), Verbatim(run.event), scale, ratio, ratio is None)
         for each in results.mechanisms
@@ -440,19 +416,10 @@ def _union_table(results: FragilityResults) -> Table:
 
 def _all_trends_table(results: FragilityResults) -> Table:
     on = {"magnitude": say("magnitude"), "distance": say("ln distance"), "scale": say("ln scale factor")}
-    numbers = (Column(label, "ratio") for label in (say("Dispersion β"), say("Slope"), say("p-value")))
+    numbers = (Column(label, "ratio") for label in (DISPERSION.label, say("Slope"), say("p-value")))
     columns = (*LEAD, Column(say("Trend on")), *numbers, Column(say("Records")))
     rows = tuple(
-        (
-            numbered_name(results, mechanism),
-            state_text(each.state),
-            measure_text(each.measure),
-            on[trend.on],
-            each.dispersion,
-            trend.slope,
-            trend.p_value,
-            trend.n,
-        )
+        (*_lead(results, mechanism, each), on[trend.on], each.dispersion, trend.slope, trend.p_value, trend.n)
         for mechanism in results.mechanisms
         for each in mechanism.comparison
         for trend in each.trends
@@ -461,13 +428,7 @@ def _all_trends_table(results: FragilityResults) -> Table:
 
 
 def _all_islands_table(results: FragilityResults) -> Table:
-    columns = (
-        MECHANISM,
-        Column(say("Record")),
-        Column(say("Earthquake")),
-        Column(say("Stands again from scale"), "ratio"),
-        Column(say("To scale"), "ratio"),
-    )
+    columns = (MECHANISM, RECORD, EVENT, *(Column(label, "ratio") for label in SCALES))
     rows = tuple(
         (numbered_name(results, each), Verbatim(run.record), Verbatim(run.event), *ends)
         for each in results.mechanisms
@@ -478,24 +439,19 @@ def _all_islands_table(results: FragilityResults) -> Table:
 
 
 def _remarks_table(results: FragilityResults) -> Table:
-    columns = (MECHANISM, STATE, MEASURE, Column(say("Remark")))
+    columns = (*LEAD, Column(say("Remark")))
     rows: Rows = [
         (numbered_name(results, each), None, None, note) for each in results.mechanisms for note in each.notes
     ]
     for each in results.mechanisms:
         found: tuple[FragilityCurve | RiskResult, ...] = (*each.curves, *each.risks)
         for one in found:
-            lead = numbered_name(results, each), state_text(one.state), measure_text(one.measure)
-            rows += [(*lead, note) for note in one.notes]
+            rows += [(*_lead(results, each, one), note) for note in one.notes]
     return Table("fragility-remarks", say("Remarks on curves and rates."), columns, tuple(dict.fromkeys(rows)))
 
 
 def _all_rates_table(results: FragilityResults) -> Table:
-    fields = (*RATE_FIELDS, EPISTEMIC_FIELD)
-    rows = tuple(
-        (numbered_name(results, each), *(cell(risk) for _, cell in fields))
-        for each in results.mechanisms
-        for risk in each.risks
-    )
-    columns = (MECHANISM, *(column for column, _ in fields))
-    return Table("fragility-rates", say("Annual rates and probabilities in 50 years."), columns, rows)
+    mechanisms: tuple[Field[MechanismFragility], ...] = ((MECHANISM, lambda each: numbered_name(results, each)),)
+    caption = say("Annual rates and probabilities in 50 years.")
+    risks = ((*RATE_FIELDS, WITH_EPISTEMIC), attrgetter("risks"))
+    return tabulate_parts("fragility-rates", caption, (mechanisms, results.mechanisms), risks)

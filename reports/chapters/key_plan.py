@@ -6,9 +6,10 @@ from functools import partial
 
 from assess.codes.checklists import CHECKLISTS, item_name
 from assess.results import ChecklistItem, Results
+from assess.results.provenance import Revision
 from reports.chapters.cells import DEMAND_CAPACITY
 from reports.chapters.front_matter import photograph
-from reports.document import Block, Cell, Column, Figure, Prose, Section, Table
+from reports.document import Block, Cell, Column, Field, Figure, Prose, Section, Table, tabulate
 from reports.figures import key_plan
 from reports.figures.key_plan import BuildingScene
 from reports.language.texts import Date, Term, Text, Verbatim, count, listing, say, say_count
@@ -47,15 +48,14 @@ def plan(results: Results, building: BuildingScene | None) -> list[Block]:
 def checklist_table(results: Results) -> Table:
     """Tabulate the items of the list, those that are absent in grey."""
     items = results.report.checklist
-    numbered = any(item.number is not None for item in items)
-    columns = [Column(say("No."), share=0.06)] if numbered else []
-    columns += [Column(say("Possible mechanism"), share=0.45), Column(say("Here"))]
-    rows = tuple(
-        (*((_item_number(item),) if numbered else ()), item_text(results, item), item_outcome(results, item))
-        for item in items
-    )
-    absent = frozenset(place for place, item in enumerate(items) if item.outcome == "absent")
-    return Table("checklist", _checklist_caption(results), tuple(columns), rows, absent, small=True)
+    fields: list[Field[ChecklistItem]] = [
+        (Column(say("Possible mechanism"), share=0.45), lambda item: item_text(results, item)),
+        (Column(say("Here")), lambda item: item_outcome(results, item)),
+    ]
+    if any(item.number is not None for item in items):
+        fields.insert(0, (Column(say("No."), share=0.06), _item_number))
+    caption = _checklist_caption(results)
+    return tabulate("checklist", caption, fields, items, muted=lambda item: item.outcome == "absent", small=True)
 
 
 def item_text(results: Results, item: ChecklistItem) -> Text:
@@ -123,16 +123,13 @@ def _revisions(results: Results) -> list[Section]:
     given = results.report.revisions
     if not given:
         return []
-    columns = (
-        Column(say("Revision"), share=0.12),
-        Column(say("Date"), share=0.16),
-        Column(say("Description")),
-        Column(say("By"), share=0.22),
+    fields: tuple[Field[Revision], ...] = (
+        (Column(say("Revision"), share=0.12), lambda each: Verbatim(each.number)),
+        (Column(say("Date"), share=0.16), lambda each: Date(each.date)),
+        (Column(say("Description")), lambda each: Verbatim(each.description)),
+        (Column(say("By"), share=0.22), lambda each: Verbatim(each.author)),
     )
-    rows = tuple(
-        (Verbatim(each.number), Date(each.date), Verbatim(each.description), Verbatim(each.author)) for each in given
-    )
-    return [Section(say("Revisions"), 1, (Table("revisions", say("Issues of this report."), columns, rows),))]
+    return [Section(say("Revisions"), 1, (tabulate("revisions", say("Issues of this report."), fields, given),))]
 
 
 def _photographs(results: Results) -> list[Section]:

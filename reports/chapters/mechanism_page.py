@@ -179,9 +179,8 @@ def branch_parameters_table(results: Results, mechanism: MechanismResult, *, nam
     if len(rows) == 2 and rows[0][1:] == rows[1][1:]:
         rows = [(say("both"), *rows[0][1:])]
     caption = say("Rocking parameters of each branch, that is, direction of rotation.")
-    return doc.Table(
-        name, caption, (doc.Column(say("Branch")), *(column for column, _ in shown)), tuple(rows), small=True
-    )
+    columns = (doc.Column(say("Branch")), *(column for column, _ in shown))
+    return doc.Table(name, caption, columns, tuple(rows), small=True)
 
 
 def shown_checks(results: Results, mechanism: MechanismResult) -> tuple[Check, ...]:
@@ -206,9 +205,8 @@ def answers_table(results: Results, mechanism: MechanismResult, *, name: str) ->
             lambda check: cells.outcome_cell(check, () if mechanism_verdict is None else mechanism_verdict.answers),
         ),
     )
-    return doc.tabulate(
-        name, _answers_caption(results), fields, shown, muted=lambda check: check.reading == "thesis", small=True
-    )
+    caption = _answers_caption(results)
+    return doc.tabulate(name, caption, fields, shown, muted=cells.is_thesis_reading, small=True)
 
 
 def _in_pairs(figures: list[doc.Figure]) -> list[doc.Block]:

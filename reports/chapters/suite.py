@@ -23,20 +23,14 @@ FIGURES = 3
 
 def suite_records_table(results: Results) -> doc.Table:
     """Tabulate the records as scaled, all artificial ones in one row; no rows where there are no others."""
-    columns = (
-        doc.Column(say("Record")),
-        doc.Column(say("Event")),
-        doc.Column(say("Station")),
-        doc.Column(say("Component")),
-        doc.Column(say("Scale factor")),
-        doc.Column(say("PGA, scaled")),
-    )
+    named = say("Record"), say("Event"), say("Station"), say("Component"), say("Scale factor"), say("PGA, scaled")
     if all(not record.path for record in results.records):
         return doc.Table("suite-records", doc.NOTHING, (), ())
     recorded = tuple(record for record in results.records if record.path)
     artificial = tuple(record for record in results.records if not record.path)
     rows = tuple(map(_record_row, recorded)) + ((_artificial_row(artificial),) if artificial else ())
-    return doc.Table("suite-records", say("Records, as scaled to the spectrum of the site."), columns, rows, small=True)
+    caption = say("Records, as scaled to the spectrum of the site.")
+    return doc.Table("suite-records", caption, tuple(map(doc.Column, named)), rows, small=True)
 
 
 def event_name(record: RecordResult) -> str:
@@ -243,16 +237,13 @@ def _limit_text(rule: RequirementResult) -> Text:
 
 def _equivalent_periods_table(results: Results, motion: GroundMotionResult) -> doc.Table:
     """Tabulate the equivalent periods of the mechanisms."""
-    columns = (MECHANISM, doc.Column(say("Shortest"), "time"), doc.Column(say("Longest"), "time"))
     known = {each.name for each in results.mechanisms}
-    rows = tuple(
-        (
-            numbered_title(results, one.mechanism) if one.mechanism in known else Verbatim(one.mechanism),
-            one.shortest_s,
-            one.longest_s,
-        )
-        for one in motion.equivalent_periods
-    )
+
+    def title(name: str) -> Text:
+        return numbered_title(results, name) if name in known else Verbatim(name)
+
+    columns = (MECHANISM, doc.Column(say("Shortest"), "time"), doc.Column(say("Longest"), "time"))
+    rows = tuple((title(one.mechanism), one.shortest_s, one.longest_s) for one in motion.equivalent_periods)
     caption = say(
         "Equivalent periods, used as T₁ in the clauses on records because a rocking body has no natural period: the "
         "period of equal work at half the overturning rotation (1/fₑ of ASCE 43-05 A.2), over both branches."
@@ -272,10 +263,8 @@ def _amplification_table(results: Results) -> doc.Table:
     """Tabulate the amplification factor of each record at each mechanism (as Mehrotra Table 8.9)."""
     raised = [m for m in results.mechanisms if m.amplification.height_m is not None and m.amplification.factors]
     factors = [{one.record: one.factor for one in m.amplification.factors} for m in raised]
-    columns = (
-        doc.Column(say("Record"), share=0.25),
-        *(doc.Column(numbered_title(results, m.name), "ratio") for m in raised),
-    )
+    of_mechanisms = (doc.Column(numbered_title(results, m.name), "ratio") for m in raised)
+    columns = (doc.Column(say("Record"), share=0.25), *of_mechanisms)
     rows: tuple[tuple[doc.Cell, ...], ...] = tuple(
         (Verbatim(r.id), *(of.get(r.id) for of in factors)) for r in (results.records if raised else ())
     )

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from functools import partial
+from operator import attrgetter
 
 from assess.messages.message import distinct
 from assess.results import Results
-from assess.results.run import UncertainAnswer, UncertainInput, UncertaintyResult
+from assess.results.run import Influence, UncertainAnswer, UncertainInput, UncertaintyResult
 from reports.chapters.cells import (
     FIGURES,
     LEVEL,
@@ -19,7 +20,20 @@ from reports.chapters.cells import (
     value_cell,
     value_name,
 )
-from reports.document import Block, BulletList, Cell, Column, Figure, FigureRow, Prose, Section, Table, nonempty
+from reports.document import (
+    Block,
+    BulletList,
+    Column,
+    Field,
+    Figure,
+    FigureRow,
+    Prose,
+    Section,
+    Table,
+    nonempty,
+    tabulate,
+    tabulate_parts,
+)
 from reports.figures import sensitivity as figure
 from reports.intensity_measures import PERCENT
 from reports.language.texts import Paragraph, Phrase, Text, Verbatim, count, listing, quantity, say, say_count
@@ -35,13 +49,12 @@ DISTRIBUTIONS: Mapping[str, Phrase] = {
     "lognormal": say("lognormal"),
     "uniform": say("uniform"),
 }
-KEY = Column(say("Key"), share=0.4)
-SPREAD = (
-    Column(say("Coefficient of variation"), "ratio", FIGURES),
-    Column(say("Distribution")),
-    Column(say("Group")),
+KEY: Field[UncertainInput] = (Column(say("Key"), share=0.4), lambda each: Verbatim(each.key))
+SPREAD: tuple[Field[UncertainInput], ...] = (
+    (Column(say("Coefficient of variation"), "ratio", FIGURES), lambda each: each.cov),
+    (Column(say("Distribution")), lambda each: DISTRIBUTIONS[each.distribution]),
+    (Column(say("Group")), lambda each: Verbatim(each.group)),
 )
-LEAD = (MECHANISM, METHOD, LIMIT_STATE, LEVEL)
 
 
 def sections(results: Results) -> list[Section]:
@@ -117,12 +130,12 @@ def figures(results: Results, answer: UncertainAnswer) -> FigureRow:
 
 def inputs_table(found: UncertaintyResult) -> Table:
     """Tabulate the uncertain inputs, each mean with its unit."""
-    columns = (KEY, Column(say("Mean")), *SPREAD)
-    rows = tuple(
-        (Verbatim(each.key), value_cell(each.mean, each.unit.replace("^", "")), *_spread(each)) for each in found.inputs
+    mean: Field[UncertainInput] = (
+        Column(say("Mean")),
+        lambda each: value_cell(each.mean, each.unit.replace("^", "")),
     )
     caption = say("Uncertain values; those of one group vary together.")
-    return Table("uncertainty-inputs", caption, columns, rows, small=True)
+    return tabulate("uncertainty-inputs", caption, (KEY, mean, *SPREAD), found.inputs, small=True)
 
 
 def data_tables(results: Results) -> Iterator[Table]:
@@ -166,31 +179,21 @@ def _stem(results: Results, name: str) -> str:
 
 
 def _table(results: Results, answers: list[UncertainAnswer], name: str) -> Table:
-    columns = (
-        MECHANISM,
-        METHOD,
-        LIMIT_STATE,
-        *(Column(each, "ratio", FIGURES) for each in (say("D/C at the means"), say("Median D/C"))),
-        Column(say("Fails"), "percent", FIGURES),
-        Column(say("95 % interval")),
-        Column(say("Hangs most on")),
+    fields: tuple[Field[UncertainAnswer], ...] = (
+        *_lead(results)[:3],
+        (Column(say("D/C at the means"), "ratio", FIGURES), lambda each: each.at_mean),
+        (Column(say("Median D/C"), "ratio", FIGURES), lambda each: each.quantiles[MEDIAN]),
+        (Column(say("Fails"), "percent", FIGURES), lambda each: each.probability and PERCENT * each.probability),
+        (Column(say("95 % interval")), _interval),
+        (Column(say("Hangs most on")), _strongest_group),
     )
     caption = say("Deciding answers over all samples: share of samples that fail, with its interval.")
-    return Table(name, caption, columns, tuple(_row(results, each) for each in answers), small=True)
+    return tabulate(name, caption, fields, answers, small=True)
 
 
-def _row(results: Results, each: UncertainAnswer) -> tuple[Cell, ...]:
+def _strongest_group(each: UncertainAnswer) -> Text:
     strongest = figure.rank_influences(each)[:1]
-    return (
-        numbered_title(results, each.mechanism),
-        procedure_title(each.procedure),
-        state_text(each.limit_state),
-        each.at_mean,
-        each.quantiles[MEDIAN],
-        None if each.probability is None else PERCENT * each.probability,
-        _interval(each),
-        figure.input_group_name(strongest[0]) if strongest else say("none of the values"),
-    )
+    return figure.input_group_name(strongest[0]) if strongest else say("none of the values")
 
 
 def _interval(each: UncertainAnswer) -> Text | None:
@@ -200,72 +203,66 @@ def _interval(each: UncertainAnswer) -> Text | None:
     return say("{low} to {high}", low=low, high=high)
 
 
-def _spread(each: UncertainInput) -> tuple[Cell, ...]:
-    return each.cov, DISTRIBUTIONS[each.distribution], Verbatim(each.group)
-
-
 def _means(found: UncertaintyResult) -> Table:
     """Tabulate the uncertain inputs in SI."""
-    columns = (KEY, Column(say("Mean"), "ratio"), Column(say("Unit")), *SPREAD)
-    rows = tuple((Verbatim(each.key), each.mean, Verbatim(each.unit), *_spread(each)) for each in found.inputs)
-    return Table("uncertainty-means", say("Uncertain values, in SI."), columns, rows)
+    fields: tuple[Field[UncertainInput], ...] = (
+        KEY,
+        (Column(say("Mean"), "ratio"), lambda each: each.mean),
+        (Column(say("Unit")), lambda each: Verbatim(each.unit)),
+        *SPREAD,
+    )
+    return tabulate("uncertainty-means", say("Uncertain values, in SI."), fields, found.inputs)
 
 
-def _lead(results: Results, each: UncertainAnswer) -> tuple[Cell, ...]:
-    name = numbered_title(results, each.mechanism)
-    return name, procedure_title(each.procedure), state_text(each.limit_state), each.level_pga_g
+def _lead(results: Results) -> tuple[Field[UncertainAnswer], ...]:
+    """Return the columns that say which answer a row is of."""
+    return (
+        (MECHANISM, lambda each: numbered_title(results, each.mechanism)),
+        (METHOD, lambda each: procedure_title(each.procedure)),
+        (LIMIT_STATE, lambda each: state_text(each.limit_state)),
+        (LEVEL, lambda each: each.level_pga_g),
+    )
 
 
 def _statistics(results: Results, found: UncertaintyResult) -> Table:
-    labels = (
-        say("Probability of failing"), say("from"), say("to"), say("D/C at the means"),
-        say("5 %"), say("16 %"), say("50 %"), say("84 %"), say("95 %"),
-    )  # fmt: skip
-    columns = (
-        *LEAD,
-        Column(say("Role")),
-        Column(say("Samples answered")),
-        Column(say("Samples that fail")),
-        *(Column(each, "ratio") for each in labels),
-    )
-    rows = tuple(
-        (
-            *_lead(results, each),
-            ROLES[each.role],
-            each.answered,
-            each.failed,
-            each.probability,
-            *(each.interval or (None, None)),
-            each.at_mean,
-            *each.quantiles,
-        )
-        for each in found.answers
+    quantiles = (say("5 %"), say("16 %"), say("50 %"), say("84 %"), say("95 %"))
+    fields: tuple[Field[UncertainAnswer], ...] = (
+        *_lead(results),
+        (Column(say("Role")), lambda each: ROLES[each.role]),
+        (Column(say("Samples answered")), lambda each: each.answered),
+        (Column(say("Samples that fail")), lambda each: each.failed),
+        (Column(say("Probability of failing"), "ratio"), lambda each: each.probability),
+        (Column(say("from"), "ratio"), lambda each: each.interval and each.interval[0]),
+        (Column(say("to"), "ratio"), lambda each: each.interval and each.interval[1]),
+        (Column(say("D/C at the means"), "ratio"), lambda each: each.at_mean),
+        *((Column(label, "ratio"), partial(_quantile, place)) for place, label in enumerate(quantiles)),
     )
     caption = say("Every answer over all samples; quantiles of demand over capacity.")
-    return Table("uncertainty", caption, columns, rows)
+    return tabulate("uncertainty", caption, fields, found.answers)
+
+
+def _quantile(place: int, each: UncertainAnswer) -> float | None:
+    return each.quantiles[place]
+
+
+INFLUENCE_FIELDS: tuple[Field[Influence], ...] = (
+    (Column(say("Group")), lambda one: Verbatim(one.group)),
+    (Column(say("Rank correlation"), "ratio"), lambda one: one.rank_correlation),
+    (Column(say("Share of the variance of ranks"), "ratio"), lambda one: one.share),
+    (Column(say("Total with interactions"), "ratio"), lambda one: one.total),
+)
+SAMPLE_FIELDS: tuple[Field[tuple[int, float | None]], ...] = (
+    (Column(say("Sample")), lambda sample: sample[0]),
+    (Column(say("Demand / capacity"), "ratio"), lambda sample: sample[1]),
+)
 
 
 def _influences(results: Results, found: UncertaintyResult) -> Table:
-    columns = (
-        *LEAD,
-        Column(say("Group")),
-        Column(say("Rank correlation"), "ratio"),
-        Column(say("Share of the variance of ranks"), "ratio"),
-        Column(say("Total with interactions"), "ratio"),
-    )
-    rows = tuple(
-        (*_lead(results, each), Verbatim(one.group), one.rank_correlation, one.share, one.total)
-        for each in found.answers
-        for one in each.influences
-    )
-    return Table("uncertainty-influences", say("What each answer hangs on."), columns, rows)
+    answers, influences = (_lead(results), found.answers), (INFLUENCE_FIELDS, attrgetter("influences"))
+    return tabulate_parts("uncertainty-influences", say("What each answer hangs on."), answers, influences)
 
 
 def _samples(results: Results, found: UncertaintyResult) -> Table:
-    columns = (*LEAD, Column(say("Sample")), Column(say("Demand / capacity"), "ratio"))
-    rows = tuple(
-        (*_lead(results, each), sample, ratio)
-        for each in found.answers
-        for sample, ratio in enumerate(each.ratios, start=1)
-    )
-    return Table("uncertainty-samples", say("Demand over capacity in every sample."), columns, rows)
+    caption = say("Demand over capacity in every sample.")
+    answers, samples = (_lead(results), found.answers), (SAMPLE_FIELDS, lambda each: enumerate(each.ratios, start=1))
+    return tabulate_parts("uncertainty-samples", caption, answers, samples)

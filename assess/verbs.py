@@ -180,7 +180,7 @@ def answers(
         record is vertical; the text lists the procedures
     RecordError : something is no record of finite samples
     """
-    from assess.study.block import answers as find
+    from assess.study.block_answers import answers as find
 
     _check_block(block)
     _check_jobs(jobs)
@@ -540,7 +540,7 @@ def _study_of_blocks(
 ) -> Study:
     """Return the study of the fragility of mechanisms; given : keys of [analysis.fragility], those without are left."""
     from assess.project.question import read_fragility_question
-    from assess.study.block import fragility_study
+    from assess.study.block_answers import fragility_study
     from assess.study.suites import with_unique_names
 
     several: Any = blocks if isinstance(blocks, tuple | list) and blocks else (blocks,)

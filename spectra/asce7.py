@@ -232,18 +232,8 @@ F_V_2016: Rows = {
 }
 
 STUDIES_2016 = (
-    StudyRule(
-        ("E",),
-        "s_s",
-        1.0,
-        "study-of-class-e",
-    ),
-    StudyRule(
-        ("D", "D-default", "E"),
-        "s_1",
-        0.2,
-        "study-of-classes-d-and-e",
-    ),
+    StudyRule(("E",), "s_s", 1.0, "study-of-class-e"),
+    StudyRule(("D", "D-default", "E"), "s_1", 0.2, "study-of-classes-d-and-e"),
 )
 _COLUMNS_2005 = ((0.25, 0.5, 0.75, 1.0, 1.25), (0.1, 0.2, 0.3, 0.4, 0.5))  # S_S, S_1 [g]
 _COLUMNS_2016 = ((0.25, 0.5, 0.75, 1.0, 1.25, 1.5), (0.1, 0.2, 0.3, 0.4, 0.5, 0.6))

@@ -188,6 +188,11 @@ def complete_words(*words: str) -> Completion:
     return complete
 
 
+def word_option(help: str, *words: str) -> Any:
+    """Return an option that takes one of these words."""
+    return typer.Option(metavar="WORD", help=help, autocompletion=complete_words(*words))
+
+
 def complete_units(incomplete: str) -> Sequence[str]:
     """Complete a unit of acceleration."""
     from spectra.columns import ACCELERATION_UNITS

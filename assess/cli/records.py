@@ -28,6 +28,7 @@ from assess.cli.options import (
     first_sentence,
     refuse_two_formats,
     with_verbosity,
+    word_option,
 )
 from assess.cli.stderr import on_interruption, print_message, print_messages, print_note, print_warnings, progress
 
@@ -210,21 +211,10 @@ def select(
     scale_limits: Annotated[
         tuple[float, float], typer.Option(metavar="FROM TO", help="Smallest and largest scale factor.")
     ] = (0.25, 4.0),
-    fit: Annotated[
-        str,
-        typer.Option(
-            metavar="WORD",
-            help='Fit the mean of the "suite", or "each" record.',
-            autocompletion=complete_words("suite", "each"),
-        ),
-    ] = "suite",
+    fit: Annotated[str, word_option('Fit the mean of the "suite", or "each" record.', "suite", "each")] = "suite",
     components: Annotated[
         str,
-        typer.Option(
-            metavar="WORD",
-            help='Use components separately ("single"), or those of a recording "together".',
-            autocompletion=complete_words("single", "together"),
-        ),
+        word_option('Use components separately ("single"), or those of a recording "together".', "single", "together"),
     ] = "single",
     code: Annotated[
         str | None,
@@ -236,12 +226,7 @@ def select(
         ),
     ] = None,
     scale_to: Annotated[
-        str,
-        typer.Option(
-            metavar="WORD",
-            help='Scale each record to "spectrum", "pga" or "none".',
-            autocompletion=complete_words("spectrum", "pga", "none"),
-        ),
+        str, word_option('Scale each record to "spectrum", "pga" or "none".', "spectrum", "pga", "none")
     ] = "spectrum",
     several_per_event: Annotated[
         bool, typer.Option("--several-per-event", help="Allow several records of one earthquake.")
@@ -322,12 +307,7 @@ def scale(
     files: Files,
     target: Target,
     to: Annotated[
-        str,
-        typer.Option(
-            metavar="WORD",
-            help='Match the "spectrum" (least squares), its "pga", or "none".',
-            autocompletion=complete_words("spectrum", "pga", "none"),
-        ),
+        str, word_option('Match the "spectrum" (least squares), its "pga", or "none".', "spectrum", "pga", "none")
     ] = "spectrum",
     at: Annotated[float | None, typer.Option(metavar="PERIOD", help="Match the ordinate at this period [s].")] = None,
     periods: Annotated[

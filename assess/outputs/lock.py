@@ -60,14 +60,10 @@ def hold_lock(folder: Path, *, command: str, patient: bool = False, name: str = 
 
     Parameters
     ----------
-    folder : Path
-        The folder.
-    command : str
-        What holds it, named to other commands.
-    patient : bool
-        Whether to wait a while for a living holder.
-    name : str
-        Of the lock file: another one than the folder's for a part of it.
+    folder : the folder
+    command : what holds it, named to other commands
+    patient : whether to wait a while for a living holder
+    name : of the lock file: another one than the folder's for a part of it
 
     Raises
     ------

@@ -52,19 +52,13 @@ def output_folder(
 
     Parameters
     ----------
-    folder : Path
-        The folder to write into; made if absent.
-    command : str
-        The command that writes there, named to other commands meanwhile.
-    owner : str
-        The set that the files make up, of `assess.outputs.manifest`. Files of the set that are not made again are
+    folder : the folder to write into; made if absent
+    command : the command that writes there, named to other commands meanwhile
+    owner : the set that the files make up, of `assess.outputs.manifest`. Files of the set that are not made again are
         removed, except the results it is named after.
-    expected : sequence of str
-        Names of files that are certain to come.
-    tell : callable
-        Called with a message on what was recovered in the folder.
-    patient : bool
-        Whether to wait a while for another command that is writing there.
+    expected : names of files that are certain to come
+    tell : called with a message on what was recovered in the folder
+    patient : whether to wait a while for another command that is writing there
 
     Yields
     ------
@@ -93,10 +87,8 @@ def write_file(path: Path, *, command: str) -> Iterator[Path]:
 
     Parameters
     ----------
-    path : Path
-        The file to be written.
-    command : str
-        The command that writes it, named to other commands meanwhile.
+    path : the file to be written
+    command : the command that writes it, named to other commands meanwhile
 
     Yields
     ------
@@ -120,12 +112,9 @@ def replace_file(path: Path, *, command: str, is_replaceable: Callable[[Path], b
 
     Parameters
     ----------
-    path : Path
-        The file to be written.
-    command : str
-        The command that writes it, named to other commands meanwhile.
-    is_replaceable : callable
-        Returns whether the file that exists at `path` is one that this command wrote.
+    path : the file to be written
+    command : the command that writes it, named to other commands meanwhile
+    is_replaceable : returns whether the file that exists at `path` is one that this command wrote
 
     Yields
     ------
@@ -198,14 +187,10 @@ def refuse_obstacles(folder: Path, manifest: Manifest, owner: str, expected: Seq
 
     Parameters
     ----------
-    folder : Path
-        The folder.
-    manifest : Manifest
-        Of the folder.
-    owner : str
-        The set of files to be written.
-    expected : sequence of str
-        Names of files that are certain to come.
+    folder : the folder
+    manifest : of the folder
+    owner : the set of files to be written
+    expected : names of files that are certain to come
     """
     _raise_output_error(folder, _find_obstacles(folder, manifest, owner, expected))
 
@@ -217,10 +202,8 @@ def recover_for_reading(folder: Path, *, tell: TellMessage) -> None:
 
     Parameters
     ----------
-    folder : Path
-        The folder.
-    tell : callable
-        Called with a message on what was recovered.
+    folder : the folder
+    tell : called with a message on what was recovered
     """
     if any((each / JOURNAL).is_file() for each in _stages(folder)):
         with hold_lock(folder, command="a command that reads there", patient=True):
@@ -255,10 +238,8 @@ def make_stage(place: Path, *, command: str) -> Iterator[Path]:
 
     Parameters
     ----------
-    place : Path
-        The folder to make it in.
-    command : str
-        The command that uses it, named in its lock.
+    place : the folder to make it in
+    command : the command that uses it, named in its lock
 
     Yields
     ------
@@ -293,8 +274,7 @@ def tell_full_disk(place: Path) -> Iterator[None]:
 
     Parameters
     ----------
-    place : Path
-        Where is written, whole or not at all.
+    place : where is written, whole or not at all
 
     Raises
     ------

@@ -143,20 +143,13 @@ def run_batch(
 
     Parameters
     ----------
-    tasks : sequence of Task
-        The whole portfolio, the same for every share.
-    options : BatchOptions
-        What it computes and writes, and where.
-    runner : callable
-        Assesses one project, in a worker.
-    engine : callable
-        Opens the executor.
-    write : callable
-        Writes the ranked table.
-    tell : callable
-        Called with a line about what is found in the folder.
-    progress : callable
-        Called with the number of projects that are done, and of all of this share.
+    tasks : the whole portfolio, the same for every share
+    options : what it computes and writes, and where
+    runner : assesses one project, in a worker
+    engine : opens the executor
+    write : writes the ranked table
+    tell : called with a line about what is found in the folder
+    progress : called with the number of projects that are done, and of all of this share
 
     Raises
     ------

@@ -69,16 +69,11 @@ def compute_all(jobs: Iterable[Job], *, total: int, runner: Runner, engine: Engi
 
     Parameters
     ----------
-    jobs : iterable of Job
-        What is to be computed; drawn as it is given out.
-    total : int
-        How many they are.
-    runner : Runner
-        Assesses one.
-    engine : Engine
-        Where it is computed.
-    keep : RowReceiver
-        Called in this process with rows that are done.
+    jobs : what is to be computed; drawn as it is given out
+    total : how many they are
+    runner : assesses one
+    engine : where it is computed
+    keep : called in this process with rows that are done
 
     Raises
     ------

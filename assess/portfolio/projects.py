@@ -38,18 +38,12 @@ class Task(ShortRepr):
 
     Attributes
     ----------
-    key : str
-        The path below the folder, or the row's id in the table; any text, not fit for a path.
-    title : str
-        What the project is called.
-    path : Path
-        The project file, or the template that the row changes; absolute.
-    content : str or None
-        What the row changes in the template, as JSON text; None for a project file. `project_tree` applies it.
-    sha256 : str
-        Of everything the project is made of: its file or template, the row, and the files they name.
-    carried : tuple of (heading, text)
-        Cells of the row that the ranked table shows, as they are typed.
+    key : the path below the folder, or the row's id in the table; any text, not fit for a path
+    title : what the project is called
+    path : the project file, or the template that the row changes; absolute
+    content : what the row changes in the template, as JSON text; None for a project file. `project_tree` applies it.
+    sha256 : of everything the project is made of: its file or template, the row, and the files they name
+    carried : headings and cells of the row that the ranked table shows, as they are typed
     """
 
     key: str
@@ -104,18 +98,12 @@ def find_tasks(
 
     Parameters
     ----------
-    source : Path
-        A folder, or a table as CSV or workbook.
-    template : Path or None
-        The project file whose values the table changes; None for a folder.
-    unit_fault : callable
-        Checks the unit in the head of a column.
-    place_load : callable
-        Places loads that stand at the top, or at a share of the height.
-    decimal_comma : bool
-        Whether the numbers of the table have decimal commas; those between semicolons have them anyway.
-    progress : callable
-        Called with the number of tasks found so far.
+    source : a folder, or a table as CSV or workbook
+    template : the project file whose values the table changes; None for a folder
+    unit_fault : checks the unit in the head of a column
+    place_load : places loads that stand at the top, or at a share of the height
+    decimal_comma : whether the numbers of the table have decimal commas; those between semicolons have them anyway
+    progress : called with the number of tasks found so far
 
     Raises
     ------
@@ -150,10 +138,8 @@ def row_fault(task: Task, text: str) -> str:
 
     Parameters
     ----------
-    task : Task
-        Of a row.
-    text : str
-        What is wrong with the template that its values make.
+    task : of a row
+    text : what is wrong with the template that its values make
     """
     row = json.loads(task.content or "{}")
     name = "" if task.key == str(row["line"]) else f" ({quote(task.key)})"

@@ -150,12 +150,9 @@ def broken_row(job: Job, reason: str, exit_code: int) -> ProjectRow:
 
     Parameters
     ----------
-    job : Job
-        Of the project.
-    reason : str
-        Why, and what the user can do; reduced to one line.
-    exit_code : int
-        2 for wrong input, 70 for a fault of the program or its machine.
+    job : of the project
+    reason : why, and what the user can do; reduced to one line
+    exit_code : 2 for wrong input, 70 for a fault of the program or its machine
     """
     task = job.task
     return ProjectRow(
@@ -170,14 +167,10 @@ def row_of_verdict(
 
     Parameters
     ----------
-    job : Job
-        Of the project.
-    found : Verdict or None
-        Of its run.
-    messages : sequence of Message
-        On its input.
-    report, results : str
-        Links to its report and to its results.json; "" for none.
+    job : of the project
+    found : of its run
+    messages : on its input
+    report, results : links to its report and to its results.json; "" for none
     """
     task = job.task
     warnings = sum(each.severity is Severity.WARNING for each in messages)
@@ -245,8 +238,7 @@ def folder_name(key: str) -> str:
 
     Parameters
     ----------
-    key : str
-        Of the project: any text.
+    key : of the project: any text
     """
     if _FIT.fullmatch(key) and not (_LIKE_ANOTHER.fullmatch(key) or _DEVICE.fullmatch(key) or key == LOGS):
         return key

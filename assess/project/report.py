@@ -45,10 +45,8 @@ def report_matter_of(content: Content, folder: Path) -> ReportMatter:
 
     Parameters
     ----------
-    content : Content
-        The project file.
-    folder : Path
-        Its folder.
+    content : the project file
+    folder : its folder
 
     Returns
     -------
@@ -108,14 +106,10 @@ def read_picture(path: Path, *, key: str, folder: Path, caption: str = "") -> Pi
 
     Parameters
     ----------
-    path : Path
-        PNG or JPEG file.
-    key : str
-        Key of the project file that names it, for errors.
-    folder : Path
-        Folder of the project file.
-    caption : str
-        What it shows.
+    path : PNG or JPEG file
+    key : key of the project file that names it, for errors
+    folder : folder of the project file
+    caption : what it shows
 
     Returns
     -------

@@ -65,10 +65,8 @@ def differences(before: Results, after: Results, *, tolerance: float = TOLERANCE
 
     Parameters
     ----------
-    before, after : Results
-        The two runs.
-    tolerance : float
-        Relative difference up to which two numbers count as equal [-].
+    before, after : the two runs
+    tolerance : relative difference up to which two numbers count as equal [-]
 
     Returns
     -------

@@ -158,10 +158,8 @@ def dumps_suite(records: tuple[RecordResult, ...], motion: GroundMotionResult) -
 
     Parameters
     ----------
-    records : tuple of RecordResult
-        The records of the suite.
-    motion : GroundMotionResult
-        The suite compared with its target.
+    records : the records of the suite
+    motion : the suite compared with its target
 
     Returns
     -------

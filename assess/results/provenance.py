@@ -154,12 +154,9 @@ def stamp(command: str, program: Program, inputs: Sequence[Input]) -> str:
 
     Parameters
     ----------
-    command : str
-        The command with its options.
-    program : Program
-        The program that made the results.
-    inputs : sequence of Input
-        The files that were read.
+    command : the command with its options
+    program : the program that made the results
+    inputs : the files that were read
 
     Returns
     -------
@@ -177,10 +174,8 @@ def stamp_of_files(command: str, files: Sequence[Path], *options: object) -> str
 
     Parameters
     ----------
-    command : str
-        The command.
-    files : sequence of Path
-        The files that it reads.
+    command : the command
+    files : the files that it reads
     *options
         Its options.
 
@@ -198,10 +193,8 @@ def origin(command: str, shown: str) -> str:
 
     Parameters
     ----------
-    command : str
-        The command that draws it.
-    shown : str
-        The numbers it shows, as text.
+    command : the command that draws it
+    shown : the numbers it shows, as text
 
     Returns
     -------
@@ -273,8 +266,7 @@ def sources_digest(folder: Path) -> str:
 
     Parameters
     ----------
-    folder : Path
-        Holds the packages.
+    folder : holds the packages
     """
     digest = hashlib.sha256()
     files = sorted(

@@ -389,26 +389,16 @@ class Control(ShortRepr):
 
     Parameters
     ----------
-    kind : str
-        "equilibrium", "energy", "hand-multiplier" or "convergence".
-    mechanism : str
-        Name of the mechanism.
-    quantity : str
-        What is compared, in English.
-    value : float, optional
-        The program's own value.
-    reference : float, optional
-        The value it is compared with.
-    dimension : str
-        Dimension of both, a key of `assess.messages.message.UNITS`.
-    difference : float, optional
-        Relative difference; docs/controls.md says relative to what.
-    tolerance : float
-        The largest difference that is accepted; 0 where there is none.
-    met : bool, optional
-        Whether the difference is within the tolerance.
-    note : Message
-        How the control was made, or why it was not.
+    kind : "equilibrium", "energy", "hand-multiplier" or "convergence"
+    mechanism : name of the mechanism
+    quantity : what is compared, in English
+    value : the program's own value
+    reference : the value it is compared with
+    dimension : dimension of both, a key of `assess.messages.message.UNITS`
+    difference : relative difference; docs/controls.md says relative to what
+    tolerance : the largest difference that is accepted; 0 where there is none
+    met : whether the difference is within the tolerance
+    note : how the control was made, or why it was not
     """
 
     kind: ControlKind

@@ -155,10 +155,8 @@ def amplify(choice: AmplificationChoice | None, in_place: MechanismInPlace) -> M
 
     Parameters
     ----------
-    choice : AmplificationChoice, optional
-        The method; None for the ground motion as it is.
-    in_place : MechanismInPlace
-        The mechanism in its place.
+    choice : the method; None for the ground motion as it is
+    in_place : the mechanism in its place
 
     Returns
     -------
@@ -294,14 +292,10 @@ def find_height(
 
     Parameters
     ----------
-    ground : GroundLevel
-        The level of the ground.
-    mechanism : Mechanism
-        The mechanism.
-    base_elevation : float, optional
-        Height of its base above the ground, if it is not drawn in its place [m].
-    by_table : bool
-        Whether the mechanism gives its own elevation, as one of published parameters does.
+    ground : the level of the ground
+    mechanism : the mechanism
+    base_elevation : height of its base above the ground, if it is not drawn in its place [m]
+    by_table : whether the mechanism gives its own elevation, as one of published parameters does
 
     Returns
     -------

@@ -77,18 +77,12 @@ def assess_mechanisms(
 
     Parameters
     ----------
-    study : Study
-        The study.
-    spectrum : Spectrum
-        The site's elastic spectrum, to which the motions are scaled.
-    motions : tuple of ScaledRecord
-        The suite of records.
-    jobs : int
-        Number of threads; 0 for all cores.
-    progress : Progress
-        Called as mechanisms are done.
-    solved : Solved, optional
-        Histories that another state of the study has found, and where those of this one are kept.
+    study : the study
+    spectrum : the site's elastic spectrum, to which the motions are scaled
+    motions : the suite of records
+    jobs : number of threads; 0 for all cores
+    progress : called as mechanisms are done
+    solved : histories that another state of the study has found, and where those of this one are kept
 
     Returns
     -------
@@ -133,16 +127,12 @@ def checks_without_twins(
 
     Parameters
     ----------
-    study : Study
-        A study of one mechanism.
-    spectrum : Spectrum
-        The site's elastic spectrum.
-    motions : tuple of ScaledRecord
-        The suite of records; run only where a procedure by histories is among those of the study.
-    jobs : int
-        Number of threads; 0 for all cores.
-    with_scan : bool
-        Whether PGA rises until each rule of the procedures has failed; without it a PGA at capacity is not known.
+    study : a study of one mechanism
+    spectrum : the site's elastic spectrum
+    motions : the suite of records; run only where a procedure by histories is among those of the study
+    jobs : number of threads; 0 for all cores
+    with_scan : whether PGA rises until each rule of the procedures has failed; without it a PGA at capacity is not
+        known
 
     Returns
     -------
@@ -194,16 +184,11 @@ def check_mechanism(
 
     Parameters
     ----------
-    study : Study
-        The study that the mechanism is part of.
-    spectrum : Spectrum
-        The site's elastic spectrum.
-    mechanism : Mechanism
-        The mechanism to be assessed.
-    motions : tuple of ScaledRecord
-        The suite of records.
-    run : callable
-        Runs the histories of a case in a study, in the context of its procedures.
+    study : the study that the mechanism is part of
+    spectrum : the site's elastic spectrum
+    mechanism : the mechanism to be assessed
+    motions : the suite of records
+    run : runs the histories of a case in a study, in the context of its procedures
 
     Returns
     -------

@@ -170,16 +170,11 @@ def context_of(
 
     Parameters
     ----------
-    study : Study
-        The study that the mechanism is part of.
-    spectrum : Spectrum
-        The site's elastic spectrum.
-    mechanism : Mechanism
-        The mechanism to be assessed.
-    base : tuple of BaseMotion
-        Every motion as it acts at the base of the mechanism.
-    motions : tuple of ScaledRecord
-        The same motions at the ground, with their factors.
+    study : the study that the mechanism is part of
+    spectrum : the site's elastic spectrum
+    mechanism : the mechanism to be assessed
+    base : every motion as it acts at the base of the mechanism
+    motions : the same motions at the ground, with their factors
 
     Returns
     -------
@@ -292,16 +287,11 @@ def floor_spectrum(
 
     Parameters
     ----------
-    ground : Spectrum
-        The spectrum of the ground.
-    height : float
-        Height above the ground [m].
-    filtered : ModalFilter, optional
-        The filter through which the motions reached the base, if they did and the suite meets the rules.
-    base, motions : sequence
-        The motions at the base, and their factors.
-    building : Building, optional
-        The building, with its height and storeys.
+    ground : the spectrum of the ground
+    height : height above the ground [m]
+    filtered : the filter through which the motions reached the base, if they did and the suite meets the rules
+    base, motions : the motions at the base, and their factors
+    building : the building, with its height and storeys
 
     Returns
     -------

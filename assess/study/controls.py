@@ -41,10 +41,8 @@ def equilibrium_controls(mechanism: Mechanism, oscillator: Oscillator) -> tuple[
 
     Parameters
     ----------
-    mechanism : Mechanism
-        With its hinges.
-    oscillator : Oscillator
-        The mechanism with every action that is there at rest, whose multiplier gives the inertia forces.
+    mechanism : with its hinges
+    oscillator : the mechanism with every action that is there at rest, whose multiplier gives the inertia forces
 
     Returns
     -------
@@ -93,10 +91,8 @@ def multiplier_control(mechanism: Mechanism, oscillator: Oscillator) -> Control:
 
     Parameters
     ----------
-    mechanism : Mechanism
-        With its chains.
-    oscillator : Oscillator
-        The mechanism with every action that is there at rest.
+    mechanism : with its chains
+    oscillator : the mechanism with every action that is there at rest
 
     Returns
     -------
@@ -178,18 +174,12 @@ def make_control(
 
     Parameters
     ----------
-    kind : str
-        Its kind, which decides its tolerance.
-    mechanism, quantity : str
-        What is compared.
-    value, reference : float
-        The program's own value, and that found another way [dimension].
-    scale : float
-        What the difference is relative to, positive [dimension].
-    dimension : str
-        Dimension of the values.
-    note : Message
-        How it was made.
+    kind : its kind, which decides its tolerance
+    mechanism, quantity : what is compared
+    value, reference : the program's own value, and that found another way [dimension]
+    scale : what the difference is relative to, positive [dimension]
+    dimension : dimension of the values
+    note : how it was made
 
     Returns
     -------
@@ -269,10 +259,8 @@ def _sum_of_reactions(forces: Sequence[HingeForces], *, blocks: int) -> tuple[fl
 
     Parameters
     ----------
-    forces : sequence of HingeForces
-        Of one branch, from the base on.
-    blocks : int
-        One block stands on A; two are also held at C, along the direction only; three also stand on D.
+    forces : of one branch, from the base on
+    blocks : one block stands on A; two are also held at C, along the direction only; three also stand on D
     """
     base, far = forces[0], forces[-1]
     horizontal, vertical = base.horizontal, base.vertical

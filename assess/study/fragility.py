@@ -105,12 +105,9 @@ def run_fragility(study: Study, *, jobs: int = 0, progress: Progress = no_progre
 
     Parameters
     ----------
-    study : Study
-        The study; its question on fragility, or the default one.
-    jobs : int
-        Number of threads; 0 for all cores. The results do not depend on it.
-    progress : Progress
-        Called with the stage, the number of its parts done, and their total.
+    study : the study; its question on fragility, or the default one
+    jobs : number of threads; 0 for all cores. The results do not depend on it.
+    progress : called with the stage, the number of its parts done, and their total
 
     Returns
     -------
@@ -179,18 +176,12 @@ def run_records(
 
     Parameters
     ----------
-    study : Study
-        Equation and amplification of the mechanism.
-    mechanism : Mechanism
-        What rocks.
-    records : sequence of Record
-        At the ground.
-    question : FragilityQuestion
-        Method, measures and levels.
-    stripe : array [records], optional
-        Intensity of the stripe of each record, where each stripe has records of its own.
-    jobs : int
-        Number of threads; 0 for all cores.
+    study : equation and amplification of the mechanism
+    mechanism : what rocks
+    records : at the ground
+    question : method, measures and levels
+    stripe : intensity of the stripe of each record, where each stripe has records of its own
+    jobs : number of threads; 0 for all cores
 
     Returns
     -------
@@ -386,16 +377,11 @@ def _curves_of_state(
 
     Parameters
     ----------
-    runs : FragilityRuns
-        Of all records.
-    all_intensities : sequence of Intensities
-        The measures.
-    state : StateResult
-        To be reached.
-    events : sequence of str
-        Earthquake of each record.
-    question : FragilityQuestion
-        Method, seed and draws.
+    runs : of all records
+    all_intensities : the measures
+    state : to be reached
+    events : earthquake of each record
+    question : method, seed and draws
     """
     found: list[FragilityCurve] = []
     for place, one in enumerate(all_intensities):
@@ -418,14 +404,10 @@ def _record_runs(mechanism_runs: MechanismRuns, place: int, record: Record, orig
 
     Parameters
     ----------
-    mechanism_runs : MechanismRuns
-        The mechanism with all runs.
-    place : int
-        Of the record among them.
-    record : Record
-        At the ground.
-    origins : Origins
-        The earthquake of each record.
+    mechanism_runs : the mechanism with all runs
+    place : of the record among them
+    record : at the ground
+    origins : the earthquake of each record
     """
     run = mechanism_runs.runs.run[place]
     scale, ratio = mechanism_runs.runs.scale[place][run], mechanism_runs.runs.ratio[place][run]
@@ -450,12 +432,9 @@ def _study_warnings(study: Study, records: Sequence[Record], question: Fragility
 
     Parameters
     ----------
-    study : Study
-        With the messages on its file.
-    records : sequence of Record
-        That are run.
-    question : FragilityQuestion
-        Measures, method and hazard.
+    study : with the messages on its file
+    records : that are run
+    question : measures, method and hazard
     """
     plain = tuple(ScaledRecord(record, Scaling(1.0, 0.0)) for record in records)
     return (
@@ -508,14 +487,10 @@ def _mechanism_notes(
 
     Parameters
     ----------
-    study : Study
-        Height above the ground, and amplification.
-    mechanism : Mechanism
-        What rocks.
-    runs : FragilityRuns
-        Of all records.
-    question : FragilityQuestion
-        States that are requested.
+    study : height above the ground, and amplification
+    mechanism : what rocks
+    runs : of all records
+    question : states that are requested
     """
     where = f"mechanisms.{mechanism.name}"
     if not _base_motion_known(study, mechanism):

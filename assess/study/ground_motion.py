@@ -50,12 +50,9 @@ def ground_motion(study: Study, spectrum: Spectrum, motions: Sequence[ScaledReco
 
     Parameters
     ----------
-    study : Study
-        The study.
-    spectrum : Spectrum
-        The target.
-    motions : sequence of ScaledRecord
-        The suite.
+    study : the study
+    spectrum : the target
+    motions : the suite
 
     Returns
     -------
@@ -87,19 +84,13 @@ def ground_motion_result(
 
     Parameters
     ----------
-    motions : sequence of ScaledRecord
-        The suite.
-    spectrum : Spectrum
-        The target.
-    fitting : Fitting
-        Range of periods of the scaling, and how the records were chosen.
-    source : str
-        Source of the range, in words.
-    equivalent : dict
-        Shortest and longest equivalent period of each mechanism by name [s]. If empty, those are used whose multiples
-        the range is.
-    own : mapping
-        Shortest and longest period by code, for codes that define their own [s].
+    motions : the suite
+    spectrum : the target
+    fitting : range of periods of the scaling, and how the records were chosen
+    source : source of the range, in words
+    equivalent : shortest and longest equivalent period of each mechanism by name [s]. If empty, those are used whose
+        multiples the range is.
+    own : shortest and longest period by code, for codes that define their own [s]
 
     Returns
     -------
@@ -178,12 +169,9 @@ def record_result(motion: ScaledRecord, spectrum: Spectrum, *, nga: int | None =
 
     Parameters
     ----------
-    motion : ScaledRecord
-        The record with its factor.
-    spectrum : Spectrum
-        The site's spectrum, at whose periods that of the record is given.
-    nga : int, optional
-        Its number in the NGA database; by default the one in its file name.
+    motion : the record with its factor
+    spectrum : the site's spectrum, at whose periods that of the record is given
+    nga : its number in the NGA database; by default the one in its file name
 
     Returns
     -------

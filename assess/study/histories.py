@@ -104,18 +104,12 @@ def run_histories(
 
     Parameters
     ----------
-    case : RockingCase
-        The oscillator and the motions at its base.
-    motions : sequence of ScaledRecord
-        The records with their factors, in the order of `case.base`.
-    levels, further : sequence of float
-        PGA of the levels of the study, and of further suites [m/s2].
-    site_pga : float
-        PGA of the target that the factors refer to [m/s2].
-    with_scan : bool
-        Whether to run the scan.
-    threads : int
-        Number of threads; 0 for all cores.
+    case : the oscillator and the motions at its base
+    motions : the records with their factors, in the order of `case.base`
+    levels, further : PGA of the levels of the study, and of further suites [m/s2]
+    site_pga : PGA of the target that the factors refer to [m/s2]
+    with_scan : whether to run the scan
+    threads : number of threads; 0 for all cores
 
     Returns
     -------
@@ -258,14 +252,10 @@ def scan_levels(
 
     Parameters
     ----------
-    case : RockingCase
-        The oscillator and the motions at its base.
-    motions : sequence of ScaledRecord
-        The records with their factors, in the order of `case.base`.
-    site_pga : float
-        PGA of the target that the factors refer to [m/s2].
-    threads : int
-        Number of threads; 0 for all cores.
+    case : the oscillator and the motions at its base
+    motions : the records with their factors, in the order of `case.base`
+    site_pga : PGA of the target that the factors refer to [m/s2]
+    threads : number of threads; 0 for all cores
 
     Returns
     -------

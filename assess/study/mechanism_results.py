@@ -105,22 +105,15 @@ def mechanism_result(
 
     Parameters
     ----------
-    mechanism : Mechanism
-        The mechanism.
-    oscillator : Oscillator
-        Its branches with every action that is there at rest.
+    mechanism : the mechanism
+    oscillator : its branches with every action that is there at rest
     equation : {"exact", "linearised"}
         The equation of motion of its histories.
-    scene : Scene, optional
-        Its bodies in space.
-    checks : sequence of Check
-        The answers of the procedures.
-    histories : sequence of sequence of HistoryResult
-        By level and record.
-    amplification : AmplificationResult
-        The motion at its base.
-    height : HeightAboveGround, optional
-        Where it is above the ground.
+    scene : its bodies in space
+    checks : the answers of the procedures
+    histories : by level and record
+    amplification : the motion at its base
+    height : where it is above the ground
 
     Returns
     -------
@@ -210,14 +203,10 @@ def oscillator_result(branch: Branch, *, mass: float, rigid: Branch, equilibrium
 
     Parameters
     ----------
-    branch : Branch
-        The branch.
-    mass : float
-        Total mass [kg].
-    rigid : Branch
-        The branch with rigid interfaces.
-    equilibrium : float
-        Rotation at rest phi_e, in the sign of the branch [rad].
+    branch : the branch
+    mass : total mass [kg]
+    rigid : the branch with rigid interfaces
+    equilibrium : rotation at rest phi_e, in the sign of the branch [rad]
 
     Returns
     -------

@@ -71,12 +71,9 @@ def respond(
 
     Parameters
     ----------
-    oscillator : Oscillator
-        The branches of the mechanism, or of a rigid block.
-    record : Record
-        Acceleration of the ground at the base of the mechanism [m/s2].
-    scale : float
-        Factor on the record [-]; a negative one reverses its polarity.
+    oscillator : the branches of the mechanism, or of a rigid block
+    record : acceleration of the ground at the base of the mechanism [m/s2]
+    scale : factor on the record [-]; a negative one reverses its polarity
     equation : {"exact", "linearised"}
         The equation of motion: of the branch tables, or linearised at small rotations.
 

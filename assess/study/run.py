@@ -94,12 +94,9 @@ def run_study(study: Study, *, jobs: int = 0, progress: Progress = no_progress) 
 
     Parameters
     ----------
-    study : Study
-        Site, records, mechanisms and questions.
-    jobs : int
-        Number of threads; 0 for all cores. The results do not depend on it.
-    progress : Progress
-        Called with the stage, the number of its parts done, and their total.
+    study : site, records, mechanisms and questions
+    jobs : number of threads; 0 for all cores. The results do not depend on it.
+    progress : called with the stage, the number of its parts done, and their total
 
     Returns
     -------
@@ -247,10 +244,8 @@ def find_outcome(study: Study, *, jobs: int = 1) -> Verdict:
 
     Parameters
     ----------
-    study : Study
-        Site, records, mechanisms and questions.
-    jobs : int
-        Number of threads; 0 for all cores.
+    study : site, records, mechanisms and questions
+    jobs : number of threads; 0 for all cores
     """
     return find_verdict(study, jobs=jobs, run=_histories_of_outcome)
 
@@ -260,12 +255,9 @@ def find_verdict(study: Study, *, jobs: int = 1, run: DecidingHistories | None =
 
     Parameters
     ----------
-    study : Study
-        Site, records, mechanisms and questions.
-    jobs : int
-        Number of threads; 0 for all cores.
-    run : callable, optional
-        Runs the histories of a mechanism; all that the verdict holds if None.
+    study : site, records, mechanisms and questions
+    jobs : number of threads; 0 for all cores
+    run : runs the histories of a mechanism; all that the verdict holds if None
 
     Raises
     ------
@@ -430,16 +422,11 @@ def _controls_of(
 
     Parameters
     ----------
-    study : Study
-        The study.
-    controlling : mapping
-        The sweep that represents each swept mechanism, by name.
-    motions : tuple of ScaledRecord
-        The motions of the study.
-    results : sequence of MechanismResult
-        What was found of its mechanisms.
-    jobs : int
-        Number of threads; 0 for all cores. The controls do not depend on it.
+    study : the study
+    controlling : the sweep that represents each swept mechanism, by name
+    motions : the motions of the study
+    results : what was found of its mechanisms
+    jobs : number of threads; 0 for all cores. The controls do not depend on it.
 
     Returns
     -------

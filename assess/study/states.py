@@ -78,14 +78,10 @@ def find_overrides(
 
     Parameters
     ----------
-    study : Study
-        The project as typed.
-    motions : tuple of ScaledRecord
-        Its records.
-    jobs : int
-        Number of threads; 0 for all cores.
-    with_sources : bool
-        Whether values with a source are tried too; what decides does not depend on them.
+    study : the project as typed
+    motions : its records
+    jobs : number of threads; 0 for all cores
+    with_sources : whether values with a source are tried too; what decides does not depend on them
 
     Returns
     -------

@@ -127,30 +127,30 @@ class Study:
 
     spectrum: Spectrum | None
     vertical_ratio: float
-    building: Building | None
     records: tuple[Record, ...]
     fitting: Fitting
-    artificial: ArtificialRecords | None
-    scale_to: ScaleTo
     levels: tuple[float, ...]
-    procedures: tuple[str, ...]
-    offered: tuple[str, ...]
-    options: CodeOptions
     mechanisms: tuple[Mechanism, ...]
     equations: dict[str, Equation]
     amplified: dict[str, MechanismAmplification]
-    scenes: dict[str, Scene]
-    inputs: tuple[Input, ...]
-    resolved: dict[str, ResolvedValue]
-    messages: tuple[Message, ...]
-    sweeps: tuple[Sweep, ...]
-    pulses: PulseGrid | None
-    hazard: SiteHazard | None
-    free_periods: Mapping[str, FreePeriod]
-    knowledge: Mapping[str, Mapping[str, str]]
-    limit_state: str | None
     question: Question
-    facts: Mapping[str, VerdictFacts]
+    building: Building | None = None
+    artificial: ArtificialRecords | None = None
+    scale_to: ScaleTo = "none"
+    procedures: tuple[str, ...] = ()
+    offered: tuple[str, ...] = ()
+    options: CodeOptions = field(default_factory=CodeOptions)
+    scenes: dict[str, Scene] = field(default_factory=dict)
+    inputs: tuple[Input, ...] = ()
+    resolved: dict[str, ResolvedValue] = field(default_factory=dict)
+    messages: tuple[Message, ...] = ()
+    sweeps: tuple[Sweep, ...] = ()
+    pulses: PulseGrid | None = None
+    hazard: SiteHazard | None = None
+    free_periods: Mapping[str, FreePeriod] = field(default_factory=dict)
+    knowledge: Mapping[str, Mapping[str, str]] = field(default_factory=dict)
+    limit_state: str | None = None
+    facts: Mapping[str, VerdictFacts] = field(default_factory=dict)
     heights: Mapping[str, HeightAboveGround] = field(default_factory=dict)
     moving: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
     on_masonry: Mapping[str, bool] = field(default_factory=dict)
@@ -409,10 +409,8 @@ def levels_with_site(levels: tuple[float, ...], site_pga: float) -> tuple[float,
 
     Parameters
     ----------
-    levels : tuple of float
-        PGA of the levels [m/s2].
-    site_pga : float
-        PGA of the site [m/s2].
+    levels : PGA of the levels [m/s2]
+    site_pga : PGA of the site [m/s2]
 
     Returns
     -------

@@ -74,12 +74,9 @@ def motions_of(study: Study, spectrum: Spectrum, *, jobs: int = 1) -> tuple[Scal
 
     Parameters
     ----------
-    study : Study
-        Its records, the artificial ones to be made, and how they are scaled.
-    spectrum : Spectrum
-        The target.
-    jobs : int
-        Number of threads; 0 for all cores.
+    study : its records, the artificial ones to be made, and how they are scaled
+    spectrum : the target
+    jobs : number of threads; 0 for all cores
 
     Returns
     -------
@@ -108,14 +105,10 @@ def apply_given_factors(
 
     Parameters
     ----------
-    records : sequence of Record
-        The records.
-    spectrum : Spectrum
-        The target.
-    given_factors : GivenFactors
-        Factors by id, and the target that they refer to.
-    band : Band
-        Periods at which the misfit is taken.
+    records : the records
+    spectrum : the target
+    given_factors : factors by id, and the target that they refer to
+    band : periods at which the misfit is taken
 
     Raises
     ------
@@ -163,12 +156,9 @@ def scale_together(
 
     Parameters
     ----------
-    records : sequence of Record
-        The records.
-    spectrum : Spectrum
-        The target.
-    fitting : Fitting
-        Range of periods, and the records that are kept together.
+    records : the records
+    spectrum : the target
+    fitting : range of periods, and the records that are kept together
     scale_to : {"spectrum", "pga", "none"}
         What the records are scaled to.
 
@@ -392,12 +382,9 @@ def suite_faults(
 
     Parameters
     ----------
-    study : Study
-        The study, with its question.
-    spectrum : Spectrum
-        The site's elastic spectrum.
-    motions : sequence of ScaledRecord
-        The suite.
+    study : the study, with its question
+    spectrum : the site's elastic spectrum
+    motions : the suite
 
     Returns
     -------
@@ -473,12 +460,9 @@ def spectrum_of_rules(code: str, study: Study, spectrum: Spectrum) -> Spectrum:
 
     Parameters
     ----------
-    code : str
-        Of a procedure, as in `RULES`.
-    study : Study
-        The hazard and what decides.
-    spectrum : Spectrum
-        The site's.
+    code : of a procedure, as in `RULES`
+    study : the hazard and what decides
+    spectrum : the site's
     """
     if not RULES[code].by_limit_state or study.hazard is None:
         return spectrum
@@ -493,12 +477,9 @@ def artificial_band(study: Study, spectrum: Spectrum, *, duration: float) -> Ran
 
     Parameters
     ----------
-    study : Study
-        The mechanisms, and the codes that decide.
-    spectrum : Spectrum
-        The target.
-    duration : float
-        Of the records [s].
+    study : the mechanisms, and the codes that decide
+    spectrum : the target
+    duration : of the records [s]
     """
     ranges = [RULES[code].fitted(longest=RULES[code].periods(study)[1]) for code in _codes_that_decide(study)]
     longest = ceil(max([MATCHED_PERIODS[1], *(high for _, high in ranges)]))

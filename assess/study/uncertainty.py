@@ -54,18 +54,12 @@ def uncertainty(
 
     Parameters
     ----------
-    study : Study
-        The study, with its sampling.
-    spectrum : Spectrum
-        The site's elastic spectrum.
-    motions : tuple of ScaledRecord
-        The suite of records, the same for all samples.
-    results : sequence of MechanismResult
-        The mechanisms as assessed with the means.
-    jobs : int
-        Number of threads that share the histories of a sample; 0 for all cores. The results do not depend on it.
-    progress : Progress
-        Called as samples are done.
+    study : the study, with its sampling
+    spectrum : the site's elastic spectrum
+    motions : the suite of records, the same for all samples
+    results : the mechanisms as assessed with the means
+    jobs : number of threads that share the histories of a sample; 0 for all cores. The results do not depend on it.
+    progress : called as samples are done
 
     Returns
     -------

@@ -216,18 +216,12 @@ def sensitivities(
 
     Parameters
     ----------
-    study : Study
-        The study, with its variables.
-    spectrum : Spectrum
-        The site's elastic spectrum.
-    motions : tuple of ScaledRecord
-        The suite of records.
-    results : sequence of MechanismResult
-        The mechanisms as assessed with the base values.
-    jobs : int
-        Number of threads; 0 for all cores.
-    progress : Progress
-        Called as variables are done.
+    study : the study, with its variables
+    spectrum : the site's elastic spectrum
+    motions : the suite of records
+    results : the mechanisms as assessed with the base values
+    jobs : number of threads; 0 for all cores
+    progress : called as variables are done
 
     Returns
     -------

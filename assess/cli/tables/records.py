@@ -5,7 +5,7 @@ folder.
 from __future__ import annotations
 
 import json
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from concurrent.futures import Executor
 from dataclasses import asdict, dataclass
 from math import degrees
@@ -43,30 +43,25 @@ if TYPE_CHECKING:
 
 
 SPECTRUM_PERIODS = np.concatenate(([0.0], np.geomspace(0.01, 10.0, 160)))  # s, of the spectra, as in results.json
-RECORD_HEADER = (
-    "record",
-    "event",
-    "station",
-    "component",
-    "dt [s]",
-    "npts",
-    "PGA [g]",
-    "PGV [m/s]",
-    "PGD [m]",
-    "Arias [m/s]",
-    "CAV [m/s]",
-    "D5-75 [s]",
-    "D5-95 [s]",
-    "T_m [s]",
-    "Housner [m]",
-)
+RECORD_HEADER = ("record", "event", "station", "component", "dt [s]", "npts", "PGA [g]")
+MEASURES: Mapping[str, tuple[str, str]] = {
+    "PGV [m/s]": ("pgv_m_per_s", "pgv"),
+    "PGD [m]": ("pgd_m", "pgd"),
+    "Arias [m/s]": ("arias_m_per_s", "arias"),
+    "CAV [m/s]": ("cav_m_per_s", "cav"),
+    "D5-75 [s]": ("d5_75_s", "d5_75"),
+    "D5-95 [s]": ("d5_95_s", "d5_95"),
+    "T_m [s]": ("mean_period_s", "mean_period"),
+    "Housner [m]": ("housner_m", "housner"),
+}
+"""The measures of a record besides its PGA, by their headings: their keys in JSON, their names in `Measures`."""
 ROUND_PERIODS = (0.1, 0.2, 0.3, 0.5, 1.0, 2.0, 3.0, 5.0, 10.0)  # s
 MAX_CELLS = 20  # bad cells of a flatfile
 
 
 def records_table(records: Sequence[Record]) -> str:
     """Write a rounded line for each record."""
-    return text_table(RECORD_HEADER, [_row(record, measures(record)) for record in records])
+    return text_table((*RECORD_HEADER, *MEASURES), [_row(record, measures(record)) for record in records])
 
 
 def records_csv(records: Sequence[Record]) -> str:
@@ -220,16 +215,7 @@ def draw_suite(suite: ScaledSuite, path: Path) -> None:
 
 def _row(record: Record, measured: Measures) -> list[str]:
     names = [record.id, record.event, record.station, record.component]
-    peaks = [
-        measured.pgv,
-        measured.pgd,
-        measured.arias,
-        measured.cav,
-        measured.d5_75,
-        measured.d5_95,
-        measured.mean_period,
-        measured.housner,
-    ]
+    peaks = [getattr(measured, name) for _, name in MEASURES.values()]
     sampling = [f"{record.dt:.6g}", str(record.npts)]
     return [*names, *sampling, f"{record.pga / g:.4g}", *(f"{each:.4g}" for each in peaks)]
 
@@ -253,16 +239,7 @@ def _properties(record: Record) -> dict[str, Any]:
         "epicentral_distance_km": None if record.distance is None else record.distance / 1000.0,
         "earthquake": _earthquake(record),
         "site": _site(record),
-        "measures": {
-            "pgv_m_per_s": measured.pgv,
-            "pgd_m": measured.pgd,
-            "arias_m_per_s": measured.arias,
-            "cav_m_per_s": measured.cav,
-            "d5_75_s": measured.d5_75,
-            "d5_95_s": measured.d5_95,
-            "mean_period_s": measured.mean_period,
-            "housner_m": measured.housner,
-        },
+        "measures": {key: getattr(measured, name) for key, name in MEASURES.values()},
     }
 
 

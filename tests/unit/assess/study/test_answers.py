@@ -15,7 +15,7 @@ from assess.codes.procedures import PROCEDURES
 from assess.errors import ProcedureError
 from assess.project.build import build
 from assess.project.project_file import load
-from assess.study.block import answers
+from assess.study.block_answers import answers
 from assess.study.run import run_study
 from assess.study.study import Study
 from tests.support import projects

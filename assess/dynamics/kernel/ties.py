@@ -112,10 +112,8 @@ def add_tie(row: FloatArray, law: FloatArray, plastic: float, phase: int, of: Fl
 
 @compiled
 def crossing(of: FloatArray, level: float, h: float) -> float:
-    """Return the distance, between 0 and h, at which a monotonic cubic [4] reaches a level; -1 if it does not."""
-    below = cubic(of, 0.0) - level
-    if below * (cubic(of, h) - level) >= 0.0:
-        return -1.0
+    """Return the distance, between 0 and h, at which a cubic [4] that passes a level reaches it."""
+    below = of[3] - level
     low, high = 0.0, h
     d = 0.5 * h
     for _ in range(60):
@@ -151,17 +149,13 @@ def write_side(out: FloatArray, pieces: IntArray, start: int, table: FloatArray,
     for j in range(first, last + 1):
         left, width = table[j, LEFT], table[j, RIGHT] - table[j, LEFT]
         cuts[0], count = 0.0, 1
-        for k in range(ties + 1):
-            for place in range(CUTS):
-                if k == ties:
-                    d = reached - left if place == 0 and 0.0 < reached - left < width else -1.0
-                else:
-                    level = law[k, GONE]
-                    if place < 2:
-                        level = plastic[k] + (law[k, YIELD] if place == 1 else 0.0)
-                    d = crossing(elongation[k, j], level, width) if level < math.inf else -1.0
-                if d > 0.0:
-                    m = count
+        if 0.0 < reached - left < width:
+            cuts[1], count = reached - left, 2
+        for k in range(ties):
+            e, e1 = elongation[k, j, 3], elongation[k, j + 1, 3] if j < last else cubic(elongation[k, j], width)
+            for level in (plastic[k], plastic[k] + law[k, YIELD], law[k, GONE]):
+                if (e - level) * (e1 - level) < 0.0 and level < math.inf:
+                    d, m = crossing(elongation[k, j], level, width), count
                     while m > 1 and cuts[m - 1] > d:
                         cuts[m] = cuts[m - 1]
                         m -= 1
@@ -176,8 +170,13 @@ def write_side(out: FloatArray, pieces: IntArray, start: int, table: FloatArray,
             row[LEFT], row[RIGHT] = left + u, left + w if c + 1 < count else table[j, RIGHT]
             for high in (R3, B3):
                 c3, c2, c1, c0 = table[j, high], table[j, high + 1], table[j, high + 2], table[j, high + 3]
-                row[high], row[high + 1] = c3, c2 + 3.0 * c3 * u
-                row[high + 2], row[high + 3] = (3.0 * c3 * u + 2.0 * c2) * u + c1, ((c3 * u + c2) * u + c1) * u + c0
+                if u > 0.0:
+                    c2, c1, c0 = (
+                        c2 + 3.0 * c3 * u,
+                        (3.0 * c3 * u + 2.0 * c2) * u + c1,
+                        ((c3 * u + c2) * u + c1) * u + c0,
+                    )
+                row[high], row[high + 1], row[high + 2], row[high + 3] = c3, c2, c1, c0
             changed = j > first and c == 0 and smooth[j, 0] == j
             for k in range(ties):
                 phase = phase_of(law[k], plastic[k], cubic(elongation[k, j], middle))

@@ -85,12 +85,9 @@ def run_envelopes(study: Study, *, jobs: int = 0, progress: Progress = no_progre
 
     Parameters
     ----------
-    study : Study
-        The study; its own pulses are used, or the default ones.
-    jobs : int
-        Number of threads; 0 for all cores. The results do not depend on it.
-    progress : Progress
-        Called with the stage, the number of its parts done, and their total.
+    study : the study; its own pulses are used, or the default ones
+    jobs : number of threads; 0 for all cores. The results do not depend on it.
+    progress : called with the stage, the number of its parts done, and their total
 
     Returns
     -------
@@ -265,18 +262,13 @@ def find_envelope(
 
     Parameters
     ----------
-    oscillator : Oscillator
-        The branches of the mechanism, or of a rigid block.
-    pulse : str or Shape
-        Name of a pulse of `records.pulses.PULSE_SHAPES`, or a shape made by `records.pulses.pulse_shape`.
-    frequency : array
-        Rising frequencies of the pulse [n] [Hz].
-    amplitude : array
-        Rising peak accelerations [m] [m/s2].
+    oscillator : the branches of the mechanism, or of a rigid block
+    pulse : name of a pulse of `records.pulses.PULSE_SHAPES`, or a shape made by `records.pulses.pulse_shape`
+    frequency : rising frequencies of the pulse [n] [Hz]
+    amplitude : rising peak accelerations [m] [m/s2]
     equation : {"exact", "linearised"}
         The equation of motion.
-    threads : int
-        Number of threads; 0 for all cores. The results do not depend on it.
+    threads : number of threads; 0 for all cores. The results do not depend on it.
 
     Returns
     -------

@@ -75,14 +75,10 @@ def governing_history(
 
     Parameters
     ----------
-    mechanism : Mechanism
-        The mechanism, whose deciding oscillator rocks.
-    histories : sequence of HistoryResult
-        All its histories.
-    motions : mapping
-        The records with their factors, by id.
-    amplified : MechanismAmplification
-        How the ground's motion reaches its base.
+    mechanism : the mechanism, whose deciding oscillator rocks
+    histories : all its histories
+    motions : the records with their factors, by id
+    amplified : how the ground's motion reaches its base
     equation : {"exact", "linearised"}
         The equation of its histories.
     site_pga : float
@@ -132,10 +128,8 @@ def energy_control(mechanism: Mechanism, governing: GoverningHistory | None, *, 
 
     Parameters
     ----------
-    mechanism : Mechanism
-        Whose masses and heights give the energies.
-    governing : GoverningHistory, optional
-        The history; None where none rocks.
+    mechanism : whose masses and heights give the energies
+    governing : the history; None where none rocks
     equation : {"exact", "linearised"}
         The equation of free rocking.
 
@@ -208,18 +202,12 @@ def energy_balance(
 
     Parameters
     ----------
-    path : Trace
-        The history at samples of the motion, the first ones.
-    events : Events
-        Its uplifts and impacts.
-    oscillator : Oscillator
-        Whose restitution each impact has.
-    sides : tuple of EnergiesAt
-        Energies of the positive and, if there is one, the negative branch, in its own sign.
-    motion : Record
-        At the base.
-    scale : float
-        On the motion [-].
+    path : the history at samples of the motion, the first ones
+    events : its uplifts and impacts
+    oscillator : whose restitution each impact has
+    sides : energies of the positive and, if there is one, the negative branch, in its own sign
+    motion : at the base
+    scale : on the motion [-]
     """
     kinetic, potential, excitation_integral, excitation_rate = _at_samples(path, sides)
     within = events.time <= path.time[-1]
@@ -273,10 +261,8 @@ def convergence_control(mechanism: Mechanism, governing: GoverningHistory | None
 
     Parameters
     ----------
-    mechanism : Mechanism
-        The mechanism.
-    governing : GoverningHistory, optional
-        Its history; None where none rocks.
+    mechanism : the mechanism
+    governing : its history; None where none rocks
 
     Returns
     -------
@@ -346,12 +332,9 @@ def _work_of_ground(
 
     Parameters
     ----------
-    time, ground : array
-        Instants, and the acceleration there [n] [s], [m/s2].
-    excitation_integral : array
-        S, the sum of mass times horizontal displacement, 0 at first [n] [kg m].
-    arriving, leaving : array
-        Rate of S before and after each instant, which an impact changes [n] [kg m/s].
+    time, ground : instants, and the acceleration there [n] [s], [m/s2]
+    excitation_integral : s, the sum of mass times horizontal displacement, 0 at first [n] [kg m]
+    arriving, leaving : rate of S before and after each instant, which an impact changes [n] [kg m/s]
     """
     step = np.diff(time)
     area = (

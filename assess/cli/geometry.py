@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from assess.cli.options import UpAxis, refuse_two_formats
-from assess.cli.tables import text_table
+from assess.cli.tables import TextField, table_of
 from assess.messages.message import escape_text
 
 if TYPE_CHECKING:
@@ -20,16 +20,16 @@ if TYPE_CHECKING:
     Listed = Sequence[tuple[Path, Sequence[InventoryEntry] | Exception]]
 
 
-PART_HEADER = (
-    "part",
-    "class",
-    "storey",
-    "GlobalId",
-    "t x l x h [m]",
-    "V [m3]",
-    "at x, y, z [m]",
-    "closed",
-    "thin [deg]",
+PART_FIELDS: Sequence[TextField[InventoryEntry]] = (
+    ("part", lambda part: part.element.shown),
+    ("class", lambda part: _first(part.element.kinds)),
+    ("storey", lambda part: part.element.storey),
+    ("GlobalId", lambda part: part.element.identifier),
+    ("t x l x h [m]", lambda part: "" if part.size is None else " x ".join(f"{each:.4g}" for each in part.size)),
+    ("V [m3]", lambda part: "" if part.volume is None else f"{part.volume:.4g}"),
+    ("at x, y, z [m]", lambda part: "" if part.place is None else ", ".join(map(_coordinate, part.place))),
+    ("closed", lambda part: "yes" if part.closed else "no"),
+    ("thin [deg]", lambda part: "" if part.thin is None else f"{_angle(part.thin):.4g}"),
 )
 
 
@@ -127,9 +127,8 @@ def _geometry_json(listed: Listed) -> str:
 def _file_table(file: Path, found: Sequence[InventoryEntry] | Exception) -> str:
     if isinstance(found, Exception):
         return f"{escape_text(str(found))}\n"
-    rows = [_part_row(each) for each in found]
-    kept = [i for i, head in enumerate(PART_HEADER) if any(row[i] for row in rows) or head == "part"]
-    table = text_table([PART_HEADER[i] for i in kept], [[row[i] for i in kept] for row in rows])
+    kept = [(head, cell) for head, cell in PART_FIELDS if any(map(cell, found)) or head == "part"]
+    table = table_of(kept, found)
     return f"{escape_text(str(file))}\n{table}{_warnings_text(found)}"
 
 
@@ -148,19 +147,8 @@ def _parts_named(names: Sequence[str]) -> str:
     return one_line(names[0]) if len(names) == 1 else f"{len(names)} parts ({list_names(names)})"
 
 
-def _part_row(entry: InventoryEntry) -> list[str]:
-    one = entry.element
-    return [
-        one.shown,
-        _first(one.kinds),
-        one.storey,
-        one.identifier,
-        "" if entry.size is None else " x ".join(f"{each:.4g}" for each in entry.size),
-        "" if entry.volume is None else f"{entry.volume:.4g}",
-        "" if entry.place is None else ", ".join(f"{round(each, 3) + 0.0:.7g}" for each in entry.place),
-        "yes" if entry.closed else "no",
-        "" if entry.thin is None else f"{_angle(entry.thin):.4g}",
-    ]
+def _coordinate(value: float) -> str:
+    return f"{round(value, 3) + 0.0:.7g}"
 
 
 def _properties_listed(listed: Listed) -> list[dict[str, Any]]:

@@ -2,11 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from typing import TypeVar
 
 from assess.messages.message import Message, escape_text
 
 WIDEST = 40  # characters of a cell
+Item = TypeVar("Item")
+TextField = tuple[str, Callable[[Item], str]]
+"""A column of a table on the terminal: its heading, and its cell for an item."""
+
+
+def table_of(fields: Sequence[TextField[Item]], items: Sequence[Item]) -> str:
+    """Write the table of some items, a line for each, as `text_table` does."""
+    return text_table([heading for heading, _ in fields], [[cell(item) for _, cell in fields] for item in items])
 
 
 def text_table(header: Sequence[str], rows: Sequence[Sequence[str]], *, widest: int = WIDEST) -> str:

@@ -9,7 +9,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from textwrap import wrap
 
-from assess.cli.tables import messages_text, on_one_line, text_table
+from assess.cli.tables import TextField, messages_text, on_one_line, table_of, text_table
 from assess.cli.tables.units import in_units_of_project
 from assess.codes.histories import interval_figures, margin_figures
 from assess.codes.question import Missing, toml_lines
@@ -47,19 +47,19 @@ VERDICT_HEADER = ("verdict", "state", "decided by", "index", "holds up to")
 LINE_WIDTH, LEAST_NAME = 100, 16  # characters of a line, and of the name of a mechanism
 SHOWN_FREQUENCIES = 8  # frequencies in the table for reading
 CURVE_HEADER = ["mechanism", "state", "measure", "median", "95 %", "dispersion", "95 %"]
-
-RISK_HEADER = [
-    "mechanism",
-    "state",
-    "curve",
-    "rate [1/year]",
-    "at most",
-    "in 50 years",
-    "with epistemic",
-    "target",
-    "outcome",
-]
 RISK_OUTCOMES = {None: "", "pass": "within", "fail": "more", "incomplete": "not known"}
+RiskOf = tuple[MechanismFragility, RiskResult]
+RISK_FIELDS: tuple[TextField[RiskOf], ...] = (
+    ("mechanism", lambda of: of[0].name),
+    ("state", lambda of: _state_name(of[1].state)),
+    ("curve", lambda of: of[1].curve),
+    ("rate [1/year]", lambda of: f"{of[1].annual_rate:.2g}"),
+    ("at most", lambda of: "no bound" if of[1].at_most is None else f"{of[1].at_most:.2g}"),
+    ("in 50 years", lambda of: f"{100.0 * of[1].probability_50_years:.2g} %"),
+    ("with epistemic", lambda of: "not given" if of[1].with_epistemic is None else f"{of[1].with_epistemic:.2g}"),
+    ("target", lambda of: "" if of[1].target_rate is None else f"{of[1].target_rate:.3g}"),
+    ("outcome", lambda of: RISK_OUTCOMES[of[1].outcome]),
+)
 
 
 def exit_code(results: Results) -> int:
@@ -130,10 +130,10 @@ def envelopes_csv(results: Results) -> str:
 def fragility_table(results: FragilityResults) -> str:
     """Write median and dispersion of each curve, the rates where the hazard is known, and the messages."""
     rows = [_curve_row(each, curve) for each in results.mechanisms for curve in each.curves]
-    risks = [_risk_row(each, risk) for each in results.mechanisms for risk in each.risks]
+    risks = [(each, risk) for each in results.mechanisms for risk in each.risks]
     tables = [text_table(CURVE_HEADER, rows)] if rows else ["no mechanism has a fragility curve\n"]
     if risks:
-        tables.append(text_table(RISK_HEADER, risks))
+        tables.append(table_of(RISK_FIELDS, risks))
     notes = (each for mechanism in results.mechanisms for each in mechanism.notes)
     of_curves = (note for each in results.mechanisms for note in _fragility_notes(each))
     return "\n".join(tables) + messages_text((*results.warnings, *notes, *of_curves))
@@ -363,15 +363,6 @@ def _curve_row(mechanism: MechanismFragility, curve: FragilityCurve) -> list[str
 
 def _interval(found: tuple[float, float] | None) -> str:
     return "" if found is None else f"{found[0]:.3g} to {found[1]:.3g}"
-
-
-def _risk_row(mechanism: MechanismFragility, risk: RiskResult) -> list[str]:
-    target = "" if risk.target_rate is None else f"{risk.target_rate:.3g}"
-    rate, probability = f"{risk.annual_rate:.2g}", f"{100.0 * risk.probability_50_years:.2g} %"
-    most = "no bound" if risk.at_most is None else f"{risk.at_most:.2g}"
-    wide = "not given" if risk.with_epistemic is None else f"{risk.with_epistemic:.2g}"
-    head = [mechanism.name, _state_name(risk.state), risk.curve, rate, most, probability, wide]
-    return [*head, target, RISK_OUTCOMES[risk.outcome]]
 
 
 def _state_name(state: StateResult) -> str:

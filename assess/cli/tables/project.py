@@ -8,7 +8,7 @@ from math import atan2, degrees, inf
 from textwrap import wrap
 from typing import Any
 
-from assess.cli.tables import messages_text, text_table
+from assess.cli.tables import TextField, messages_text, table_of, text_table
 from assess.mechanisms.chain import metres_text
 from assess.mechanisms.kinds import MECHANISM_KINDS
 from assess.messages.message import Message, escape_text, text_of
@@ -33,19 +33,30 @@ from reports.render.table_text import csv_lines
 
 MOST_CANDIDATES = 8  # candidates on a line
 LINE_WIDTH = 100  # characters of a line
-BRANCH_HEADER = (
-    "mechanism",
-    "branch",
-    "p [1/s]",
-    "lambda [-]",
-    "R [m]",
-    "alpha [rad]",
-    "phi_ov [rad]",
-    "restitution",
-    "mass [kg]",
+BranchOf = tuple[str, str, OscillatorResult]
+"""Names of a mechanism and of its branch, and the branch."""
+BRANCH_FIELDS: tuple[TextField[BranchOf], ...] = (
+    ("mechanism", lambda of: of[0]),
+    ("branch", lambda of: of[1]),
+    ("p [1/s]", lambda of: f"{of[2].p_eq_per_s:.4f}"),
+    ("lambda [-]", lambda of: _number(of[2].uplift_multiplier, ".4f", otherwise="none")),
+    ("R [m]", lambda of: f"{of[2].radius_m:.4f}"),
+    ("alpha [rad]", lambda of: f"{of[2].slenderness_rad:.4f}"),
+    ("phi_ov [rad]", lambda of: f"{of[2].overturning_rad:.4f}"),
+    ("on joints [rad]", lambda of: _number(of[2].overturning_flexible_rad, ".4f", otherwise="-")),
+    ("restitution", lambda of: f"{of[2].restitution:.3f}"),
+    ("mass [kg]", lambda of: f"{of[2].mass_kg:.6g}"),
 )
-ON_JOINTS = "on joints [rad]"
-HINGE_HEADER = ("mechanism", "hinge", "H [N]", "V [N]", "friction needed", "friction", "slides from [g]")
+ON_JOINTS = BRANCH_FIELDS[7]
+HINGE_FIELDS: tuple[TextField[tuple[str, HingeForceResult]], ...] = (
+    ("mechanism", lambda of: of[0]),
+    ("hinge", lambda of: of[1].hinge),
+    ("H [N]", lambda of: f"{of[1].horizontal_n:.5g}"),
+    ("V [N]", lambda of: f"{of[1].vertical_n:.5g}"),
+    ("friction needed", lambda of: _number(of[1].needed_friction, ".4f", otherwise="lifts")),
+    ("friction", lambda of: _number(of[1].friction, ".3f", otherwise="not given")),
+    ("slides from [g]", lambda of: _sliding(of[1])),
+)
 CONSTANTS_HEADER = (
     "linearised",
     "branch",
@@ -180,8 +191,8 @@ def parameters_text(mechanisms: tuple[MechanismResult, ...]) -> str:
 
 def hinge_forces_table(mechanisms: tuple[MechanismResult, ...]) -> str:
     """Write the forces at each hinge when rocking starts, and the friction they need; empty where not known."""
-    rows = [[m.name, *_hinge_row(forces)] for m in mechanisms for forces in m.hinge_forces]
-    return f"\n{text_table(HINGE_HEADER, rows)}" if rows else ""
+    forces = [(m.name, forces) for m in mechanisms for forces in m.hinge_forces]
+    return f"\n{table_of(HINGE_FIELDS, forces)}" if forces else ""
 
 
 def directions_text(mechanisms: tuple[MechanismResult, ...]) -> str:
@@ -359,11 +370,8 @@ def _checklist_line(what: str, words: Sequence[str]) -> list[str]:
 def _branches_table(mechanisms: tuple[MechanismResult, ...]) -> str:
     """Write the main parameters of each branch, rounded, with phi_ov of flexible joints beside the rigid one."""
     pairs = [(mechanism.name, *pair) for mechanism in mechanisms for pair in _branches(mechanism)]
-    if all(o.overturning_flexible_rad is None for _, _, o in pairs):
-        return text_table(BRANCH_HEADER, [_branch_row(*each) for each in pairs])
-    place = BRANCH_HEADER.index("phi_ov [rad]") + 1
-    rows = [[*(short := _branch_row(*each))[:place], _on_joints(each[-1]), *short[place:]] for each in pairs]
-    return text_table((*BRANCH_HEADER[:place], ON_JOINTS, *BRANCH_HEADER[place:]), rows)
+    rigid = all(o.overturning_flexible_rad is None for _, _, o in pairs)
+    return table_of([field for field in BRANCH_FIELDS if not (rigid and field is ON_JOINTS)], pairs)
 
 
 def _constants_table(mechanisms: tuple[MechanismResult, ...]) -> str:
@@ -376,18 +384,12 @@ def _constants_table(mechanisms: tuple[MechanismResult, ...]) -> str:
     return text_table(CONSTANTS_HEADER, rows)
 
 
-def _hinge_row(f: HingeForceResult) -> list[str]:
-    needed = "lifts" if f.needed_friction is None else f"{f.needed_friction:.4f}"
-    friction = "not given" if f.friction is None else f"{f.friction:.3f}"
-    slides = "rocks first" if f.sliding_g is None else f"{f.sliding_g:.4f}"
-    return [
-        f.hinge,
-        f"{f.horizontal_n:.5g}",
-        f"{f.vertical_n:.5g}",
-        needed,
-        friction,
-        "-" if f.friction is None else slides,
-    ]
+def _sliding(forces: HingeForceResult) -> str:
+    return "-" if forces.friction is None else _number(forces.sliding_g, ".4f", otherwise="rocks first")
+
+
+def _number(value: float | None, form: str, *, otherwise: str) -> str:
+    return otherwise if value is None else f"{value:{form}}"
 
 
 def _weakest_text(found: DirectionSweep) -> str:
@@ -402,13 +404,3 @@ def _branches(mechanism: MechanismResult) -> Iterator[tuple[str, OscillatorResul
     yield "positive", mechanism.oscillator
     if mechanism.oscillator_negative is not None:
         yield "negative", mechanism.oscillator_negative
-
-
-def _branch_row(name: str, branch: str, o: OscillatorResult) -> list[str]:
-    uplift = "none" if o.uplift_multiplier is None else f"{o.uplift_multiplier:.4f}"
-    numbers = (f"{o.slenderness_rad:.4f}", f"{o.overturning_rad:.4f}", f"{o.restitution:.3f}", f"{o.mass_kg:.6g}")
-    return [name, branch, f"{o.p_eq_per_s:.4f}", uplift, f"{o.radius_m:.4f}", *numbers]
-
-
-def _on_joints(o: OscillatorResult) -> str:
-    return "-" if o.overturning_flexible_rad is None else f"{o.overturning_flexible_rad:.4f}"

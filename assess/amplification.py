@@ -142,8 +142,7 @@ def base_motion(amplification: Amplification, record: Record) -> BaseMotion:
 
     Raises
     ------
-    RecordError
-        For a record without motion, or with a time step too coarse for the period of the structure.
+    RecordError : for a record without motion, or with a time step too coarse for the period of the structure
     """
     match amplification:
         case Unamplified():
@@ -246,8 +245,7 @@ def first_mode(*, frequency: float, effective_height: float, damping: float = 0.
 
     Raises
     ------
-    MechanismError
-        For values that no structure has.
+    MechanismError : for values that no structure has
     """
     for name, value, unit in (("frequency", frequency, "Hz"), ("effective height", effective_height, "m")):
         if not (np.isfinite(value) and value > 0.0):
@@ -445,8 +443,7 @@ def rayleigh_mode(slices: Slices, *, top_mass: float = 0.0) -> RayleighMode:
 
     Raises
     ------
-    GeometryError
-        Where a slice has no mass or no stiffness, so that nothing carries the slices above.
+    GeometryError : where a slice has no mass or no stiffness, so that nothing carries the slices above
     """
     for name, values in (("mass", slices.mass), ("bending stiffness", slices.bending)):
         empty = np.flatnonzero(~(values > 0.0))

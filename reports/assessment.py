@@ -289,8 +289,8 @@ def report_figure(name: str, results: Results, *, mechanism: str | None = None) 
 
     Raises
     ------
-    AssessError
-        for a name that these results have no figure of, and for an unknown mechanism; the known ones are listed
+    AssessError : for a name that these results have no figure of, and for an unknown mechanism; the known ones are
+        listed
     """
     document = assessment(results, detail="full")
     names = figure_names(document, results, mechanism)

@@ -25,8 +25,7 @@ def project_text(results: Results, key: str) -> str:
 
     Returns
     -------
-    str
-        Empty where it is not given.
+    Empty where it is not given.
     """
     found = results.project.get(key)
     return "" if found is None or found.value is None else str(found.value)

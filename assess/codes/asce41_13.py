@@ -153,8 +153,7 @@ def permitted_s_x1(position: Position, slenderness: float) -> float | None:
 
     Returns
     -------
-    float or None
-        S_X1 [g]; 0 where the wall never is, None where it always is.
+    S_X1 [g]; 0 where the wall never is, None where it always is.
     """
     within = [slenderness <= most for most in PERMISSIBLE[position]]
     return None if all(within) else (0.0, *BOUNDS)[sum(within)]

@@ -317,8 +317,7 @@ def vertical_factor(a: float, ratio: float) -> float:
 
     Returns
     -------
-    float
-        F_V, at least 1 [-].
+    F_V, at least 1 [-].
     """
     return float(np.hypot(1.0, a * ratio))
 

@@ -237,8 +237,7 @@ def _rotation_shares(suite: SuiteResponse, oscillator: Oscillator) -> tuple[floa
 
     Returns
     -------
-    tuple of float or None
-        None for a record that overturned the mechanism.
+    None for a record that overturned the mechanism.
     """
     names = suite.branches or (suite.branch,) * len(suite.ratio)
     branches = [branch_of(oscillator, name) for name in names]

@@ -251,8 +251,7 @@ def integral_step(
 
     Returns
     -------
-    Step
-        By Simpson's rule with the fewest ordinates that come to the integral; else a reading with its end.
+    By Simpson's rule with the fewest ordinates that come to the integral; else a reading with its end.
     """
     value = float(column.integral(end))
     for strips in STRIPS:

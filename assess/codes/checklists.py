@@ -85,8 +85,7 @@ def possible_mechanism(building_type: BuildingType, key: str | int) -> PossibleM
 
     Returns
     -------
-    PossibleMechanism | None
-        None if the list has none.
+    None if the list has none.
     """
     by_name: dict[str, PossibleMechanism] = {}
     for each in CHECKLISTS[building_type]:
@@ -106,8 +105,7 @@ def item_name(building_type: str, key: str) -> str:
 
     Returns
     -------
-    str
-        The key itself if no list of this program has it.
+    The key itself if no list of this program has it.
     """
     items = CHECKLISTS["church"] if building_type == "church" else CHECKLISTS["house"]
     return next((each.name for each in items if each.key == key), key)

@@ -113,8 +113,7 @@ def acceleration_demands(context: Context, *, pga: float, q: float) -> Demands |
 
     Returns
     -------
-    Demands or None
-        Accelerations [m/s2]; None where the spectrum ends before T1.
+    Accelerations [m/s2]; None where the spectrum ends before T1.
     """
     floor = floor_of(context)
     if floor is None:
@@ -149,8 +148,7 @@ def displacement_demands(context: Context, Ts: float) -> Demands | None:
 
     Returns
     -------
-    Demands or None
-        Displacements for each m/s2 of PGA [s2]; None where the spectrum ends before Ts or T1.
+    Displacements for each m/s2 of PGA [s2]; None where the spectrum ends before Ts or T1.
     """
     floor = floor_of(context)
     if max(Ts, floor.T1 if floor is not None else 0.0) > context.spectrum.longest_period:
@@ -263,8 +261,7 @@ def uplift_on_floor(branch: Branch, context: Context, *, confidence_factor: floa
 
     Returns
     -------
-    float or None
-        PGA [m/s2]; None without a threshold, and where the spectrum ends before the period of the building.
+    PGA [m/s2]; None without a threshold, and where the spectrum ends before the period of the building.
     """
     floor = floor_of(context)
     if floor is not None and context.spectrum.longest_period < floor.T1:

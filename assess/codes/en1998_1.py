@@ -260,8 +260,7 @@ def uplift_pga(branch: Branch, amplified: float) -> float | None:
 
     Returns
     -------
-    float or None
-        PGA [m/s2]; None without a threshold.
+    PGA [m/s2]; None without a threshold.
     """
     at_rest = threshold(branch)
     return None if at_rest is None else at_rest * g / amplified

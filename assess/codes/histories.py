@@ -103,8 +103,7 @@ def uplift_multiplier(oscillator: Oscillator, *, linearised: bool) -> float | No
 
     Returns
     -------
-    float or None
-        PGA [g]; None without a threshold.
+    PGA [g]; None without a threshold.
     """
     if linearised:
         return min(branch.linearised.multiplier for branch in oscillator.branches)
@@ -448,8 +447,7 @@ def standing_figures(value: float, others: Iterable[float | None], *, most: int 
 
     Returns
     -------
-    int
-        0 where not even the first figure stands.
+    0 where not even the first figure stands.
     """
     far = max((inf if other is None else abs(other - value) for other in others), default=0.0)
     if far == 0.0 or value == 0.0 or isinf(far):

@@ -416,8 +416,7 @@ def uplift_pga(branch: Branch, *, confidence_factor: float, amplified: float) ->
 
     Returns
     -------
-    float or None
-        PGA [m/s2]; None on joints without a threshold of uplift.
+    PGA [m/s2]; None on joints without a threshold of uplift.
     """
     at_rest = threshold(branch)
     return None if at_rest is None else at_rest * g / confidence_factor / max(1.0, amplified)

@@ -192,8 +192,7 @@ def return_period(hazard: SiteHazard, pga: float) -> tuple[float, Bound]:
 
     Returns
     -------
-    tuple of float and Bound
-        Return period [years], and "<=" or ">=" where it is a bound, else "".
+    Return period [years], and "<=" or ">=" where it is a bound, else "".
     """
     reached, rows = np.maximum.accumulate(hazard.pga), rows_around(hazard, pga)
     if rows is None:

@@ -200,8 +200,7 @@ def acceleration_demands(context: Context, modes: Sequence[FirstModes], *, T0: f
 
     Returns
     -------
-    Demands or None
-        Accelerations over PGA [-]; None where the spectrum ends too early.
+    Accelerations over PGA [-]; None where the spectrum ends too early.
     """
     spectrum = context.spectrum
     if max(T0, *(each.longest for each in modes), 0.0) > spectrum.longest_period:
@@ -253,8 +252,7 @@ def uplift_on_floor(branch: Branch, context: Context, *, confidence_factor: floa
 
     Returns
     -------
-    float or None
-        PGA [m/s2]; None without a threshold, and where the spectrum ends before the period of the building.
+    PGA [m/s2]; None without a threshold, and where the spectrum ends before the period of the building.
     """
     modes = elastic_modes(context)
     if modes is not None and modes.longest > context.spectrum.longest_period:
@@ -348,8 +346,7 @@ def ultimate_modes(context: Context, state: str, *, damping: float = SOFTENED_DA
 
     Returns
     -------
-    FirstModes or None
-        The mode that is stated, else 1.5 to 2.0 times the elastic period; None at the ground or without a building.
+    The mode that is stated, else 1.5 to 2.0 times the elastic period; None at the ground or without a building.
     """
     floor, building = floor_of(context), context.building
     if floor is None or building is None:
@@ -375,8 +372,7 @@ def activation_modes(context: Context, state: str) -> tuple[FirstModes, ...]:
 
     Returns
     -------
-    tuple of FirstModes
-        None at the ground or without a building.
+    None at the ground or without a building.
     """
     elastic, ultimate = elastic_modes(context), ultimate_modes(context, state)
     if elastic is None or ultimate is None:
@@ -438,8 +434,7 @@ def floor_acceleration(context: Context, modes: FirstModes, T0: float) -> tuple[
 
     Returns
     -------
-    tuple of float
-        T_1' at which it is largest [s], and the acceleration [m/s2].
+    T_1' at which it is largest [s], and the acceleration [m/s2].
     """
     first = modes.periods(T0)
     found = floor_ordinates(context, modes, first, np.array(T0), damping=ELASTIC_DAMPING)
@@ -484,8 +479,7 @@ def ground_period(context: Context, *, T0: float, T: float, damping: float) -> f
 
     Returns
     -------
-    float
-        The longest of equals [s].
+    The longest of equals [s].
     """
     period = np.linspace(T, min(T0, T), GROUND_PERIODS)
     moved = context.spectrum.displacement(period, damping=damping)

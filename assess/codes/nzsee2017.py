@@ -311,8 +311,7 @@ def tilted_line(wall: FaceLoadedWall, slope: float) -> MomentLine:
 
     Returns
     -------
-    MomentLine
-        With b of 0 or less where the slope alone brings the wall down.
+    With b of 0 or less where the slope alone brings the wall down.
     """
     return MomentLine(wall.line.b - slope * g * wall.B, wall.line.a)
 
@@ -417,8 +416,7 @@ def uplift_pga(multiplier: float | None, *, floor: float, risk_factor: float) ->
 
     Returns
     -------
-    float or None
-        PGA [m/s2]; None without a threshold.
+    PGA [m/s2]; None without a threshold.
     """
     return None if multiplier is None else multiplier * g / (part_coefficient(0.0, floor=floor) * risk_factor)
 

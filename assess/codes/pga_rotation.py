@@ -97,9 +97,8 @@ def rotation_demand(curve: PgaRotation, level: float) -> float | None:
 
     Returns
     -------
-    float or None
-        Rotation [rad], 0 where nothing rocks; None where the level lies above the whole curve: there is no equilibrium
-        and the body overturns, or, if the curve is not complete, the spectrum ends too early to tell.
+    Rotation [rad], 0 where nothing rocks; None where the level lies above the whole curve: there is no equilibrium and
+    the body overturns, or, if the curve is not complete, the spectrum ends too early to tell.
     """
     if not curve.least.size:
         return None
@@ -128,8 +127,7 @@ def pga_capacity(curve: PgaRotation, allowable: float) -> float | None:
 
     Returns
     -------
-    float or None
-        PGA [m/s2]; None beyond the spectrum's end.
+    PGA [m/s2]; None beyond the spectrum's end.
     """
     if not curve.least.size or allowable > curve.rotation[-1] * (1 + 1e-12):
         return None

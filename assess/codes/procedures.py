@@ -86,13 +86,11 @@ def with_options(name: str, options: CodeOptions) -> Assess:
 
     Returns
     -------
-    callable
-        Takes an oscillator and a context, returns checks.
+    Takes an oscillator and a context, returns checks.
 
     Raises
     ------
-    ProcedureError
-        For an unknown name; it lists the known ones.
+    ProcedureError : for an unknown name; it lists the known ones
     """
     if name not in PROCEDURES:
         raise ProcedureError(f'procedure "{name}" is not known; known are: {", ".join(PROCEDURES)}')
@@ -268,8 +266,7 @@ def history_rules(
 
     Returns
     -------
-    tuple of SuiteRule
-        One for each limit state requested; none of a procedure without histories.
+    One for each limit state requested; none of a procedure without histories.
     """
     found = PROCEDURES[procedure]
     if found.history_rules is None:

@@ -228,8 +228,7 @@ def target_of(question: Question, basis: Basis) -> TargetOrMissing:
 
     Returns
     -------
-    tuple
-        Target, None where it is not known, and the missing inputs.
+    Target, None where it is not known, and the missing inputs.
     """
     if basis.index == IndexKind.NBS:
         return _share_of_standard(question)

@@ -176,8 +176,7 @@ def longest_sliding_period(context: Context, level: float, coefficient: float) -
 
     Returns
     -------
-    float or None
-        Period [s]; 0 where no ordinate reaches c_s, None where the spectrum ends before it falls below c_s.
+    Period [s]; 0 where no ordinate reaches c_s, None where the spectrum ends before it falls below c_s.
     """
     spectrum, scale = context.spectrum, level / context.spectrum.pga
 
@@ -228,8 +227,7 @@ def capacity_pga(context: Context, mu: float, allowable: float) -> float | None:
 
     Returns
     -------
-    float or None
-        PGA [m/s2]; None where the spectrum ends too early to tell.
+    PGA [m/s2]; None where the spectrum ends too early to tell.
     """
     low, high = 0.0, HIGHEST
     for _ in range(HALVINGS):

@@ -67,8 +67,7 @@ def toothing_friction(
 
     Raises
     ------
-    ProcedureError
-        For a crack lower than one course.
+    ProcedureError : for a crack lower than one course
     """
     n, Phi = height / unit_height, unit_height / overlap
     if n < 1.0:

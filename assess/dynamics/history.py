@@ -140,8 +140,7 @@ def product(oscillators: int, motions: int, scales: ArrayLike) -> Jobs:
 
     Returns
     -------
-    Jobs
-        Scales vary fastest, oscillators slowest.
+    Scales vary fastest, oscillators slowest.
     """
     factors = np.atleast_1d(np.asarray(scales, dtype=np.float64))
     o, m, s = np.meshgrid(np.arange(oscillators), np.arange(motions), np.arange(factors.size), indexing="ij")

@@ -199,8 +199,7 @@ def stress_integrals(
 
     Returns
     -------
-    tuple of float
-        Integrals of sigma w dx and of sigma x w dx.
+    Integrals of sigma w dx and of sigma x w dx.
     """
     force, moment = 0.0, 0.0
     for x, area in _strips(section, start, end):

@@ -396,8 +396,7 @@ def contact_arrays(contacts: Contacts, name: str, shape: tuple[int, ...]) -> Flo
 
     Returns
     -------
-    FloatArray
-        Zeros for a rigid joint.
+    Zeros for a rigid joint.
     """
     return np.array([np.zeros(shape[1]) if found is None else getattr(found, name) for found in contacts])
 

@@ -40,8 +40,7 @@ def chain_at_start(chain: Chain, *, name: str) -> Chain:
 
     Returns
     -------
-    Chain
-        Its hinges are, on joints, a_SF inside the edges, else at the edges.
+    Its hinges are, on joints, a_SF inside the edges, else at the edges.
     """
     if not any(chain.joints):
         return chain

@@ -67,8 +67,7 @@ def hold_lock(folder: Path, *, command: str, patient: bool = False, name: str = 
 
     Raises
     ------
-    HeldError
-        Another command holds it; the text names that.
+    HeldError : another command holds it; the text names that
     """
     file = folder / name
     handle = _acquire(file, patient=patient)

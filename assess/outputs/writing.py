@@ -67,8 +67,7 @@ def output_folder(
 
     Raises
     ------
-    OutputError
-        At once, if the folder cannot be written or holds files that may not be replaced.
+    OutputError : at once, if the folder cannot be written or holds files that may not be replaced
     """
     with make_folder(folder), tell_full_disk(folder), hold_lock(folder, command=command, patient=patient):
         _recover(folder, tell=tell)
@@ -97,8 +96,7 @@ def write_file(path: Path, *, command: str) -> Iterator[Path]:
 
     Raises
     ------
-    OutputError
-        If the folder is absent, or `path` exists with another content.
+    OutputError : if the folder is absent, or `path` exists with another content
     """
     with _staged_file(path, command=command) as made:
         yield made
@@ -123,8 +121,7 @@ def replace_file(path: Path, *, command: str, is_replaceable: Callable[[Path], b
 
     Raises
     ------
-    OutputError
-        If the folder is absent, or `path` exists and may not be replaced.
+    OutputError : if the folder is absent, or `path` exists and may not be replaced
     """
     with _staged_file(path, command=command) as made:
         yield made
@@ -248,8 +245,7 @@ def make_stage(place: Path, *, command: str) -> Iterator[Path]:
 
     Raises
     ------
-    OutputError
-        If nothing can be written in `place`.
+    OutputError : if nothing can be written in `place`
     """
     folder = place / f"{PREFIX}{token_hex(6)}"
     try:
@@ -278,8 +274,7 @@ def tell_full_disk(place: Path) -> Iterator[None]:
 
     Raises
     ------
-    FullDiskError
-        If an error within the block is that of a full disk, or came of one.
+    FullDiskError : if an error within the block is that of a full disk, or came of one
     """
     try:
         yield

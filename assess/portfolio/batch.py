@@ -153,8 +153,7 @@ def run_batch(
 
     Raises
     ------
-    AssessError
-        If two projects have one key, the folder cannot be written, or the executor is lost.
+    AssessError : if two projects have one key, the folder cannot be written, or the executor is lost
     """
     program = describe_program().sha256
     jobs = {task.key: Job(task, options.place.absolute(), options.keep, program) for task in tasks}

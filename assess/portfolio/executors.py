@@ -77,8 +77,7 @@ def compute_all(jobs: Iterable[Job], *, total: int, runner: Runner, engine: Engi
 
     Raises
     ------
-    AssessError
-        If the executor is lost, or cannot compute anything.
+    AssessError : if the executor is lost, or cannot compute anything
     """
     queue, suspects, losses = _Queue(jobs, total), list[Job](), Counter[str]()
     while queue.left or suspects:

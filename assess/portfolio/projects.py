@@ -107,8 +107,7 @@ def find_tasks(
 
     Raises
     ------
-    ProjectError
-        If the folder holds no project, or the table's header or the template cannot be used.
+    ProjectError : if the folder holds no project, or the table's header or the template cannot be used
     """
     if source.is_dir():
         if template is not None:
@@ -124,8 +123,7 @@ def project_tree(task: Task) -> dict[str, Any]:
 
     Raises
     ------
-    ProjectError
-        If the row has a value that cannot stand there.
+    ProjectError : if the row has a value that cannot stand there
     """
     row = json.loads(task.content or "{}")
     if "fault" in row:

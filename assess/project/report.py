@@ -54,8 +54,7 @@ def report_matter_of(content: Content, folder: Path) -> ReportMatter:
 
     Raises
     ------
-    ProjectError
-        If a picture cannot be read.
+    ProjectError : if a picture cannot be read
     """
     front = content.report
     logo = None if front.logo is None else read_picture(front.logo, key="report.logo", folder=folder)
@@ -113,13 +112,11 @@ def read_picture(path: Path, *, key: str, folder: Path, caption: str = "") -> Pi
 
     Returns
     -------
-    Picture
-        At most 1600 px in width and height.
+    At most 1600 px in width and height.
 
     Raises
     ------
-    ProjectError
-        If the file is too large, damaged, or no PNG or JPEG.
+    ProjectError : if the file is too large, damaged, or no PNG or JPEG
     """
     name = relative_path(path, folder)
     where = f"{key}: {value_text(name)}"

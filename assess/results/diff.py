@@ -70,8 +70,7 @@ def differences(before: Results, after: Results, *, tolerance: float = TOLERANCE
 
     Returns
     -------
-    tuple of Difference
-        Sorted by kind, in the order of `KINDS`.
+    Sorted by kind, in the order of `KINDS`.
     """
     compared = (each for compare in COMPARED for each in compare(before, after))
     found = [each for each in compared if not same(each.before, each.after, tolerance=tolerance)]

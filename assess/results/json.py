@@ -163,8 +163,7 @@ def dumps_suite(records: tuple[RecordResult, ...], motion: GroundMotionResult) -
 
     Returns
     -------
-    str
-        JSON, ending with a line break.
+    JSON, ending with a line break.
     """
     plain = {
         "records": _normal(records, tuple[RecordResult, ...]),

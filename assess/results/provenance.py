@@ -160,8 +160,7 @@ def stamp(command: str, program: Program, inputs: Sequence[Input]) -> str:
 
     Returns
     -------
-    str
-        Sixteen hexadecimal digits in groups of four.
+    Sixteen hexadecimal digits in groups of four.
     """
     files = [[each.path, each.sha256] for each in inputs]
     text = json.dumps([command, program.name, program.version, files], ensure_ascii=True)
@@ -181,8 +180,7 @@ def stamp_of_files(command: str, files: Sequence[Path], *options: object) -> str
 
     Returns
     -------
-    str
-        The stamp.
+    The stamp.
     """
     read = [Input(file.name, hashlib.sha256(file.read_bytes()).hexdigest()) for file in files]
     return stamp(f"{command} {options!r}", this_program(), read)
@@ -198,8 +196,7 @@ def origin(command: str, shown: str) -> str:
 
     Returns
     -------
-    str
-        Name and version of the program, and the stamp.
+    Name and version of the program, and the stamp.
     """
     program = this_program()
     return f"{program.name} {program.version}, stamp {stamp(f'{command} {shown}', program, ())}"

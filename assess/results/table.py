@@ -66,8 +66,7 @@ def table(results: Results, name: str) -> DataFrame:
 
     Raises
     ------
-    AssessError
-        for a name that is none of these
+    AssessError : for a name that is none of these
     """
     import pandas as pd  # late: it takes a third of a second
 

@@ -160,13 +160,11 @@ def amplify(choice: AmplificationChoice | None, in_place: MechanismInPlace) -> M
 
     Returns
     -------
-    MechanismAmplification
-        The amplification, with its description.
+    The amplification, with its description.
 
     Raises
     ------
-    ProjectError
-        If a value is missing, or a height is outside the clause.
+    ProjectError : if a value is missing, or a height is outside the clause
     """
     if choice is None:
         return NOT_AMPLIFIED
@@ -299,8 +297,7 @@ def find_height(
 
     Returns
     -------
-    HeightAboveGround
-        With the source of the level of the ground.
+    With the source of the level of the ground.
     """
     base = ground.base_height(mechanism, base_elevation)
     support = _mean_support_height(base, mechanism)

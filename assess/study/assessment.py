@@ -86,8 +86,7 @@ def assess_mechanisms(
 
     Returns
     -------
-    tuple of MechanismResult
-        In the order of the study.
+    In the order of the study.
     """
     workers = jobs or available_cores()
     threads = max(1, workers // max(1, len(study.mechanisms)))
@@ -136,8 +135,7 @@ def checks_without_twins(
 
     Returns
     -------
-    tuple of Check
-        In the order of the procedures.
+    In the order of the procedures.
     """
     (mechanism,) = study.mechanisms
 
@@ -192,8 +190,7 @@ def check_mechanism(
 
     Returns
     -------
-    MechanismCheck
-        Checks in the order of the procedures.
+    Checks in the order of the procedures.
     """
     states = building_states(study, mechanism.name)
     found = [_in_state(study, spectrum, mechanism, motions, run, state, states) for state in states]

@@ -64,13 +64,12 @@ def answers(
 
     Returns
     -------
-    tuple of Check
-        In the order of `procedures`, the controlling branch of each limit state.
+    In the order of `procedures`, the controlling branch of each limit state.
 
     Raises
     ------
-    ProcedureError
-        Where a procedure or the level of knowledge is not known, no procedure is named, or a record is vertical.
+    ProcedureError : where a procedure or the level of knowledge is not known, no procedure is named, or a record is
+        vertical
     """
     suite = (records,) if isinstance(records, Record) else records
     if not isinstance(suite, Sequence) or isinstance(suite, str):

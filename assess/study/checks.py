@@ -178,8 +178,7 @@ def context_of(
 
     Returns
     -------
-    Context
-        With a floor spectrum where the mechanism is above the ground.
+    With a floor spectrum where the mechanism is above the ground.
     """
     context = _context_without_floor_spectrum(study, spectrum, mechanism, base)
     if not context.above_ground:
@@ -295,8 +294,7 @@ def floor_spectrum(
 
     Returns
     -------
-    Spectrum or None
-        None if neither the suite nor the building gives one.
+    None if neither the suite nor the building gives one.
     """
     if filtered is not None and len(motions) >= LEAST_RECORDS:
         records = [

@@ -46,9 +46,8 @@ def equilibrium_controls(mechanism: Mechanism, oscillator: Oscillator) -> tuple[
 
     Returns
     -------
-    tuple of Control
-        Vertical and horizontal, of the branch with the least multiplier, or of one where they differ by more than
-        their tolerance; differences are relative to the weight of all masses.
+    Vertical and horizontal, of the branch with the least multiplier, or of one where they differ by more than their
+    tolerance; differences are relative to the weight of all masses.
     """
     forces = hinge_forces(mechanism)
     if not forces:
@@ -96,8 +95,7 @@ def multiplier_control(mechanism: Mechanism, oscillator: Oscillator) -> Control:
 
     Returns
     -------
-    Control
-        Relative to the multiplier by moments; without tolerance where joints deform or crush.
+    Relative to the multiplier by moments; without tolerance where joints deform or crush.
     """
     if mechanism.flexible:
         sides = list(zip(mechanism.chains, oscillator.branches, strict=False))
@@ -183,8 +181,7 @@ def make_control(
 
     Returns
     -------
-    Control
-        Met if the difference is at most the tolerance.
+    Met if the difference is at most the tolerance.
     """
     difference, tolerance = abs(value - reference) / scale, CONTROL_TOLERANCE[kind]
     return Control(

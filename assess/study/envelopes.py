@@ -91,8 +91,7 @@ def run_envelopes(study: Study, *, jobs: int = 0, progress: Progress = no_progre
 
     Returns
     -------
-    Results
-        Parameters and envelope of each mechanism, and the critical mechanism at each frequency.
+    Parameters and envelope of each mechanism, and the critical mechanism at each frequency.
     """
     grid = study.pulses or DEFAULT_GRID
     envelopes = map_envelopes(envelope_cases(study, {}), grid, jobs=jobs, progress=progress)
@@ -272,16 +271,12 @@ def find_envelope(
 
     Returns
     -------
-    Envelope
-        Outcome of each pulse [n, m], and at each frequency the least amplitude that overturns [n] [m/s2].
+    Outcome of each pulse [n, m], and at each frequency the least amplitude that overturns [n] [m/s2].
 
     Raises
     ------
-    RecordError
-        If no pulse has that name, or frequencies or amplitudes are not finite, positive and rising.
-    MechanismError
-        If a branch cannot rock.
-        If frequencies or amplitudes are not finite, positive and rising.
+    RecordError : if no pulse has that name, or frequencies or amplitudes are not finite, positive and rising
+    MechanismError : if a branch cannot rock, or frequencies or amplitudes are not finite, positive and rising
     """
     chosen = pulse_shape(pulse) if isinstance(pulse, str) else pulse
     if not isinstance(chosen, PulseShape):

@@ -111,13 +111,11 @@ def run_fragility(study: Study, *, jobs: int = 0, progress: Progress = no_progre
 
     Returns
     -------
-    FragilityResults
-        The tree that fragility.json holds.
+    The tree that fragility.json holds.
 
     Raises
     ------
-    ProjectError
-        If the study has no records and no spectrum to make artificial ones for.
+    ProjectError : if the study has no records and no spectrum to make artificial ones for
     """
     question = question_with_measures(study)
     progress("ground motions", 0, 1)

@@ -56,8 +56,7 @@ def ground_motion(study: Study, spectrum: Spectrum, motions: Sequence[ScaledReco
 
     Returns
     -------
-    GroundMotionResult or None
-        None without records.
+    None without records.
     """
     if not motions:
         return None
@@ -94,8 +93,7 @@ def ground_motion_result(
 
     Returns
     -------
-    GroundMotionResult
-        With the requirements of every code.
+    With the requirements of every code.
     """
     factors = fitting.given_factors
     low, high = truncate_band(fitting.band, spectrum.longest_period).ends
@@ -175,8 +173,7 @@ def record_result(motion: ScaledRecord, spectrum: Spectrum, *, nga: int | None =
 
     Returns
     -------
-    RecordResult
-        The record scaled to the site.
+    The record scaled to the site.
     """
     used = scale(motion.record, motion.scaling.factor)
     period = _display_periods(spectrum)

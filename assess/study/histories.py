@@ -113,8 +113,7 @@ def run_histories(
 
     Returns
     -------
-    RockingHistories
-        Histories at `levels`, and suites at all levels.
+    Histories at `levels`, and suites at all levels.
     """
     solve = level_solver(case, motions, site_pga=site_pga, threads=threads)
     histories = _histories_at(solve, case, levels=levels, further=further, twins="all")
@@ -146,8 +145,7 @@ def run_to_decide(
 
     Returns
     -------
-    RockingHistories
-        Suites alone.
+    Suites alone.
     """
     solve = level_solver(case, motions, site_pga=site_pga, threads=threads)
 
@@ -259,8 +257,7 @@ def scan_levels(
 
     Returns
     -------
-    tuple of SuiteResponse
-        At rising PGA, the last one that which ends the scan.
+    At rising PGA, the last one that which ends the scan.
     """
     solve = level_solver(case, motions, site_pga=site_pga, threads=threads)
     return _whole_scan(solve, case, motions, site_pga)

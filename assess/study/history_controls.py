@@ -135,8 +135,7 @@ def energy_control(mechanism: Mechanism, governing: GoverningHistory | None, *, 
 
     Returns
     -------
-    Control
-        At the sample where the balance is off most, relative to the largest energy of any sample.
+    At the sample where the balance is off most, relative to the largest energy of any sample.
     """
     if governing is None:
         return _free_rocking_control(mechanism, equation=equation)
@@ -266,8 +265,7 @@ def convergence_control(mechanism: Mechanism, governing: GoverningHistory | None
 
     Returns
     -------
-    Control
-        Relative to the value of the run.
+    Relative to the value of the run.
     """
     if governing is None:
         return _overturning_control(mechanism)

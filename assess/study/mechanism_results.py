@@ -117,8 +117,7 @@ def mechanism_result(
 
     Returns
     -------
-    MechanismResult
-        Without envelope.
+    Without envelope.
     """
     positive, negative, mass = oscillator.positive, oscillator.negative, oscillator.mass
     deciding = mechanism.variants.deciding
@@ -210,8 +209,7 @@ def oscillator_result(branch: Branch, *, mass: float, rigid: Branch, equilibrium
 
     Returns
     -------
-    OscillatorResult
-        The parameters, some of the equivalent block of the rigid branch.
+    The parameters, some of the equivalent block of the rigid branch.
     """
     block, linear = equivalent_block(rigid, mass=mass), branch.linearised
     return OscillatorResult(

@@ -79,15 +79,12 @@ def respond(
 
     Returns
     -------
-    Motion
-        The largest response and the history at the record's samples.
+    The largest response and the history at the record's samples.
 
     Raises
     ------
-    MechanismError
-        If a branch cannot rock.
-    RecordError
-        If it is not one record of finite samples, or the scale is not finite.
+    MechanismError : if a branch cannot rock
+    RecordError : if it is not one record of finite samples, or the scale is not finite
     """
     check_record(record)
     if not (is_number(scale) and isfinite(scale)):

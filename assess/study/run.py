@@ -100,15 +100,12 @@ def run_study(study: Study, *, jobs: int = 0, progress: Progress = no_progress) 
 
     Returns
     -------
-    Results
-        The tree that results.json holds.
+    The tree that results.json holds.
 
     Raises
     ------
-    ProjectError
-        If the study has no spectrum.
-    AssessError
-        If a record, mechanism or procedure cannot be evaluated.
+    ProjectError : if the study has no spectrum
+    AssessError : if a record, mechanism or procedure cannot be evaluated
     """
     spectrum = require_spectrum(study)
     progress("ground motions", 0, 1)
@@ -261,10 +258,8 @@ def find_verdict(study: Study, *, jobs: int = 1, run: DecidingHistories | None =
 
     Raises
     ------
-    ProjectError
-        If the study has no spectrum.
-    AssessError
-        If a record, mechanism or procedure cannot be evaluated.
+    ProjectError : if the study has no spectrum
+    AssessError : if a record, mechanism or procedure cannot be evaluated
     """
     solved: Solved = {}
     typed = find_state_verdict(study, jobs=jobs, run=run, solved=solved)
@@ -430,8 +425,7 @@ def _controls_of(
 
     Returns
     -------
-    tuple of Control
-        In the order of the mechanisms, of each in the order of equilibrium, energy, multiplier, convergence.
+    In the order of the mechanisms, of each in the order of equilibrium, energy, multiplier, convergence.
     """
     by_name = {mechanism.name: mechanism for mechanism in results}
     cases = [

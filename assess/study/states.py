@@ -85,8 +85,7 @@ def find_overrides(
 
     Returns
     -------
-    Overrides
-        A line for each value without which a mechanism comes off worse; and what is replaced.
+    A line for each value without which a mechanism comes off worse; and what is replaced.
     """
     tried = [
         each

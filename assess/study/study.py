@@ -414,8 +414,7 @@ def levels_with_site(levels: tuple[float, ...], site_pga: float) -> tuple[float,
 
     Returns
     -------
-    tuple of float
-        Levels [m/s2]; one equal to the site's PGA but for rounding is replaced by it.
+    Levels [m/s2]; one equal to the site's PGA but for rounding is replaced by it.
     """
     if any(isclose(level, site_pga, rel_tol=1e-9) for level in levels):
         return tuple(site_pga if isclose(level, site_pga, rel_tol=1e-9) else level for level in levels)

@@ -80,8 +80,7 @@ def motions_of(study: Study, spectrum: Spectrum, *, jobs: int = 1) -> tuple[Scal
 
     Returns
     -------
-    tuple of ScaledRecord
-        In the order of the study; none where every mechanism falls under its own loads.
+    In the order of the study; none where every mechanism falls under its own loads.
     """
     if study.falling and not study.mechanisms:
         return ()
@@ -112,8 +111,7 @@ def apply_given_factors(
 
     Raises
     ------
-    ProjectError
-        If the target has another shape than the one that the factors refer to.
+    ProjectError : if the target has another shape than the one that the factors refer to
     """
     if target_mark(spectrum).sha256 != given_factors.target.sha256:
         what = (
@@ -164,8 +162,7 @@ def scale_together(
 
     Returns
     -------
-    tuple of ScaledRecord
-        In the order of `records`.
+    In the order of `records`.
     """
     band = truncate_band(fitting.band, spectrum.longest_period)
     own_scalings = {

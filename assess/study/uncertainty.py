@@ -63,8 +63,7 @@ def uncertainty(
 
     Returns
     -------
-    UncertaintyResult or None
-        The answers of each mechanism that an uncertain number can change; None if nothing is sampled.
+    The answers of each mechanism that an uncertain number can change; None if nothing is sampled.
     """
     sampling = study.sampling
     if sampling is None:

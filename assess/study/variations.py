@@ -225,8 +225,7 @@ def sensitivities(
 
     Returns
     -------
-    tuple of SensitivityResult
-        The rows of each variable, in the order of the study.
+    The rows of each variable, in the order of the study.
     """
     assessed = {result.name: result for result in results}
     check = partial(check_case, suite_faults=study.suite_faults, spectrum=spectrum, motions=motions, jobs=jobs)

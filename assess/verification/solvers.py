@@ -48,10 +48,9 @@ def solve_joints(folder: Path, given: Mapping[str, Any]) -> Mapping[str, Any]:
 
     Returns
     -------
-    Mapping
-        `opening` and `crushing`, rotations at which it opens and starts to crush [rad]; `fixed`, place of the fixed
-        hinge of the semi-flexible model from the compressed edge [m]; by rotation `resultant`, `depth` and `crushed`,
-        places of the force and depths of contact and of crushing from that edge [m].
+    `opening` and `crushing`, rotations at which it opens and starts to crush [rad]; `fixed`, place of the fixed hinge
+    of the semi-flexible model from the compressed edge [m]; by rotation `resultant`, `depth` and `crushed`, places of
+    the force and depths of contact and of crushing from that edge [m].
     """
     return {name: _solve_joint(each) for name, each in given.items()}
 
@@ -84,9 +83,8 @@ def _solve_parameters(folder: Path, given: Mapping[str, Any]) -> Mapping[str, An
 
     Returns
     -------
-    Mapping
-        `inputs`, the files read; `mechanisms` by name; `moments`, restoring moments [N m] of positive rotation by
-        mechanism and rotation, and their `largest`.
+    `inputs`, the files read; `mechanisms` by name; `moments`, restoring moments [N m] of positive rotation by mechanism
+    and rotation, and their `largest`.
     """
 
     from assess.project.build import build
@@ -119,9 +117,8 @@ def _solve_spectra(folder: Path, given: Mapping[str, Any]) -> Mapping[str, Any]:
 
     Returns
     -------
-    Mapping
-        `parameters`, by name, as in results.json; `acceleration_g` [g] and `displacement_m` [m], by name and period,
-        such as "B, 0.5 s".
+    `parameters`, by name, as in results.json; `acceleration_g` [g] and `displacement_m` [m], by name and period, such
+    as "B, 0.5 s".
     """
 
     from assess.project.sections import SiteSection
@@ -150,10 +147,9 @@ def _solve_free_rocking(folder: Path, given: Mapping[str, Any]) -> Mapping[str, 
 
     Returns
     -------
-    Mapping
-        By tilt: `first_p` and `period_p`, the time of the first impact and that between the first and the third times p
-        of the equation [-]. `amplitude` of the last tilt, by number of impacts: the peak after it over the overturning
-        rotation [-].
+    By tilt: `first_p` and `period_p`, the time of the first impact and that between the first and the third times p of
+    the equation [-]. `amplitude` of the last tilt, by number of impacts: the peak after it over the overturning
+    rotation [-].
     """
 
     from assess.dynamics.history import free_rocking
@@ -191,9 +187,8 @@ def _solve_motion(folder: Path, given: Mapping[str, Any]) -> Mapping[str, Any]:
 
     Returns
     -------
-    Mapping
-        By name of a block `max_ratio` (|θ|/α), `impacts` and `overturned` (0 or 1); `spectrum_g`, pseudo-acceleration
-        [g] at 5 % of damping by period, such as "0.3 s".
+    By name of a block `max_ratio` (|θ|/α), `impacts` and `overturned` (0 or 1); `spectrum_g`, pseudo-acceleration [g]
+    at 5 % of damping by period, such as "0.3 s".
     """
 
     from assess.dynamics.history import peaks, product
@@ -242,10 +237,9 @@ def _solve_shake_table(folder: Path, given: Mapping[str, Any]) -> Mapping[str, A
 
     Returns
     -------
-    Mapping
-        `inputs`, the table and the motions; `measured` and `computed`: `tests`, `overturned` as a share [-] and
-        `quantiles` of min(|θ|/α, 1) by percentage; `apart`: `distance`, the largest of their distribution functions
-        (Kolmogorov and Smirnov), and `probability` of one as large from equal distributions.
+    `inputs`, the table and the motions; `measured` and `computed`: `tests`, `overturned` as a share [-] and `quantiles`
+    of min(|θ|/α, 1) by percentage; `apart`: `distance`, the largest of their distribution functions (Kolmogorov and
+    Smirnov), and `probability` of one as large from equal distributions.
     """
 
     from scipy.stats import ks_2samp
@@ -293,9 +287,8 @@ def _solve_pulses(folder: Path, given: Mapping[str, Any]) -> Mapping[str, Any]:
 
     Returns
     -------
-    Mapping
-        `without_impact` and `half_sine`: closed forms; `first` and `last`: A between which a block overturns after one
-        impact; `envelope.linearised` and `envelope.exact`: the least A that overturns under a sine, by integration.
+    `without_impact` and `half_sine`: closed forms; `first` and `last`: A between which a block overturns after one
+    impact; `envelope.linearised` and `envelope.exact`: the least A that overturns under a sine, by integration.
     """
     from assess.dynamics import sine_branches
 
@@ -362,9 +355,8 @@ def _solve_risk(folder: Path, given: Mapping[str, Any]) -> Mapping[str, Any]:
 
     Returns
     -------
-    Mapping
-        By name of counts `median` and `dispersion`, `low` and `high` of Wilson's interval of the first stripe; by name
-        of curves `rate` and `widened` [1/year], and `in_50_years`, the probability.
+    By name of counts `median` and `dispersion`, `low` and `high` of Wilson's interval of the first stripe; by name of
+    curves `rate` and `widened` [1/year], and `in_50_years`, the probability.
     """
     counts = {name: _fit_counts(each) for name, each in given.get("counts", {}).items()}
     curves = given.get("curves", {})

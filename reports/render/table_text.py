@@ -36,8 +36,7 @@ def cell_text(cell: Cell, column: Column, locale: Locale) -> str:
 
     Returns
     -------
-    str
-        A dash where there is nothing.
+    A dash where there is nothing.
     """
     if cell is None:
         return NOTHING
@@ -138,8 +137,7 @@ def equations_line(steps: Sequence[Step], locale: Locale, formula: Callable[[str
 
     Returns
     -------
-    str
-        "T = 2 π √(d / a) = 1.6 s [d = 0.11]; …".
+    "T = 2 π √(d / a) = 1.6 s [d = 0.11]; …".
     """
     written, known = [], {"g": g}
     for step, row in zip(steps, sheet_rows(steps, locale), strict=True):

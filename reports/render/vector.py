@@ -421,8 +421,7 @@ def write_figure(figure: Figure, path: File, *, creator: str) -> File:
 
     Returns
     -------
-    Path
-        The path written.
+    The path written.
     """
     with write_file(path, command="a command that draws a figure") as made:
         WRITERS[path.suffix.lower()](figure, made, creator)

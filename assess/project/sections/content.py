@@ -292,8 +292,7 @@ def checklist(report: Report, mechanisms: Mapping[str, MechanismSection]) -> tup
 
     Raises
     ------
-    ProjectError
-        An item is not in the list, is named twice, or is absent and yet examined.
+    ProjectError : an item is not in the list, is named twice, or is absent and yet examined
     """
     building_type = report.building_type
     if building_type is None:

@@ -46,8 +46,6 @@ class Branch:
 
     Compared by identity: its splines are made once.
 
-    Attributes
-    ----------
     rotation : phi, from 0, not decreasing; a jump is two nodes at one rotation [n] [rad]
     inertia : I = sum m (x'^2 + z'^2) + J theta'^2 [n] [kg m2]
     restoring : dV/dphi - M [n] [N m]
@@ -130,8 +128,6 @@ class Branch:
 class TieLaw(ShortRepr):
     """A tie on an oscillator.
 
-    Attributes
-    ----------
     stiffness : k, of bar and anchorage [N/m]
     strength : force at yield [N]
     gone : elongation at which it breaks or its anchor fails [m]; below strength / stiffness it never yields

@@ -240,8 +240,6 @@ ENDINGS = (".csv", ".at2")
 class Processing:
     """The processing requested; None where a step is not.
 
-    Attributes
-    ----------
     azimuth : to which two horizontal components are rotated [deg]
     rotd : percentile of peaks to which they are rotated
     baseline : degree of the polynomial removed

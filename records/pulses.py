@@ -80,8 +80,6 @@ class GaussianDerivative:
 class PulseShape:
     """The shape of an acceleration pulse over its phase theta, zero outside [start, end].
 
-    Attributes
-    ----------
     name : one of `PULSE_SHAPES`
     start, end : the phase interval [rad]
     form : the function within it
@@ -242,8 +240,6 @@ WIDEST = 1.25  # ratio of neighbouring periods of a grid: beyond it a maximum ca
 class PrimaryPulse:
     """A pulse a(t) = polarity amplitude u(2 pi frequency (t - start) + shape.start) that matches a record.
 
-    Attributes
-    ----------
     shape : of the pulse
     frequency : f_p [Hz]
     amplitude : of least squares, positive [m/s2]

@@ -88,8 +88,6 @@ NO_EARTHQUAKE = Earthquake()
 class Record:
     """A uniformly sampled accelerogram, linear between samples.
 
-    Attributes
-    ----------
     id : short unique name (file stem, or "artificial-1")
     acceleration : ground acceleration, read-only [n] [m/s2]
     dt : time step [s]

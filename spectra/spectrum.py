@@ -27,8 +27,6 @@ LARGEST_PLAUSIBLE = 3.0  # g: a mapped or peak acceleration beyond it is more li
 class Spectrum:
     """An elastic design spectrum.
 
-    Attributes
-    ----------
     code : name of the code and edition, as in the project file ("asce7-16", "table", …)
     parameters : what the shape was made from, name -> value, SI, for the report
     damping : damping ratio of the ordinates as the code gives them [-]

@@ -107,8 +107,6 @@ ELASTIC = BuildingState(1.0)
 class CodeProcedure:
     """A procedure of a code: each stands beside its formulas, and `assess.codes.procedures` lists them all.
 
-    Attributes
-    ----------
     name : as project files write it
     family : the kind of comparison it makes
     assess : makes the checks of an oscillator in a context, with `options` of its code where it has any
@@ -302,8 +300,6 @@ class NumericalSpread(ShortRepr):
 class Check(ShortRepr):
     """Demand, capacity, ratio and outcome of one procedure at one level, with the steps of its calculation sheet.
 
-    Attributes
-    ----------
     demand, capacity : in `unit`, of `quantity`; None where there is no finite value, as of a body that overturns
     uplift_pga_g : None on flexible joints without a threshold
     caveat : what could not be compared with the printed standard, the English of `caveats`

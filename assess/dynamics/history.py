@@ -68,8 +68,6 @@ class Jobs(ShortRepr):
 class Peaks(ShortRepr):
     """Largest response of each job [n].
 
-    Attributes
-    ----------
     max_rotation : rotation of largest |rotation| / phi_ov, signed [rad]; if overturned, the rotation reached when
         the run ended, which is not a maximum
     max_ratio : |rotation| / phi_ov of its branch [-]; phi_ov is that of the equation used, and of rigid interfaces

@@ -27,8 +27,6 @@ MANY_PAIRS = 1e8  # pairs of triangles: to compare more of them takes seconds
 class Intersection:
     """The volume common to two bodies.
 
-    Attributes
-    ----------
     corners : of the triangles of its surface, anticlockwise seen from outside [m, 3, 3] [m]
     of_second : which of them belong to the second body's surface [m]
     volume : [m3]

@@ -25,8 +25,6 @@ STEEP = 0.26  # vertical part of a unit normal: a face within 15 degrees of upri
 class ContactArea:
     """The area where a body meets a block.
 
-    Attributes
-    ----------
     area : of the faces in contact; in plan where the body is built in [m2]
     centroid : of that area [3] [m]
     normal : mean outward unit normal of the block's faces there [3]

@@ -26,8 +26,6 @@ _EMPTY: Surface = (np.empty((0, 3)), np.empty((0, 3), dtype=np.int64))
 class Plane:
     """A cutting plane: the mechanism is what lies on the side to which the normal points.
 
-    Attributes
-    ----------
     point : a point of the plane [3] [m]
     normal : unit vector [3]
     """
@@ -46,8 +44,6 @@ class Plane:
 class Division:
     """The parts of bodies above and below a cut.
 
-    Attributes
-    ----------
     above, below : the bodies on each side, each as cut
     foot : corners of the section between them [k, 3] [m]
     section : outer borders of the section, closed rings [k, 3] [m]
@@ -82,8 +78,6 @@ class Piece:
 class Scene:
     """The bodies of a mechanism in space.
 
-    Attributes
-    ----------
     members : the solids of each of the mechanism's outlines, in their order
     fixed : solids that do not move, such as those under a cut
     sections : where cuts pass through the masonry: closed rings [k, 3] [m]

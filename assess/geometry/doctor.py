@@ -57,8 +57,6 @@ LEFT: Mapping[str, str] = {
 class Diagnosis:
     """One defect of an element.
 
-    Attributes
-    ----------
     element : as the file calls it; two of them where they overlap
     defect : what is wrong
     cure : what mends it where it was drawn

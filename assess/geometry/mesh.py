@@ -100,8 +100,6 @@ def solid_from_meshes(
 class SelectedMeshes:
     """What a body takes of a file.
 
-    Attributes
-    ----------
     file : where it was read from
     meshes : of the elements that it takes
     unit : length of the file's unit [m]; None where the format does not say
@@ -152,8 +150,6 @@ Sizes = tuple[float, float, float]
 class InventoryEntry:
     """One part of a model.
 
-    Attributes
-    ----------
     file : name of the file
     element : what the file calls it
     triangles : how many it has

@@ -28,8 +28,6 @@ BASE_TOLERANCE = 1e-6  # of the body's size: vertices this near the lowest belon
 class PlanarBody:
     """Mass, centroid, inertia and shape of a body in the plane of motion.
 
-    Attributes
-    ----------
     name : of the body or block
     mass : [kg]
     centroid : x, z [m]

@@ -82,8 +82,6 @@ LEVEL = 1e-6  # of a loop's size: loops this near one plane bound one hole, a ri
 class Hole:
     """A hole in a surface.
 
-    Attributes
-    ----------
     loops : vertices in order, as the missing face runs round it: its outer border, then its inner ones
     triangles : that close it [k, 3]; none where its border crosses itself
     area : of its plane [m2]

@@ -104,8 +104,6 @@ SHORTEST_STRETCH = 1e-6  # of the body's size: shorter stretches are rounding wh
 class SelfOverlap:
     """The part of a surface's volume that is counted wrongly, found by casting rays.
 
-    Attributes
-    ----------
     share : length counted wrongly, times how often too many, over the length in material [-]
     place : the middle of the longest segment counted wrongly [3] [m]; None where there is none
     """

@@ -41,8 +41,6 @@ P = ParamSpec("P")
 class Solid(ShortRepr):
     """A body with its mass properties and its surface; it equals itself alone.
 
-    Attributes
-    ----------
     name : the body's name in the project
     mass : [kg]
     centroid : x, y, z [3] [m]

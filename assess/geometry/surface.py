@@ -24,8 +24,6 @@ Surface = tuple[FloatArray, IntArray]  # vertices [n, 3] [m], triangles as indic
 class Edges:
     """The edges of a surface of m triangles, grouped by place: those between the same two vertices, either way.
 
-    Attributes
-    ----------
     directed : from vertex, to vertex, as the triangles have them: edge i belongs to triangle i // 3 [3 m, 2]
     order : edges sorted by place [3 m]
     first : where in `order` each of the k places begins [k]

@@ -104,8 +104,6 @@ class JointLaw:
 class Contact(ShortRepr):
     """The contact at n rotations, read-only arrays [n].
 
-    Attributes
-    ----------
     rotation : phi [rad]; normal_force : N [N]
     resultant : distance of the resultant from the compressed edge, a_f [m]
     out_of_plane_eccentricity : distance of the resultant from the centroid along the axis of rotation, positive to the

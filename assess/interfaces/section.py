@@ -69,8 +69,6 @@ class ContactSection(ShortRepr):
     The depth x runs from the compressed extreme fibre, 0, to the far one; the offset y along the axis of rotation
     from the centroid, positive to the left of the direction of rocking.
 
-    Attributes
-    ----------
     depth : extent in the direction of rocking [m]; breadth : extent across [m]
     area : [m2]
     centroid : its distance from the compressed edge [m]

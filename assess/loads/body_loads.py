@@ -543,17 +543,13 @@ def _nearest_block(load: BodyLoad, body: Solid | None, among: MechanismBlocks) -
     x, z = at = point_in_plane(load.at, among.along.tolist())
     if among.crack is not None:
         return int(z >= among.crack)
-    off = [_distance_to(piece, at) for piece in among.pieces]
+    off = [(distance_to_outline(piece.body.outline, at) if piece.body.outline else 0.0) for piece in among.pieces]
     if off.count(min(off)) > 1 or not all(piece.body.outline for piece in among.pieces):
         raise GeometryError(
             f'{among.where}: load "{load.body}": it is not known which block it stands on at ({x:.4g}, {z:.4g}) m; '
             "give block, counted from 0 at the base"
         )
     return off.index(min(off))
-
-
-def _distance_to(piece: Piece, at: Point) -> float:
-    return distance_to_outline(piece.body.outline, at) if piece.body.outline else 0.0
 
 
 def _contact_with(solids: Sequence[Solid], body: Solid, tolerance: float) -> ContactArea | None:

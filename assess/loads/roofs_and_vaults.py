@@ -216,8 +216,6 @@ SPRINGING = 1e-3  # of the body's size: faces this near its lowest level are wha
 class RoofSlope:
     """The slope of a roof or vault.
 
-    Attributes
-    ----------
     axis : horizontal unit vector along which it falls most [3], either way; None where it is flat
     both_ways : whether it falls across that as well, as a hipped roof or a groined vault does
     one_sided : 0 for a gable, whose slopes face both ways, 1 for a roof of a single slope [-]

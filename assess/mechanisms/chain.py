@@ -143,8 +143,6 @@ the top of a wall), and the block whose corner presses on it. The block nearer t
 class Joint:
     """The contact at a hinge, whose compressed edge is the hinge itself.
 
-    Attributes
-    ----------
     inward : unit vector (x, z) from the hinge along the joint, in the plane of motion
     section : of the contact, seen in the direction in which it is compressed
     law : stiffness and strength

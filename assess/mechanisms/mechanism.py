@@ -179,8 +179,6 @@ class Mechanism:
 
     Equal to itself only, so that its oscillator can be made once.
 
-    Attributes
-    ----------
     name, label, kind : as in the project file
     sides : "one" (positive rotation only) or "two"
     positive, negative : the chain of each branch in that branch's own mirrored sign; negative None if one-sided

@@ -39,8 +39,6 @@ UPRIGHT: tuple[PartKind, ...] = ("wall", "pier", "spandrel", "gable", "parapet",
 class Candidate(ShortRepr):
     """A mechanism that a building can have.
 
-    Attributes
-    ----------
     name : unique, such as a project file names its tables
     kind : of the table `CLASSES`
     title : what it is
@@ -83,8 +81,6 @@ class Candidate(ShortRepr):
 class Gap:
     """What a class of mechanisms can concern and is not looked for.
 
-    Attributes
-    ----------
     kind : of the table `CLASSES`
     part : its name
     what : it may do
@@ -125,8 +121,6 @@ class OpenEntry:
 class Candidates(ShortRepr):
     """The mechanisms of a building, the weakest first, and the parts that have none.
 
-    Attributes
-    ----------
     ranked : by multiplier; those without one last
     without : name of each upright part that no mechanism with a multiplier moves, and why
     gaps : what is possible and not looked for

@@ -63,8 +63,6 @@ class Alternative:
 class Found:
     """The least multiplier of a mechanism.
 
-    Attributes
-    ----------
     multiplier : [-]; not above 0 where it falls as drawn; None where it cannot be built, and why
     direction : in which it falls
     parameters : at the least, by their names

@@ -31,8 +31,6 @@ SPLINTER = 1e-3  # m3: smaller shells are nails and drawing errors
 class DrawnBody:
     """One body of a model.
 
-    Attributes
-    ----------
     name : what the file calls it; empty where it has no name
     solid : of density 1 kg/m3
     element : of the file

@@ -289,8 +289,6 @@ def _shaft_in_place(part: Part, shape: Shape, element: Element, place: _Place) -
 class _Place:
     """Where a part stands: what it rests on, what it carries, and what is beside it.
 
-    Attributes
-    ----------
     free : whether it touches nothing, or is elevated and carries nothing
     elevated : whether it rests on another part, above the ground
     floats : whether it rests on nothing above the ground

@@ -27,8 +27,6 @@ ShapeKind = Literal["upright", "level", "sloped", "curved", "arch", "shaft", "ba
 class Shape:
     """What a body looks like.
 
-    Attributes
-    ----------
     kind : an upright or level plate; a covering, of sloped planes or curved; an arch; a shaft; a bar; none of them
     thickness : between the faces of a plate, the depth of a level one; else the shorter side in plan [m]
     length : along `along` [m]

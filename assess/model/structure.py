@@ -44,8 +44,6 @@ End = Literal["start", "end", "between"]
 class Opening:
     """A hole through a wall.
 
-    Attributes
-    ----------
     left, right : its sides, along the wall from its start [m]
     base, top : elevations [m]
     """
@@ -60,8 +58,6 @@ class Opening:
 class Part(ShortRepr):
     """One part of a building.
 
-    Attributes
-    ----------
     name : in the structure, unique
     kind : what it is
     solid : its body, of the density below
@@ -138,8 +134,6 @@ class Part(ShortRepr):
 class PartContact:
     """The contact of two parts: the first stands on, bears on, leans on, is bonded to or is held by the second.
 
-    Attributes
-    ----------
     first, second : names of the parts
     relation : what the first does with the second
     area : of the faces in contact, in plan where the first is built in [m2]
@@ -169,8 +163,6 @@ class PartContact:
 class CrossWall:
     """A wall that meets another at an angle.
 
-    Attributes
-    ----------
     part : the wall that meets it
     contact : where
     end : at which end of the wall that is met, or between its ends
@@ -196,8 +188,6 @@ class Storey:
 class LeftOut:
     """What was not read as masonry.
 
-    Attributes
-    ----------
     name : what the model calls it
     reason : why it was left out
     size : of the box around it, x, y, z [m]; None where it has no body
@@ -232,8 +222,6 @@ NAMELESS = "without name"
 class Structure(ShortRepr):
     """A building: its parts and how they touch.
 
-    Attributes
-    ----------
     parts : walls first, from the ground up
     contacts : of parts, by name
     storeys : from the lowest up

@@ -36,8 +36,6 @@ A_PROJECT = re.compile(rb"^\s*\[\s*(site|mechanisms)\s*[\].]", re.MULTILINE)
 class Task(ShortRepr):
     """One project of a portfolio.
 
-    Attributes
-    ----------
     key : the path below the folder, or the row's id in the table; any text, not fit for a path
     title : what the project is called
     path : the project file, or the template that the row changes; absolute

@@ -69,8 +69,6 @@ class Job:
 class ProjectRow:
     """One project of a portfolio, assessed or broken. It is plain: processes and the ledger exchange it as it is.
 
-    Attributes
-    ----------
     key : path of the project below the folder, or its cell in the table's id column
     title : title of the project
     sha256 : of everything the task reads

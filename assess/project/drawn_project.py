@@ -43,8 +43,6 @@ MESHES, PROJECT = "meshes", "project.toml"
 class DrawnProject:
     """A project drawn from a model.
 
-    Attributes
-    ----------
     text : of its project.toml
     meshes : bodies that the model does not hold as they are, by the path of the file each is written to
     """

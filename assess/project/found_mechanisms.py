@@ -48,8 +48,6 @@ CLASS_OF_ROLE: Mapping[str, str] = {"floor": "IfcSlab", "roof": "IfcRoof", "vaul
 class FoundMechanisms:
     """What was found on the bodies of a project.
 
-    Attributes
-    ----------
     structure : the bodies as a building
     candidates : its mechanisms, the weakest first
     in_file : by the name of a candidate, the mechanism of the project that is the same

@@ -181,8 +181,6 @@ class ProjectVariant:
 class KeySweep:
     """One sweep.
 
-    Attributes
-    ----------
     where : the table, for errors; key : what is swept, as the user wrote it; path : its steps
     unit : of the values, as the user wrote it, or SI where they are plain numbers; "-" for none
     variants : one for each value, in the user's order

@@ -12,7 +12,7 @@ from __future__ import annotations
 import base64
 import io
 import warnings
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal
@@ -400,7 +400,7 @@ def _uses_of_motion(content: sections.Content, study: Study) -> Iterator[str]:
     if not histories and study.pulses is None:
         return
     yield from study.equations.values()
-    yield from _amplification(study)
+    yield from (f"amplification {each.method}" for each in study.amplified.values() if each.method != "none")
     if not histories:
         return
     if study.records:
@@ -411,10 +411,6 @@ def _uses_of_motion(content: sections.Content, study: Study) -> Iterator[str]:
         yield "scaling"
     if content.records.selection is not None:
         yield "selection"
-
-
-def _amplification(study: Study) -> Iterable[str]:
-    return (f"amplification {each.method}" for each in study.amplified.values() if each.method != "none")
 
 
 def _uses_of_analysis(content: sections.Content) -> Iterator[str]:

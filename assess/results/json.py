@@ -51,8 +51,6 @@ _NOT_FINITE = re.compile(r"(?<![A-Za-z0-9+/])[+-]?(?:NaN|Infinity)")  # letters 
 class FoundResults:
     """Results read from a file.
 
-    Attributes
-    ----------
     results : as read, with a warning where they were changed since they were written
     path : the file
     as_written : whether the folder's manifest shows them to be as they were written

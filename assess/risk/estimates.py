@@ -558,7 +558,7 @@ def _maximise_likelihood(terms: Terms, start: FloatArray) -> FloatArray:
         step = _newton_step(likelihood)
         theta[active], likelihood = _halve_steps(terms, theta[active], step, likelihood, active)
         not_converged = ~(np.abs(step).max(axis=1) <= STEP * (1.0 + np.abs(theta[active]).max(axis=1)))
-        active, likelihood = active[not_converged], _select_draws(likelihood, not_converged)
+        active, likelihood = active[not_converged], Likelihood(*(each[not_converged] for each in _arrays(likelihood)))
         if not active.size:
             break
     theta[active] = np.nan
@@ -590,10 +590,6 @@ def _halve_steps(
         for whole, part in zip(_arrays(tried_likelihood), _arrays(halved), strict=True):
             whole[worse] = part
     return tried, tried_likelihood
-
-
-def _select_draws(likelihood: Likelihood, rows: BoolArray) -> Likelihood:
-    return Likelihood(*(each[rows] for each in _arrays(likelihood)))
 
 
 def _arrays(likelihood: Likelihood) -> tuple[FloatArray, FloatArray, FloatArray]:

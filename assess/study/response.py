@@ -22,8 +22,6 @@ from spectra.arrays import FloatArray, is_number
 class RockingResponse(ShortRepr):
     """The rocking motion of one oscillator under one record.
 
-    Attributes
-    ----------
     overturned : whether the body can no longer return
     max_ratio : largest |rotation| / overturning rotation of its branch, with rigid interfaces [-]; nan if it overturned
     max_rotation : rotation of that ratio, signed [rad]; None if it overturned

@@ -28,8 +28,6 @@ GIVE_STEP = "give step, in seconds (--step 0.01 on the command line, step = 0.01
 class HeaderOverrides:
     """Values for what a header leaves out; where the file states a value itself, the file's value is used.
 
-    Attributes
-    ----------
     unit : of the accelerations (g, m/s2, cm/s2, gal, mm/s2)
     step : time step [s]
     response : file of the instrument's response (StationXML, dataless SEED, RESP, SAC poles and zeros)

@@ -118,7 +118,7 @@ def _failing_row(results: Results, mechanism_verdict: MechanismVerdict, verdict:
 def _strongest_inputs(results: Results) -> Iterator[Text]:
     """Yield the values that change a deciding answer; of other mechanisms those that move the answer most."""
     decisive = [row for row in results.sensitivity if row.quantity == "index" and not is_negligible(row)]
-    changing = [row for row in decisive if _changes_any_outcome(row)]
+    changing = [row for row in decisive if any(changes_outcome(row, side) for side in BOUNDS)]
     yield from (_change(results, row) for row in changing)
     decided = {row.mechanism for row in changing}
     strongest: dict[Text, list[str]] = {}
@@ -132,10 +132,6 @@ def _strongest_inputs(results: Results) -> Iterator[Text]:
             parameter=parameter,
             mechanisms=mechanism_list(results, owners),
         )
-
-
-def _changes_any_outcome(row: SensitivityResult) -> bool:
-    return any(changes_outcome(row, side) for side in BOUNDS)
 
 
 def _change(results: Results, row: SensitivityResult) -> Text:

@@ -186,8 +186,6 @@ _EM = 100.0  # size at which the outline of a letter is taken [pt]
 class SvgPicture:
     """A figure in the elements of SVG; an id refers to the same element in all figures.
 
-    Attributes
-    ----------
     marks : its elements, y upwards
     definitions : letters and windows by their ids
     width, height : [pt]

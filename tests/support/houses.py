@@ -50,8 +50,6 @@ class Planted:
 class House:
     """What a house is made of.
 
-    Attributes
-    ----------
     plan : a key of `PLANS`
     storeys : how many
     split : whether walls end at each floor

@@ -28,8 +28,6 @@ POINT_CLOUD = "it holds {count} points and no faces; make a closed surface of th
 class Element:
     """One object of a file, as the file names it.
 
-    Attributes
-    ----------
     names : its name; none where the format has no names
     identifier : unique in the file, as the GlobalId of an IFC element; empty where there is none
     kinds : its class and the superclasses, as IfcWallStandardCase, IfcWall, ...
@@ -60,8 +58,6 @@ class Element:
 class ElementMesh:
     """The mesh of one element, in its place.
 
-    Attributes
-    ----------
     element : whose mesh it is
     vertices : [n, 3] in the file's unit
     triangles : indices into vertices [m, 3]
@@ -80,8 +76,6 @@ class ElementMesh:
 class MeshFile:
     """A file that was read.
 
-    Attributes
-    ----------
     elements : all objects that can have a mesh
     mesh : returns the meshes of the elements at given indices; an element that turns out to have no body is left out
     unit : length of the file's unit [m]; None where the format does not say

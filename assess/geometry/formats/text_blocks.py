@@ -27,8 +27,6 @@ SPACE, NEWLINE = 32, 10  # bytes up to the space part words
 class TextBlock:
     """Whole lines of a file.
 
-    Attributes
-    ----------
     text : bytes, ending with a line break
     end : where each line ends: its line break [n]
     words : number of words of each line [n]

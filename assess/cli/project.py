@@ -96,13 +96,15 @@ def check(project: ProjectPath) -> None:
     with progress() as shown:
         loaded = load(project)
         from assess.cli.tables.project import description, sensitivity_text
+        from assess.cli.tables.units import units_on_terminal
         from assess.project.build import build
         from assess.study.mechanism_results import parameters
         from assess.study.study import without_scenes
 
         shown.step("mechanisms")
         study = build(loaded)
-    print(description(loaded, parameters(without_scenes(study)), study.sweeps, study.messages), end="")
+    with units_on_terminal(loaded.content.report.units):
+        print(description(loaded, parameters(without_scenes(study)), study.sweeps, study.messages), end="")
     print(sensitivity_text(study.variables), end="")
 
 
@@ -117,6 +119,7 @@ def parameters(
 
     loaded = load(project)
     from assess.cli.tables.project import directions_text, parameters_csv, parameters_text
+    from assess.cli.tables.units import units_on_terminal
     from assess.project.build import build
     from assess.results.json import dumps_mechanisms
     from assess.study.mechanism_results import case_parameters
@@ -128,7 +131,8 @@ def parameters(
     print_messages(study.messages)
     shown = study if as_json else without_scenes(study)
     mechanisms = parameters_of_study(shown)
-    print(text((*mechanisms, *case_parameters(shown))), end="")
+    with units_on_terminal(loaded.content.report.units):
+        print(text((*mechanisms, *case_parameters(shown))), end="")
     if text is parameters_text:
         print(directions_text(mechanisms), end="")
 

@@ -9,6 +9,7 @@ from textwrap import wrap
 from typing import Any
 
 from assess.cli.tables import TextField, messages_text, table_of, text_table
+from assess.cli.tables.units import column, header, in_units, messages_in_units
 from assess.mechanisms.chain import metres_text
 from assess.mechanisms.kinds import MECHANISM_KINDS
 from assess.messages.message import Message, escape_text, text_of
@@ -35,39 +36,6 @@ MOST_CANDIDATES = 8  # candidates on a line
 LINE_WIDTH = 100  # characters of a line
 BranchOf = tuple[str, str, OscillatorResult]
 """Names of a mechanism and of its branch, and the branch."""
-BRANCH_FIELDS: tuple[TextField[BranchOf], ...] = (
-    ("mechanism", lambda of: of[0]),
-    ("branch", lambda of: of[1]),
-    ("p [1/s]", lambda of: f"{of[2].p_eq_per_s:.4f}"),
-    ("lambda [-]", lambda of: _number(of[2].uplift_multiplier, ".4f", otherwise="none")),
-    ("R [m]", lambda of: f"{of[2].radius_m:.4f}"),
-    ("alpha [rad]", lambda of: f"{of[2].slenderness_rad:.4f}"),
-    ("phi_ov [rad]", lambda of: f"{of[2].overturning_rad:.4f}"),
-    ("on joints [rad]", lambda of: _number(of[2].overturning_flexible_rad, ".4f", otherwise="-")),
-    ("restitution", lambda of: f"{of[2].restitution:.3f}"),
-    ("mass [kg]", lambda of: f"{of[2].mass_kg:.6g}"),
-)
-ON_JOINTS = BRANCH_FIELDS[7]
-HINGE_FIELDS: tuple[TextField[tuple[str, HingeForceResult]], ...] = (
-    ("mechanism", lambda of: of[0]),
-    ("hinge", lambda of: of[1].hinge),
-    ("H [N]", lambda of: f"{of[1].horizontal_n:.5g}"),
-    ("V [N]", lambda of: f"{of[1].vertical_n:.5g}"),
-    ("friction needed", lambda of: _number(of[1].needed_friction, ".4f", otherwise="lifts")),
-    ("friction", lambda of: _number(of[1].friction, ".3f", otherwise="not given")),
-    ("slides from [g]", lambda of: _sliding(of[1])),
-)
-CONSTANTS_HEADER = (
-    "linearised",
-    "branch",
-    "I [kg m2]",
-    "K [N m/rad]",
-    "B [kg m]",
-    "M [N m]",
-    "phi_cr [rad]",
-    "phi_ov [rad]",
-    "lambda [-]",
-)
 
 
 MECHANISM_HEADER = ("mechanism", "multiplier", "in file", "at")
@@ -133,7 +101,7 @@ def description(
         lines += [*_mechanism(mechanism), ""]
     lines += [*map(_sweep, sweeps), *[""] * bool(sweeps)]
     lines += checklist_lines(project.content)
-    return "\n".join(lines) + "\n" + _branches_table(mechanisms) + messages_text(notices)
+    return "\n".join(lines) + "\n" + _branches_table(mechanisms) + messages_text(messages_in_units(notices))
 
 
 def sensitivity_text(variables: Sequence[Variable | UnvariedNumber]) -> str:
@@ -151,8 +119,8 @@ def sensitivity_text(variables: Sequence[Variable | UnvariedNumber]) -> str:
 def duration_text(load: LoadResult) -> str:
     """Describe how long a resisting load lasts, and how far it may move on its seat."""
     if load.bearing:
-        return "; seat not given" if load.seat_m is None else f"; seat {load.seat_m:.4g} m"
-    end = "" if load.end_m is None else f"when its point has moved {load.end_m:.4g} m, at {load.end_rad:.4g} rad"
+        return "; seat not given" if load.seat_m is None else f"; seat {_length(load.seat_m)}"
+    end = "" if load.end_m is None else f"when its point has moved {_length(load.end_m)}, at {load.end_rad:.4g} rad"
     if load.lasting == "to collapse":
         return "; lasts to collapse" + (f", ends {end}" if end else "")
     if load.lasting == "to its end":
@@ -192,7 +160,16 @@ def parameters_text(mechanisms: tuple[MechanismResult, ...]) -> str:
 def hinge_forces_table(mechanisms: tuple[MechanismResult, ...]) -> str:
     """Write the forces at each hinge when rocking starts, and the friction they need; empty where not known."""
     forces = [(m.name, forces) for m in mechanisms for forces in m.hinge_forces]
-    return f"\n{table_of(HINGE_FIELDS, forces)}" if forces else ""
+    fields_of_hinge: tuple[TextField[tuple[str, HingeForceResult]], ...] = (
+        ("mechanism", lambda of: of[0]),
+        ("hinge", lambda of: of[1].hinge),
+        (header("H", "force"), lambda of: column(of[1].horizontal_n, "force", ".5g")),
+        (header("V", "force"), lambda of: column(of[1].vertical_n, "force", ".5g")),
+        ("friction needed", lambda of: _number(of[1].needed_friction, ".4f", otherwise="lifts")),
+        ("friction", lambda of: _number(of[1].friction, ".3f", otherwise="not given")),
+        ("slides from [g]", lambda of: _sliding(of[1])),
+    )
+    return f"\n{table_of(fields_of_hinge, forces)}" if forces else ""
 
 
 def directions_text(mechanisms: tuple[MechanismResult, ...]) -> str:
@@ -257,7 +234,7 @@ def _amplification(m: MechanismResult) -> list[str]:
     if found.height_m is None:
         return []
     lines = [
-        f"{found.method}, base {found.height_m:.4g} m above the ground",
+        f"{found.method}, base {_length(found.height_m)} above the ground",
         *map(escape_text, map(text_of, found.said)),
     ]
     return [f"  {'motion' if i == 0 else '':<11} {line}" for i, line in enumerate(lines)]
@@ -282,15 +259,18 @@ def _interfaces(m: MechanismResult) -> list[str]:
 
 def _interface(found: dict[str, Any]) -> str:
     infinite = found["stiffness_pa_m"] is None
-    stiffness = "infinitely stiff" if infinite else f"{found['stiffness_pa_m'] / 1e9:.4g} GPa/m"
-    strength = "no crushing" if found["strength_pa"] is None else f"{found['strength_pa'] / 1e6:.4g} MPa"
+    stiffness, strength = "infinitely stiff", "no crushing"
+    if not infinite:
+        stiffness = in_units(f"{found['stiffness_pa_m'] / 1e9:.4g} GPa/m", found["stiffness_pa_m"], "stiffness")
+    if found["strength_pa"] is not None:
+        strength = in_units(f"{found['strength_pa'] / 1e6:.4g} MPa", found["strength_pa"], "stress")
     opens, crushes = (
         "never" if found[key] is None else f"at {found[key]:.3g} rad" for key in ("opening_rad", "crushing_rad")
     )
-    force = f"{found['normal_force_n'] / 1e3:.4g} kN"
+    area = in_units(f"{found['area_m2']:.4g} m2", found["area_m2"], "area")
     return (
-        f"{found['model']}, {stiffness}, {strength}; {found['area_m2']:.4g} m2, "
-        f"{found['depth_m']:.4g} m deep, under {force} at rest; "
+        f"{found['model']}, {stiffness}, {strength}; {area}, "
+        f"{_length(found['depth_m'])} deep, under {_force(found['normal_force_n'])} at rest; "
         f"by rotation of the joint itself it opens {opens}, crushes {crushes}"
     )
 
@@ -306,9 +286,22 @@ def _loads(loads: tuple[LoadResult, ...]) -> list[str]:
 
 def _size(load: LoadResult) -> str:
     if load.mass_kg is not None:
-        return f"{load.mass_kg:.6g} kg, {'bearing' if load.bearing else 'horizontal inertia only'}"
+        mass = in_units(f"{load.mass_kg:.6g} kg", load.mass_kg, "mass", 6)
+        return f"{mass}, {'bearing' if load.bearing else 'horizontal inertia only'}"
     along, up = load.force_n or (0.0, 0.0)
-    return f"{load.kind} {along / 1e3:.4g} kN along the direction, {up / 1e3:.4g} kN up"
+    return f"{load.kind} {_force(along)} along the direction, {_force(up)} up"
+
+
+def _force(newtons: float) -> str:
+    return in_units(f"{newtons / 1e3:.4g} kN", newtons, "force")
+
+
+def _length(metres: float) -> str:
+    return in_units(f"{metres:.4g} m", metres, "length")
+
+
+def _coordinate(metres: float) -> str:
+    return in_units(f"{metres_text(metres)} m", metres, "length")
 
 
 def _sweep(sweep: Sweep) -> str:
@@ -342,8 +335,8 @@ def _ground(m: MechanismResult) -> list[str]:
     if m.base_elevation_m is None or m.input_height_m is None:
         return []
     counts = "above the ground" if m.above_ground else "on the ground"
-    base, held = metres_text(m.base_elevation_m), metres_text(m.input_height_m)
-    heights = f"base {base} m over the ground, held at {held} m: {counts}"
+    base, held = _coordinate(m.base_elevation_m), _coordinate(m.input_height_m)
+    heights = f"base {base} over the ground, held at {held}: {counts}"
     return [f"  ground      {heights}; {escape_text(m.ground_known_from)}"]
 
 
@@ -352,7 +345,7 @@ def _points(points: tuple[NamedPoint, ...]) -> str:
 
 
 def _point_text(point: tuple[float, float]) -> str:
-    return f"x = {metres_text(point[0])} m, z = {metres_text(point[1])} m"
+    return f"x = {_coordinate(point[0])}, z = {_coordinate(point[1])}"
 
 
 def _checklist_line(what: str, words: Sequence[str]) -> list[str]:
@@ -370,18 +363,52 @@ def _checklist_line(what: str, words: Sequence[str]) -> list[str]:
 def _branches_table(mechanisms: tuple[MechanismResult, ...]) -> str:
     """Write the main parameters of each branch, rounded, with phi_ov of flexible joints beside the rigid one."""
     pairs = [(mechanism.name, *pair) for mechanism in mechanisms for pair in _branches(mechanism)]
-    rigid = all(o.overturning_flexible_rad is None for _, _, o in pairs)
-    return table_of([field for field in BRANCH_FIELDS if not (rigid and field is ON_JOINTS)], pairs)
+    on_joints: TextField[BranchOf] = (
+        "on joints [rad]",
+        lambda of: _number(of[2].overturning_flexible_rad, ".4f", otherwise="-"),
+    )
+    fields_of_branch: tuple[TextField[BranchOf], ...] = (
+        ("mechanism", lambda of: of[0]),
+        ("branch", lambda of: of[1]),
+        ("p [1/s]", lambda of: f"{of[2].p_eq_per_s:.4f}"),
+        ("lambda [-]", lambda of: _number(of[2].uplift_multiplier, ".4f", otherwise="none")),
+        (header("R", "length"), lambda of: column(of[2].radius_m, "length", ".4f")),
+        ("alpha [rad]", lambda of: f"{of[2].slenderness_rad:.4f}"),
+        ("phi_ov [rad]", lambda of: f"{of[2].overturning_rad:.4f}"),
+        *([on_joints] if any(o.overturning_flexible_rad is not None for _, _, o in pairs) else []),
+        ("restitution", lambda of: f"{of[2].restitution:.3f}"),
+        (header("mass", "mass"), lambda of: column(of[2].mass_kg, "mass", ".6g")),
+    )
+    return table_of(fields_of_branch, pairs)
 
 
 def _constants_table(mechanisms: tuple[MechanismResult, ...]) -> str:
     """Write I, K, B, M, phi_cr and phi_ov of each linearised branch (thesis 3.4-3.12), rounded."""
     rows = [
-        [mechanism.name, branch, *(f"{getattr(o.linearised, field.name):.5g}" for field in fields(LinearisedResult))]
+        [
+            mechanism.name,
+            branch,
+            *(
+                column(getattr(o.linearised, field.name), dimension, ".5g")
+                for field, (_, dimension) in zip(fields(LinearisedResult), CONSTANTS, strict=True)
+            ),
+        ]
         for mechanism in mechanisms
         for branch, o in _branches(mechanism)
     ]
-    return text_table(CONSTANTS_HEADER, rows)
+    return text_table(("linearised", "branch", *(header(*each) for each in CONSTANTS)), rows)
+
+
+CONSTANTS = (
+    ("I", "inertia"),
+    ("K", "rotational stiffness"),
+    ("B", "first moment"),
+    ("M", "moment"),
+    ("phi_cr", "rotation"),
+    ("phi_ov", "rotation"),
+    ("lambda", "ratio"),
+)
+"""The columns of the linearised equation, with their dimensions, in the order of its results."""
 
 
 def _sliding(forces: HingeForceResult) -> str:

@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 
 from assess.portfolio.tasks import ProjectRow, rank
 from assess.results.provenance import describe_program
 from reports.chapters.cells import LIMIT_STATE, METHOD, OUTCOME, OUTCOMES, RATIO
-from reports.document import Cell, Column, Document, Figure, Link, OutcomeCell, Prose, Section, Table
+from reports.document import Column, Document, Field, Figure, Link, OutcomeCell, Prose, Section, Table, tabulate
 from reports.figures.portfolio import draw_margins
 from reports.language.locale import Locale, System
 from reports.language.texts import Phrase, Text, Verbatim, count, say
@@ -39,22 +40,21 @@ BROKEN = say(
     "Broken projects could not be assessed: they stand at the end, each with its reason, and are neither a pass nor a "
     "fail."
 )
-FIELDS: tuple[tuple[Column, Callable[[int, ProjectRow], Cell]], ...] = (
-    (Column(say("Rank")), lambda place, row: place),
-    (Column(say("Project")), lambda place, row: Verbatim(row.key)),
-    (Column(say("Title")), lambda place, row: _name(row.title)),
-    (OUTCOME, lambda place, row: _outcome(row)),
-    (Column(say("Margin"), "ratio", FIGURES), lambda place, row: row.margin),
-    (RATIO, lambda place, row: row.demand_capacity),
-    (Column(say("Mechanism")), lambda place, row: _name(row.worst_mechanism)),
-    (LIMIT_STATE, lambda place, row: _name(row.limit_state)),
-    (METHOD, lambda place, row: short_title(row.procedure) if row.procedure else None),
-    (Column(say("Missing inputs")), lambda place, row: row.missing or None),
-    (Column(say("Without a source")), lambda place, row: _name(row.unsourced)),
-    (Column(say("Warnings")), lambda place, row: row.warnings or None),
-    (Column(say("Report")), lambda place, row: Link(say("report"), row.report) if row.report else None),
-    (Column(say("Results")), lambda place, row: Link(say("results"), row.results) if row.results else None),
-    (Column(say("Reason")), lambda place, row: _name(row.reason)),
+FIELDS: tuple[Field[ProjectRow], ...] = (
+    (Column(say("Project")), lambda row: Verbatim(row.key)),
+    (Column(say("Title")), lambda row: _name(row.title)),
+    (OUTCOME, lambda row: _outcome(row)),
+    (Column(say("Margin"), "ratio", FIGURES), lambda row: row.margin),
+    (RATIO, lambda row: row.demand_capacity),
+    (Column(say("Mechanism")), lambda row: _name(row.worst_mechanism)),
+    (LIMIT_STATE, lambda row: _name(row.limit_state)),
+    (METHOD, lambda row: short_title(row.procedure) if row.procedure else None),
+    (Column(say("Missing inputs")), lambda row: row.missing or None),
+    (Column(say("Without a source")), lambda row: _name(row.unsourced)),
+    (Column(say("Warnings")), lambda row: row.warnings or None),
+    (Column(say("Report")), lambda row: Link(say("report"), row.report) if row.report else None),
+    (Column(say("Results")), lambda row: Link(say("results"), row.results) if row.results else None),
+    (Column(say("Reason")), lambda row: _name(row.reason)),
 )
 """The columns, each with its cell of a row; one without any cell is left out."""
 
@@ -117,25 +117,23 @@ def _margins(rows: Sequence[ProjectRow]) -> Iterator[Figure]:
 
 
 def _ranked_table(rows: Sequence[ProjectRow]) -> Table:
-    """Return the table of the rows in their order."""
+    """Return the table of the rows in their order, with what their own table carries beside D/C."""
     ranked = rank(rows)
-    columns = [
-        (column, tuple(cell(place, row) for place, row in enumerate(ranked, start=1))) for column, cell in FIELDS
-    ]
-    headings = dict.fromkeys(heading for row in rows for heading, _ in row.carried)
     beside = 1 + next(place for place, (column, _) in enumerate(FIELDS) if column is RATIO)
-    columns[beside:beside] = [
-        (Column(Verbatim(heading)), tuple(_name(dict(row.carried).get(heading, "")) for row in ranked))
-        for heading in headings
-    ]
-    kept = [(column, cells) for column, cells in columns if any(cell is not None for cell in cells)]
-    return Table(
-        NAME,
-        say("Projects in the order of their margins"),
-        tuple(column for column, _ in kept),
-        tuple(zip(*(cells for _, cells in kept), strict=True)),
-        sifted=True,
-    )
+    headings = dict.fromkeys(heading for row in rows for heading, _ in row.carried)
+    carried: list[Field[ProjectRow]] = [(Column(Verbatim(each)), partial(_carried_cell, each)) for each in headings]
+    fields = (*FIELDS[:beside], *carried, *FIELDS[beside:])
+    kept = [(column, cell) for column, cell in fields if any(cell(row) is not None for row in ranked)]
+    caption = say("Projects in the order of their margins")
+    if not kept:
+        return Table(NAME, caption, (), (), sifted=True)
+    table = tabulate(NAME, caption, kept, ranked)
+    numbered = tuple((place, *cells) for place, cells in enumerate(table.rows, start=1))
+    return replace(table, columns=(Column(say("Rank")), *table.columns), rows=numbered, sifted=True)
+
+
+def _carried_cell(heading: str, row: ProjectRow) -> Verbatim | None:
+    return _name(dict(row.carried).get(heading, ""))
 
 
 def _name(text: str) -> Verbatim | None:

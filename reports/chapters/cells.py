@@ -49,9 +49,9 @@ _COLOURS: Mapping[str, document.OutcomeColour] = {"pass": "pass", "fail": "fail"
 _NO_LASTING_ROTATION = (Reason.NO_LASTING, Reason.ON_JOINTS)
 MECHANISM, LEVEL = Column(say("Mechanism")), Column(say("PGA"), "ground acceleration")
 METHOD, LIMIT_STATE, OUTCOME = Column(say("Method")), Column(say("Limit state")), Column(say("Outcome"))
+PROCEDURE, ROLE = Column(say("Procedure")), Column(say("Role"))
+QUANTITY, UNIT, CLAUSE = Column(say("Quantity")), Column(say("Unit")), Column(say("Clause"))
 FIGURES = 3
-
-PROCEDURE = Column(say("Procedure"))
 
 RATIO = Column(say("D/C"), "ratio", FIGURES)
 CAPACITY_PGA = Column(say("PGA at capacity"), "ground acceleration", FIGURES)

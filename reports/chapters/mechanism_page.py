@@ -195,7 +195,7 @@ def answers_table(results: Results, mechanism: MechanismResult, *, name: str) ->
     shown, mechanism_verdict = shown_checks(results, mechanism), governing.verdict_of(results, mechanism)
     fields: tuple[doc.Field[Check], ...] = (
         (cells.METHOD, lambda check: check_title(check, shown)),
-        (doc.Column(say("Role")), lambda check: cells.ROLES[check.role]),
+        (cells.ROLE, lambda check: cells.ROLES[check.role]),
         (doc.Column(say("Demand")), _demand_cell),
         (doc.Column(say("Allowable")), lambda check: cells.value_cell(check.capacity, check.unit)),
         (cells.RATIO, cells.ratio_cell),

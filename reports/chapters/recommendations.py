@@ -80,7 +80,7 @@ def _failing(results: Results, verdict: Verdict) -> list[Block]:
     )
     ordered = sorted(failing, key=lambda one: -(cells.required_increase(one, verdict) or 0.0))
     columns = (
-        Column(say("Mechanism")),
+        cells.MECHANISM,
         Column(say("Holds up to PGA"), "ground acceleration", 3),
         Column(say("PGA to be reached"), "ground acceleration", 3),
         Column(say("Factor needed"), "ratio", 3),

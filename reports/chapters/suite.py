@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from assess.messages.message import DIMENSIONS
 from assess.results import GroundMotionResult, RecordResult, RequirementResult, Results
 from reports import document as doc
-from reports.chapters.cells import MECHANISM
+from reports.chapters.cells import CLAUSE, MECHANISM, OUTCOME
 from reports.figures.spectrum import suite_code
 from reports.language.texts import Listing, Phrase, Term, Text, Verbatim, listing, quantity, say, say_count
 from reports.mechanisms import numbered_title
@@ -72,10 +72,10 @@ def basis_requirements_table(results: Results) -> doc.Table:
     """Tabulate the requirements of the code that belongs to the basis."""
     fields: tuple[doc.Field[RequirementResult], ...] = (
         (doc.Column(say("Requirement")), lambda rule: Term(rule.what)),
-        (doc.Column(say("Clause")), lambda rule: Term(rule.clause)),
+        (CLAUSE, lambda rule: Term(rule.clause)),
         (doc.Column(say("Found")), _found_cell),
         (doc.Column(say("Limit")), _limit_text),
-        (doc.Column(say("Outcome")), lambda rule: doc.OutcomeCell(*REQUIREMENT_OUTCOMES[rule.verdict])),
+        (OUTCOME, lambda rule: doc.OutcomeCell(*REQUIREMENT_OUTCOMES[rule.verdict])),
     )
     rules = _requirements_of_basis(results)
     caption = say("The suite against the rules of {code}.", code=Verbatim(rules[0].code if rules else ""))
@@ -137,12 +137,12 @@ def requirements_table(motion: GroundMotionResult) -> doc.Table:
     """Tabulate the requirements of each code on the suite."""
     fields: tuple[doc.Field[RequirementResult], ...] = (
         (doc.Column(say("Code")), lambda rule: Verbatim(rule.code)),
-        (doc.Column(say("Clause")), lambda rule: Term(rule.clause)),
+        (CLAUSE, lambda rule: Term(rule.clause)),
         (doc.Column(say("Requirement"), share=0.26), lambda rule: Term(rule.what)),
         (doc.Column(say("Found")), _found_cell),
         (doc.Column(say("Limit")), _limit_text),
         (doc.Column(say("Periods")), _periods_text),
-        (doc.Column(say("Outcome")), lambda rule: REQUIREMENT_OUTCOMES[rule.verdict][1]),
+        (OUTCOME, lambda rule: REQUIREMENT_OUTCOMES[rule.verdict][1]),
         (doc.Column(say("Remark"), share=0.2), _remarks_text),
     )
     caption = say(

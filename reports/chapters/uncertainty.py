@@ -15,7 +15,9 @@ from reports.chapters.cells import (
     LIMIT_STATE,
     MECHANISM,
     METHOD,
+    ROLE,
     ROLES,
+    UNIT,
     state_text,
     value_cell,
     value_name,
@@ -208,7 +210,7 @@ def _means(found: UncertaintyResult) -> Table:
     fields: tuple[Field[UncertainInput], ...] = (
         KEY,
         (Column(say("Mean"), "ratio"), lambda each: each.mean),
-        (Column(say("Unit")), lambda each: Verbatim(each.unit)),
+        (UNIT, lambda each: Verbatim(each.unit)),
         *SPREAD,
     )
     return tabulate("uncertainty-means", say("Uncertain values, in SI."), fields, found.inputs)
@@ -228,7 +230,7 @@ def _statistics(results: Results, found: UncertaintyResult) -> Table:
     quantiles = (say("5 %"), say("16 %"), say("50 %"), say("84 %"), say("95 %"))
     fields: tuple[Field[UncertainAnswer], ...] = (
         *_lead(results),
-        (Column(say("Role")), lambda each: ROLES[each.role]),
+        (ROLE, lambda each: ROLES[each.role]),
         (Column(say("Samples answered")), lambda each: each.answered),
         (Column(say("Samples that fail")), lambda each: each.failed),
         (Column(say("Probability of failing"), "ratio"), lambda each: each.probability),

@@ -18,7 +18,7 @@ from assess.results.verification import (
     VerificationResults,
 )
 from reports import document as doc
-from reports.chapters.cells import OUTCOMES
+from reports.chapters.cells import OUTCOME, OUTCOMES, UNIT
 from reports.chapters.declaration import annex_texts
 from reports.chapters.kinds import THEORY
 from reports.figures import verification as drawing
@@ -65,7 +65,7 @@ def values_table(case: CaseResult, place: int) -> doc.Table:
     fields: tuple[doc.Field[ComparedValue], ...] = (
         (doc.Column(say("Quantity"), share=0.26), lambda pair: Verbatim(pair[0].name)),
         (doc.Column(say("Row"), share=0.15), lambda pair: Verbatim(pair[1].row)),
-        (doc.Column(say("Unit")), lambda pair: Verbatim(pair[0].unit or "–")),
+        (UNIT, lambda pair: Verbatim(pair[0].unit or "–")),
         (doc.Column(say("Expected")), lambda pair: _number(pair[1].expected, FIGURES)),
         (doc.Column(say("Program")), lambda pair: _number(pair[1].found, FIGURES)),
         (doc.Column(say("Difference")), lambda pair: _number(pair[1].difference, DIFFERENCE_FIGURES)),
@@ -73,7 +73,7 @@ def values_table(case: CaseResult, place: int) -> doc.Table:
             doc.Column(say("Tolerance")),
             lambda pair: _number(pair[0].tolerance.around(pair[1].reference), DIFFERENCE_FIGURES),
         ),
-        (doc.Column(say("Outcome")), lambda pair: _value_outcome(pair[1])),
+        (OUTCOME, lambda pair: _value_outcome(pair[1])),
     )
     caption = say("{title}: values of the source and of the program.", title=Verbatim(case.title))
     pairs = [(each, value) for each in case.quantities for value in each.values]
@@ -189,7 +189,7 @@ def _cases_table(cases: Sequence[SolvedCase]) -> doc.Table:
             doc.Column(say("Largest difference over tolerance"), "ratio", 2, share=0.13),
             lambda case: case.worst,
         ),
-        (doc.Column(say("Outcome")), _outcome_cell),
+        (OUTCOME, _outcome_cell),
     )
     return doc.tabulate("cases", say("Solved cases, in the order of their pages."), fields, cases, small=True)
 

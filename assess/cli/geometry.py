@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from assess.cli.options import UpAxis, refuse_two_formats
+from assess.cli.options import UpAxis, flag, refuse_two_formats
 from assess.cli.tables import TextField, table_of
 from assess.messages.message import escape_text
 
@@ -50,11 +50,9 @@ def geometry(
     element: Annotated[
         str | None, typer.Option(metavar="NAME", help="Only these elements: name, GlobalId, class or pattern.")
     ] = None,
-    doctor: Annotated[
-        bool, typer.Option("--doctor", help="List what is wrong, what cures it, and what was mended.")
-    ] = False,
-    as_json: Annotated[bool, typer.Option("--json", help="Print the parts as JSON.")] = False,
-    as_csv: Annotated[bool, typer.Option("--csv", help="Print the table as CSV at full precision.")] = False,
+    doctor: Annotated[bool, flag("--doctor", "List what is wrong, what cures it, and what was mended.")] = False,
+    as_json: Annotated[bool, flag("--json", "Print the parts as JSON.")] = False,
+    as_csv: Annotated[bool, flag("--csv", "Print the table as CSV at full precision.")] = False,
 ) -> None:
     """List the parts of model files: name, class, storey, size, volume, position, closed or why not, thin direction.
 

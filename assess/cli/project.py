@@ -10,7 +10,7 @@ from typing import Annotated, Literal
 
 import typer
 
-from assess.cli.options import JobsOption, ProjectPath, UpAxis, folder_option, refuse_two_formats
+from assess.cli.options import JobsOption, ProjectPath, UpAxis, flag, folder_option, refuse_two_formats
 from assess.cli.stderr import print_messages, progress
 from assess.messages.message import escape_text, locate
 
@@ -37,7 +37,7 @@ def new(
         str | None, typer.Option(metavar="UNIT", help="Unit of the models' coordinates, such as mm, with --from.")
     ] = None,
     up: Annotated[UpAxis | None, typer.Option(help="Axis of the models that points up, with --from.")] = None,
-    list_examples: Annotated[bool, typer.Option("--list", help="List the examples and exit.")] = False,
+    list_examples: Annotated[bool, flag("--list", "List the examples and exit.")] = False,
 ) -> None:
     """Create a runnable project to start from: the smallest wall, an example, or the building of a model."""
     from assess.examples import EXAMPLES, copy_example
@@ -110,8 +110,8 @@ def check(project: ProjectPath) -> None:
 
 def parameters(
     project: ProjectPath,
-    as_json: Annotated[bool, typer.Option("--json", help="Print the mechanisms as in results.json.")] = False,
-    as_csv: Annotated[bool, typer.Option("--csv", help="Print the table as CSV at full precision.")] = False,
+    as_json: Annotated[bool, flag("--json", "Print the mechanisms as in results.json.")] = False,
+    as_csv: Annotated[bool, flag("--csv", "Print the table as CSV at full precision.")] = False,
 ) -> None:
     """Print the rocking parameters of each mechanism and of each case of its sweeps, without analysis."""
     refuse_two_formats(as_json=as_json, as_csv=as_csv)
@@ -147,11 +147,9 @@ class Ranking(StrEnum):
 def mechanisms(
     project: ProjectPath,
     output: Annotated[Path | None, folder_option("Write mechanisms.csv into this folder.")] = None,
-    write: Annotated[
-        bool, typer.Option("--write", help="Add what the project can state to the end of its file.")
-    ] = False,
+    write: Annotated[bool, flag("--write", "Add what the project can state to the end of its file.")] = False,
     index: Annotated[
-        bool, typer.Option("--index", help="Examine them by the project's basis, and rank by the PGA that they hold.")
+        bool, flag("--index", "Examine them by the project's basis, and rank by the PGA that they hold.")
     ] = False,
     by: Annotated[
         Ranking | None,

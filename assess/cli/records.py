@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from contextlib import nullcontext
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
@@ -26,6 +26,7 @@ from assess.cli.options import (
     complete_units,
     complete_words,
     first_sentence,
+    flag,
     refuse_two_formats,
     with_verbosity,
     word_option,
@@ -47,7 +48,7 @@ def index(
     step: StepOption = None,
     response: Response = None,
     jobs: JobsOption = None,
-    as_json: Annotated[bool, typer.Option("--json", help="Print the counts and the unreadable files as JSON.")] = False,
+    as_json: Annotated[bool, flag("--json", "Print the counts and the unreadable files as JSON.")] = False,
 ) -> None:
     """Catalogue the records of a folder: metadata, measures and 5 % spectra.
 
@@ -105,9 +106,7 @@ def spectra(
     response: Response = None,
     catalogue: CatalogueOption = None,
     jobs: JobsOption = None,
-    as_csv: Annotated[
-        bool, typer.Option("--csv", help="Print every period as CSV, with a column for each record.")
-    ] = False,
+    as_csv: Annotated[bool, flag("--csv", "Print every period as CSV, with a column for each record.")] = False,
     output: FigurePath = None,
 ) -> None:
     """Print the pseudo-acceleration spectra of records; those of a folder are read from its catalogue."""
@@ -228,9 +227,7 @@ def select(
     scale_to: Annotated[
         str, word_option('Scale each record to "spectrum", "pga" or "none".', "spectrum", "pga", "none")
     ] = "spectrum",
-    several_per_event: Annotated[
-        bool, typer.Option("--several-per-event", help="Allow several records of one earthquake.")
-    ] = False,
+    several_per_event: Annotated[bool, flag("--several-per-event", "Allow several records of one earthquake.")] = False,
     magnitude: Annotated[Span, _span_option("Keep only records within these magnitudes.")] = None,
     distance: Annotated[Span, _span_option("The same of the distance [km].")] = None,
     vs30: Annotated[Span, _span_option("The same of Vs30 [m/s].")] = None,
@@ -247,9 +244,7 @@ def select(
     response: Response = None,
     lock: Annotated[
         bool,
-        typer.Option(
-            "--lock", help="Also write records.lock.toml beside the project (or target): files, factors, hashes."
-        ),
+        flag("--lock", "Also write records.lock.toml beside the project (or target): files, factors, hashes."),
     ] = False,
     table: Annotated[
         Path | None,
@@ -258,10 +253,8 @@ def select(
         ),
     ] = None,
     jobs: JobsOption = None,
-    as_json: Annotated[
-        bool, typer.Option("--json", help="Print records and ground_motion as in results.json.")
-    ] = False,
-    as_csv: Annotated[bool, typer.Option("--csv", help="Print the records as CSV at full precision.")] = False,
+    as_json: Annotated[bool, flag("--json", "Print records and ground_motion as in results.json.")] = False,
+    as_csv: Annotated[bool, flag("--csv", "Print the records as CSV at full precision.")] = False,
     output: FigurePath = None,
 ) -> None:
     """Select the records that best fit a target spectrum, scale them, and check the suite against code rules.
@@ -319,10 +312,8 @@ def scale(
     unit: UnitOption = None,
     step: StepOption = None,
     response: Response = None,
-    as_json: Annotated[
-        bool, typer.Option("--json", help="Print records and ground_motion as in results.json.")
-    ] = False,
-    as_csv: Annotated[bool, typer.Option("--csv", help="Print the records as CSV at full precision.")] = False,
+    as_json: Annotated[bool, flag("--json", "Print records and ground_motion as in results.json.")] = False,
+    as_csv: Annotated[bool, flag("--csv", "Print the records as CSV at full precision.")] = False,
     output: Annotated[
         Path | None,
         typer.Option("-o", "--output", metavar="DIR", help="Folder in which to write each scaled record as CSV."),
@@ -363,10 +354,8 @@ def _list_records(
     unit: UnitOption = None,
     step: StepOption = None,
     response: Response = None,
-    as_json: Annotated[
-        bool, typer.Option("--json", help="Print the records as in results.json, with their measures.")
-    ] = False,
-    as_csv: Annotated[bool, typer.Option("--csv", help="Print the table as CSV at full precision.")] = False,
+    as_json: Annotated[bool, flag("--json", "Print the records as in results.json, with their measures.")] = False,
+    as_csv: Annotated[bool, flag("--csv", "Print the table as CSV at full precision.")] = False,
 ) -> None:
     """Print time step, samples, peaks, intensities and durations of each record."""
     refuse_two_formats(as_json=as_json, as_csv=as_csv)
@@ -398,9 +387,8 @@ OPTION_NAMES = {"code": "for"}
 Span = tuple[float, float] | None
 
 
-def _span_option(words: str) -> typer.models.OptionInfo:
-    option: typer.models.OptionInfo = typer.Option(metavar="FROM TO", help=words, show_default=False)
-    return option
+def _span_option(words: str) -> Any:
+    return typer.Option(metavar="FROM TO", help=words, show_default=False)
 
 
 def _refuse_without_target(context: typer.Context, target: Path | None, places: Sequence[Path]) -> None:

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from assess.cli.options import Language, check_share, refuse_two_formats
+from assess.cli.options import Language, check_share, flag, refuse_two_formats
 from assess.cli.stderr import ProgressDisplay, on_interruption, print_message, progress
 
 if TYPE_CHECKING:
@@ -39,7 +39,7 @@ def report(
         Path | None,
         typer.Option("-o", "--output", metavar="DIR", help="Output folder (default: that of RESULTS.json)."),
     ] = None,
-    png: Annotated[bool, typer.Option("--png", help="Also write the figures as PNG files at 200 dpi.")] = False,
+    png: Annotated[bool, flag("--png", "Also write the figures as PNG files at 200 dpi.")] = False,
     language: Annotated[
         Language | None, typer.Option("--language", help="Language of the report (default: that of the project).")
     ] = None,
@@ -86,8 +86,8 @@ def summary(
     runs: Annotated[
         list[Path], typer.Argument(metavar="RUN…", help="results.json of each run, or its folder, or its project's.")
     ],
-    as_json: Annotated[bool, typer.Option("--json", help="Print the rows as JSON.")] = False,
-    as_csv: Annotated[bool, typer.Option("--csv", help="Print the rows as CSV at full precision.")] = False,
+    as_json: Annotated[bool, flag("--json", "Print the rows as JSON.")] = False,
+    as_csv: Annotated[bool, flag("--csv", "Print the rows as CSV at full precision.")] = False,
 ) -> None:
     """Print one row for each mechanism of one or several runs, with the answer that decides it.
 
@@ -123,11 +123,9 @@ def diff(
             callback=check_share,
         ),
     ] = 1e-6,
-    exit_code: Annotated[bool, typer.Option("--exit-code", help="Exit with code 1 if anything differs.")] = False,
-    as_json: Annotated[bool, typer.Option("--json", help="Print the changes as JSON.")] = False,
-    as_csv: Annotated[
-        bool, typer.Option("--csv", help="Print the changes as one CSV table at full precision.")
-    ] = False,
+    exit_code: Annotated[bool, flag("--exit-code", "Exit with code 1 if anything differs.")] = False,
+    as_json: Annotated[bool, flag("--json", "Print the changes as JSON.")] = False,
+    as_csv: Annotated[bool, flag("--csv", "Print the changes as one CSV table at full precision.")] = False,
 ) -> None:
     """List the changes between two runs, such as before and after a retrofit, verdicts first.
 

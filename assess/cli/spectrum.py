@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from assess.cli.options import Completion, FigurePath, check_figure_path, complete_words, refuse_two_formats
+from assess.cli.options import Completion, FigurePath, check_figure_path, complete_words, flag, refuse_two_formats
 from assess.cli.stderr import print_messages
 from assess.cli.tables import text_table
 from assess.messages.message import Message, Quantity, locate
@@ -102,13 +102,9 @@ def spectrum(
     pga: Annotated[
         str | None, _key_option("pga", "ACC", "Scale the ordinates to this peak ground acceleration.")
     ] = None,
-    vertical: Annotated[
-        bool, typer.Option("--vertical", help="Print the vertical spectrum (ec8, nzs1170.5, ntc).")
-    ] = False,
-    as_json: Annotated[bool, typer.Option("--json", help="Print the spectrum as in results.json.")] = False,
-    as_csv: Annotated[
-        bool, typer.Option("--csv", help="Print period and acceleration, as read by --code table.")
-    ] = False,
+    vertical: Annotated[bool, flag("--vertical", "Print the vertical spectrum (ec8, nzs1170.5, ntc).")] = False,
+    as_json: Annotated[bool, flag("--json", "Print the spectrum as in results.json.")] = False,
+    as_csv: Annotated[bool, flag("--csv", "Print period and acceleration, as read by --code table.")] = False,
     output: FigurePath = None,
 ) -> None:
     """Print the design spectrum of a project, or of a code with its parameters.
@@ -141,11 +137,8 @@ def periods_of(spectrum: Spectrum) -> list[float]:
     return sorted(period for period in periods if period <= min(spectrum.longest_period, max(ROUND_PERIODS)))
 
 
-def _key_option(name: str, metavar: str, words: str, complete: Completion | None = None) -> typer.models.OptionInfo:
-    option: typer.models.OptionInfo = typer.Option(
-        f"--{name}", metavar=metavar, help=words, show_default=False, autocompletion=complete
-    )
-    return option
+def _key_option(name: str, metavar: str, words: str, complete: Completion | None = None) -> Any:
+    return typer.Option(f"--{name}", metavar=metavar, help=words, show_default=False, autocompletion=complete)
 
 
 def _complete_codes(incomplete: str) -> Sequence[str]:

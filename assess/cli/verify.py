@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from assess.cli.options import JobsOption, Language, optional_output
+from assess.cli.options import JobsOption, Language, flag, optional_output
 from assess.cli.stderr import NOTHING_WRITTEN, on_interruption, progress
 from assess.cli.tables import on_one_line
 from assess.messages.message import count_noun
@@ -47,11 +47,9 @@ def verify(
             "where cases are named, with --list and with --json).",
         ),
     ] = None,
-    quick: Annotated[bool, typer.Option("--quick", help="Leave out the cases that take long.")] = False,
-    listed: Annotated[bool, typer.Option("--list", help="List the cases and run none.")] = False,
-    as_json: Annotated[
-        bool, typer.Option("--json", help="Print what verification.json holds, in place of the lines.")
-    ] = False,
+    quick: Annotated[bool, flag("--quick", "Leave out the cases that take long.")] = False,
+    listed: Annotated[bool, flag("--list", "List the cases and run none.")] = False,
+    as_json: Annotated[bool, flag("--json", "Print what verification.json holds, in place of the lines.")] = False,
     language: Annotated[
         Language | None, typer.Option("--language", help="Language of the annex (default: that of the project, or en).")
     ] = None,

@@ -46,15 +46,11 @@ MARK = "A"
 
 def sections(results: Results) -> list[Section]:
     """Return the annex, a part for each mechanism."""
-    introduction = Prose(
-        (
-            say(
-                "The sheets are worked in SI units, as the constants of the clauses are printed. Each line gives the "
-                "formula, the numbers put into it and the result, in enough digits to redo it by hand."
-            ),
-        )
+    introduction = say(
+        "The sheets are worked in SI units, as the constants of the clauses are printed. Each line gives the formula, "
+        "the numbers put into it and the result, in enough digits to redo it by hand."
     )
-    head = Section(say("Calculation sheets"), 0, (introduction,), starts_page=True, mark=MARK)
+    head = Section(say("Calculation sheets"), 0, (Prose((introduction,)),), starts_page=True, mark=MARK)
     parts = [_sheets_section(results, each, place) for place, each in enumerate(results.mechanisms, start=1)]
     return [head, *parts]
 

@@ -228,26 +228,21 @@ def _uncovered_blocks(results: VerificationResults) -> Iterator[doc.Block]:
     if results.coverage:
         yield _coverage_table(results)
         bare = [each.use for each in results.coverage if each.use not in covered]
-        words = say(
-            "The project uses these, and no solved case that passes and is more than indicative exercises them: "
-            "{uses}.",
-            uses=listing([_use_text(use) for use in bare]),
-        )
-        yield doc.Prose(
-            (words if bare else say("A solved case that passes exercises each thing that the project uses."),)
-        )
-    else:
-        bare = [use for use in USES if use not in covered]
+        words = say("A solved case that passes exercises each thing that the project uses.")
         if bare:
-            yield doc.Prose(
-                (
-                    say(
-                        "The program can do these, and no solved case of this annex that passes and is more than "
-                        "indicative exercises them:"
-                    ),
-                )
+            words = say(
+                "The project uses these, and no solved case that passes and is more than indicative exercises them: "
+                "{uses}.",
+                uses=listing([_use_text(use) for use in bare]),
             )
-            yield doc.BulletList(tuple(_use_text(use) for use in bare))
+        yield doc.Prose((words,))
+    elif bare := [use for use in USES if use not in covered]:
+        words = say(
+            "The program can do these, and no solved case of this annex that passes and is more than indicative "
+            "exercises them:"
+        )
+        yield doc.Prose((words,))
+        yield doc.BulletList(tuple(_use_text(use) for use in bare))
     yield doc.Prose(LIMITS)
 
 
@@ -282,14 +277,11 @@ def _judgement_blocks() -> Iterator[doc.Block]:
 
 def _difference_figures(results: VerificationResults) -> Iterator[doc.Prose | doc.Figure]:
     """Yield how to read them, differences over tolerance by source, and values of the program over those expected."""
-    yield doc.Prose(
-        (
-            say(
-                "Each point is one value. Left of the line at 1 the difference is within the tolerance, whose reason "
-                "stands with the case; values that agree to more digits than are drawn stand at the left edge."
-            ),
-        )
+    words = say(
+        "Each point is one value. Left of the line at 1 the difference is within the tolerance, whose reason stands "
+        "with the case; values that agree to more digits than are drawn stand at the left edge."
     )
+    yield doc.Prose((words,))
     shares = tuple(
         (case.key.partition("/")[0], case.source.standing, share) for case in results.cases for share in case.shares
     )
@@ -453,21 +445,17 @@ JUDGEMENT = say(
 
 def _theory_blocks(results: VerificationResults) -> Iterator[doc.Block]:
     """Yield the theory that all mechanisms share, then a table by mechanism with the cases that show it."""
-    yield doc.Prose(
-        (
-            say(
-                "Every mechanism has one degree of freedom, the rotation φ of its leading block, and obeys I(φ) φ'' + "
-                "½ I'(φ) φ'² + restoring(φ) = −B(φ) ü − C(φ) ẅ, where ü and ẅ are the horizontal and the vertical "
-                "acceleration of the ground. Virtual work over the chain of blocks gives the inertia I, the "
-                "restoring moment, the excitation B and the lift C. The equation is integrated from event to event, "
-                "with a loss of velocity at each impact."
-            ),
-            say(
-                "Procedures of codes read the same tables: the multiplier that starts the motion, the capacity curve, "
-                "and the rotation that overturns. Spectra, scaling and the motion at height follow their clauses."
-            ),
-        )
+    equation = say(
+        "Every mechanism has one degree of freedom, the rotation φ of its leading block, and obeys I(φ) φ'' + ½ I'(φ) "
+        "φ'² + restoring(φ) = −B(φ) ü − C(φ) ẅ, where ü and ẅ are the horizontal and the vertical acceleration of the "
+        "ground. Virtual work over the chain of blocks gives the inertia I, the restoring moment, the excitation B and "
+        "the lift C. The equation is integrated from event to event, with a loss of velocity at each impact."
     )
+    procedures = say(
+        "Procedures of codes read the same tables: the multiplier that starts the motion, the capacity curve, and the "
+        "rotation that overturns. Spectra, scaling and the motion at height follow their clauses."
+    )
+    yield doc.Prose((equation, procedures))
     yield from doc.nonempty(_theory_table(results))
 
 

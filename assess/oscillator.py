@@ -289,10 +289,7 @@ def interpolant(rotation: FloatArray, values: FloatArray) -> PPoly:
     rotation : not decreasing [n] [rad]
     values : at the nodes [n, …]
     """
-    from scipy.interpolate import (
-        CubicSpline,
-        PPoly,
-    )  # late: to read a project or results needs none
+    from scipy.interpolate import CubicSpline, PPoly  # late: to read a project or results needs none
 
     coefficients = np.zeros((4, rotation.size - 1, *values.shape[1:]))
     ends = [0, *(np.flatnonzero(np.diff(rotation) == 0.0) + 1).tolist(), rotation.size]

@@ -63,11 +63,7 @@ from assess.codes.histories import (
     with_spread,
 )
 from assess.messages.message import Message, Quantity, Severity, Term, message, whole_number
-from assess.oscillator import (
-    Branch,
-    Oscillator,
-    linear_multiplier,
-)
+from assess.oscillator import Branch, Oscillator, linear_multiplier
 from spectra.arrays import FloatArray
 from spectra.gravity import g
 

@@ -75,15 +75,7 @@ from assess.project.site_and_structure import (
 from assess.project.variables import Cases, Variants, sampling_of, survey_of, uncertainty_messages, variables_of
 from assess.results.run import FallingMechanism
 from assess.study.amplification import MechanismInPlace, amplify
-from assess.study.study import (
-    Fitting,
-    PulseGrid,
-    Replaceable,
-    Study,
-    Sweep,
-    SweepCase,
-    levels_with_site,
-)
+from assess.study.study import Fitting, PulseGrid, Replaceable, Study, Sweep, SweepCase, levels_with_site
 from assess.study.suites import ALL_PERIODS, RecordSet, record_messages
 from records.errors import RecordError
 from records.pulses import pulse_shape

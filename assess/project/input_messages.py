@@ -17,17 +17,12 @@ from assess.mechanisms.mechanism import Mechanism
 from assess.messages.message import Message, Quantity, locate, note, warning
 from assess.project import sections
 from assess.project.keys import stated_values
-from assess.project.question import (
-    procedures_of,
-)
+from assess.project.question import procedures_of
 from assess.project.section import ProjectSection
 from assess.project.sections.content import TO_FILL_IN
 from assess.results.provenance import count_from_0, tables_that_hold
 from assess.study.mechanism_results import load_messages
-from assess.study.study import (
-    Study,
-    follows_motion,
-)
+from assess.study.study import Study, follows_motion
 from spectra.gravity import g
 from spectra.spectrum import LARGEST_PLAUSIBLE
 

@@ -42,12 +42,7 @@ from assess.project.keys import (
 from assess.project.reading import UNCERTAIN_MARK, quantity_schema
 from assess.project.section import EVIDENCE, ProjectSection, UncertainNumber
 from assess.project.sections.content import Content
-from assess.project.units import (
-    KINDS,
-    USUAL,
-    is_weight,
-    quantity_pattern,
-)
+from assess.project.units import KINDS, USUAL, is_weight, quantity_pattern
 from assess.project.values import PATTERN_MARK
 from assess.results import ResolvedValue
 from assess.results.provenance import count_from_0, count_from_1

@@ -16,32 +16,15 @@ from assess.dynamics.pulses import CriticalMechanism, Envelope, envelope, find_c
 from assess.mechanisms.mechanism import Mechanism
 from assess.messages.message import Message, Quantity, first_names, message, warning
 from assess.oscillator import Oscillator
-from assess.results import (
-    SCHEMA_VERSION,
-    CriticalBand,
-    CriticalResult,
-    EnvelopeResult,
-    Results,
-)
+from assess.results import SCHEMA_VERSION, CriticalBand, CriticalResult, EnvelopeResult, Results
 from assess.results.provenance import describe_program, stamp
 from assess.short_repr import ShortRepr
 from assess.study.ground_motion import record_result, spectrum_result, with_primary_pulses
-from assess.study.histories import (
-    fastest_vibration,
-)
+from assess.study.histories import fastest_vibration
 from assess.study.mechanism_results import parameters
-from assess.study.study import (
-    Progress,
-    PulseGrid,
-    ScaledRecord,
-    Study,
-    case_text,
-    no_progress,
-)
+from assess.study.study import Progress, PulseGrid, ScaledRecord, Study, case_text, no_progress
 from assess.study.suites import motions_of
-from assess.study.variations import (
-    MechanismSweep,
-)
+from assess.study.variations import MechanismSweep
 from records.errors import RecordError
 from records.pulses import PULSE_SHAPES, PulseShape, pulse_shape
 from spectra.arrays import FloatArray

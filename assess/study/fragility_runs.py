@@ -18,11 +18,7 @@ import numpy as np
 
 from assess.dynamics.history import Jobs
 from assess.oscillator import linear_multiplier
-from assess.results.fragility import (
-    LARGE_SCALE,
-    MeasureResult,
-    StateResult,
-)
+from assess.results.fragility import LARGE_SCALE, MeasureResult, StateResult
 from assess.short_repr import ShortRepr
 from assess.study.level_peaks import RockingCase, run_variants, variant_solver
 from assess.study.study import AVERAGE_PERIODS, FragilityQuestion

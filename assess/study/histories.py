@@ -22,10 +22,7 @@ from assess.codes.procedures import pga_rules, uses_histories
 from assess.dynamics.history import Peaks, trace
 from assess.mechanisms.mechanism import Mechanism
 from assess.oscillator import Oscillator, elastic_frequency, linear_multiplier
-from assess.results import (
-    HistoryResult,
-    HistoryTrace,
-)
+from assess.results import HistoryResult, HistoryTrace
 from assess.short_repr import ShortRepr
 from assess.study.level_peaks import (
     LevelPeaks,

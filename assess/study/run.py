@@ -20,22 +20,11 @@ from assess.codes.verdict import Verdict
 from assess.errors import AssessError
 from assess.mechanisms.mechanism import Mechanism
 from assess.messages.message import Message, locate, note, warning
-from assess.results import (
-    SCHEMA_VERSION,
-    Control,
-    MechanismResult,
-    Results,
-)
+from assess.results import SCHEMA_VERSION, Control, MechanismResult, Results
 from assess.results.provenance import describe_program, stamp
 from assess.short_repr import ShortRepr
 from assess.study.amplification import MechanismAmplification
-from assess.study.assessment import (
-    assess_mechanisms,
-    building_states,
-    check_mechanism,
-    on_building,
-    rules_of_histories,
-)
+from assess.study.assessment import assess_mechanisms, building_states, check_mechanism, on_building, rules_of_histories
 from assess.study.checks import decide, mark_result
 from assess.study.controls import control_warnings, equilibrium_controls, multiplier_control
 from assess.study.drawing import edges_in_space

@@ -17,12 +17,7 @@ from assess.geometry.cut import Scene
 from assess.geometry.solid import Solid
 from assess.mechanisms.mechanism import Mechanism
 from assess.messages.message import Message
-from assess.results import (
-    NO_MATTER,
-    Input,
-    ReportMatter,
-    ResolvedValue,
-)
+from assess.results import NO_MATTER, Input, ReportMatter, ResolvedValue
 from assess.results.fragility import FragilityMethod, HazardResult, MeasureResult, StateResult
 from assess.results.run import FallingMechanism, UncertainInput
 from assess.results.verification import AnnexResult

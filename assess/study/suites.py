@@ -39,13 +39,7 @@ from assess.messages.message import (
     whole_number,
 )
 from assess.oscillator import Branch
-from assess.study.study import (
-    Fitting,
-    GivenFactors,
-    ScaledRecord,
-    Study,
-    deciding_limit_states,
-)
+from assess.study.study import Fitting, GivenFactors, ScaledRecord, Study, deciding_limit_states
 from records import catalogue
 from records.candidates import Candidate, candidate_table, read_candidates
 from records.catalogue import index

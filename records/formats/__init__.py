@@ -6,20 +6,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
-from records.formats import (
-    afad,
-    by_obspy,
-    cosmos,
-    csmip,
-    csv,
-    dyna,
-    geonet_v2a,
-    itaca,
-    knet,
-    peer_at2,
-    plain,
-    smc,
-)
+from records.formats import afad, by_obspy, cosmos, csmip, csv, dyna, geonet_v2a, itaca, knet, peer_at2, plain, smc
 from records.formats.header import HeaderOverrides
 from records.record import Record
 

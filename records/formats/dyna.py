@@ -24,13 +24,7 @@ from records.formats.header import (
     filter_warning,
     iso_time_of_text,
 )
-from records.formats.samples import (
-    acceleration_factor,
-    number,
-    positive_number,
-    text_lines,
-    uniform_numbers,
-)
+from records.formats.samples import acceleration_factor, number, positive_number, text_lines, uniform_numbers
 from records.record import Earthquake, Record, StationSite, azimuth_of, make_record, usable_period
 
 NAME = "ESM/ITACA DYNA"

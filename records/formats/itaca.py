@@ -16,13 +16,7 @@ from pathlib import Path
 from assess.messages.message import note
 from records.errors import RecordError
 from records.formats.header import HeaderOverrides, check_count, check_peak, filter_warning, iso_time_of_text
-from records.formats.samples import (
-    acceleration_factor,
-    number,
-    positive_number,
-    text_lines,
-    uniform_numbers,
-)
+from records.formats.samples import acceleration_factor, number, positive_number, text_lines, uniform_numbers
 from records.record import Earthquake, Record, StationSite, azimuth_of, make_record, usable_period
 
 NAME = "ITACA cor.acc"

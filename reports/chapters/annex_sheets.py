@@ -13,19 +13,7 @@ from assess.results import ContactSheet, HingeForceResult, LoadResult, Mechanism
 from reports import governing
 from reports.chapters.cells import BRANCHES, NONE, OUTCOMES
 from reports.chapters.mechanism_page import left_for_annex
-from reports.document import (
-    Block,
-    Cell,
-    Column,
-    Field,
-    Figure,
-    Prose,
-    Section,
-    Sheet,
-    Table,
-    nonempty,
-    tabulate,
-)
+from reports.document import Block, Cell, Column, Field, Figure, Prose, Section, Sheet, Table, nonempty, tabulate
 from reports.figures import capacity, sketch
 from reports.figures.sketch import SEEN_FROM_ABOVE, model_of_view
 from reports.language.texts import Listing, Phrase, Term, Text, Verbatim, quantity, say, say_count

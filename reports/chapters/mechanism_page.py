@@ -17,18 +17,7 @@ from reports.chapters.kinds import FALLING, KINDS
 from reports.chapters.mechanism_verdict import governing_steps, unanswered_methods, verdict_sentences, verdict_summary
 from reports.figures import capacity, comparison, key_plan, sketch
 from reports.figures.key_plan import BuildingScene
-from reports.language.texts import (
-    Listing,
-    Paragraph,
-    Term,
-    Text,
-    Verbatim,
-    listing,
-    names,
-    quantity,
-    say,
-    say_count,
-)
+from reports.language.texts import Listing, Paragraph, Term, Text, Verbatim, listing, names, quantity, say, say_count
 from reports.language.value_names import key_words
 from reports.mechanisms import (
     JOINT_MODELS,

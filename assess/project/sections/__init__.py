@@ -14,26 +14,10 @@ from assess.project.sections.analysis import (
     Uncertainty,
     measure_of,
 )
-from assess.project.sections.bodies_and_loads import (
-    BodySection,
-    BoxBody,
-    DirectBody,
-    MaterialSection,
-    MeshBody,
-)
+from assess.project.sections.bodies_and_loads import BodySection, BoxBody, DirectBody, MaterialSection, MeshBody
 from assess.project.sections.content import Content, Report
-from assess.project.sections.ground_motion import (
-    BuildingSection,
-    Records,
-    Select,
-    SiteSection,
-)
-from assess.project.sections.mechanisms import (
-    ChainSection,
-    HingesSection,
-    MechanismSection,
-    NoAmplification,
-)
+from assess.project.sections.ground_motion import BuildingSection, Records, Select, SiteSection
+from assess.project.sections.mechanisms import ChainSection, HingesSection, MechanismSection, NoAmplification
 from assess.project.sections.procedures import VerdictSection
 
 __all__ = [

@@ -6,13 +6,7 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal
 
 from pydantic import Discriminator, Tag
 
-from assess.declaration import (
-    UNCERTAIN,
-    Evidence,
-    Name,
-    PositiveLength,
-    SpacePoint,
-)
+from assess.declaration import UNCERTAIN, Evidence, Name, PositiveLength, SpacePoint
 from assess.geometry.solid import Corners
 from assess.loads.load import LOADS, LoadDefinition
 from assess.model.bodies import Material, PointValues

@@ -15,32 +15,14 @@ from pydantic_core import PydanticCustomError
 
 from assess.codes.checklists import CHECKLISTS, BuildingType, PossibleMechanism, possible_mechanism
 from assess.codes.procedures import procedures_of_site
-from assess.declaration import (
-    FREE,
-    Evidence,
-    Name,
-    Several,
-)
+from assess.declaration import FREE, Evidence, Name, Several
 from assess.loads.load import body_faults
-from assess.project.key_errors import (
-    KeyPath,
-    error_at,
-    errors_at,
-    quote_names,
-    value_text,
-)
+from assess.project.key_errors import KeyPath, error_at, errors_at, quote_names, value_text
 from assess.project.section import ProjectSection
 from assess.project.sections.analysis import Analysis
-from assess.project.sections.bodies_and_loads import (
-    BodySection,
-    DirectBody,
-    MaterialSection,
-)
+from assess.project.sections.bodies_and_loads import BodySection, DirectBody, MaterialSection
 from assess.project.sections.ground_motion import BuildingSection, Records, SiteSection
-from assess.project.sections.mechanisms import (
-    ChainSection,
-    MechanismSection,
-)
+from assess.project.sections.mechanisms import ChainSection, MechanismSection
 from assess.project.sections.procedures import Procedures, VerdictSection
 from assess.project.values import (
     CHECKLIST,

@@ -7,15 +7,7 @@ from functools import reduce
 from operator import or_
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, cast
 
-from pydantic import (
-    BeforeValidator,
-    Discriminator,
-    Field,
-    StrictStr,
-    Tag,
-    WithJsonSchema,
-    model_validator,
-)
+from pydantic import BeforeValidator, Discriminator, Field, StrictStr, Tag, WithJsonSchema, model_validator
 
 from assess.declaration import (
     UNCERTAIN_COORDINATE,

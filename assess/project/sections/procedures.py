@@ -4,10 +4,7 @@ from __future__ import annotations
 
 from typing import Annotated, Literal, get_args
 
-from pydantic import (
-    StrictStr,
-    model_validator,
-)
+from pydantic import StrictStr, model_validator
 
 from assess.codes.asce41_13 import Asce41Options
 from assess.codes.asce43_05 import Asce4305Options
@@ -17,14 +14,7 @@ from assess.codes.en1998_1 import Ec8Options
 from assess.codes.ntc2018 import Ntc2018Options
 from assess.codes.nzsee2017 import Nzsee2017Options
 from assess.codes.procedures import THESIS_READINGS
-from assess.declaration import (
-    FREE,
-    Evidence,
-    NotNegativeLength,
-    PositiveRatio,
-    Safe,
-    Several,
-)
+from assess.declaration import FREE, Evidence, NotNegativeLength, PositiveRatio, Safe, Several
 from assess.project.key_errors import error_at, quote_names
 from assess.project.section import ProjectSection, default_table
 

@@ -5,13 +5,7 @@ import pytest
 from scipy.constants import g
 
 from spectra.errors import SpectrumError
-from spectra.nzs1170_5 import (
-    SUBSOILS,
-    near_fault_factor,
-    return_period_factor,
-    site_spectrum,
-    vertical_spectrum,
-)
+from spectra.nzs1170_5 import SUBSOILS, near_fault_factor, return_period_factor, site_spectrum, vertical_spectrum
 
 
 def test_class_c_by_hand():

@@ -12,14 +12,7 @@ from openpyxl import load_workbook
 from reports.document import Table
 from reports.language.locale import Locale, visible
 from reports.render.spreadsheet import write_xlsx
-from reports.render.table_text import (
-    PlainCell,
-    column_texts,
-    csv_field,
-    sheet_as_table,
-    sheet_rows,
-    write_csv,
-)
+from reports.render.table_text import PlainCell, column_texts, csv_field, sheet_as_table, sheet_rows, write_csv
 from tests.support.letters import without_spaces
 from tests.support.sample_document import plain_rows, sample_document, write_page
 

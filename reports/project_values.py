@@ -35,6 +35,7 @@ _FIGURES = 6
 
 KIND_DIMENSIONS: Mapping[str, str] = {
     "length": "length",
+    "area": "area",
     "mass": "mass",
     "time": "time",
     "duration": "return period",

@@ -256,7 +256,7 @@ def find_overlap(one: Solid, other: Solid) -> Intersection | None:
 
 def _boxes_overlap(one: Solid, other: Solid) -> bool:
     """Return whether the boxes around two bodies share more than the rounding of a drawing."""
-    size = min(float(np.ptp(solid.vertices, axis=0).max()) for solid in (one, other))
+    size = min(float((high - low).max()) for low, high in (one.bounds, other.bounds))
     return _bounds_gap(one, other) < -NEGLIGIBLE_OVERLAP * size
 
 
@@ -268,9 +268,7 @@ def _piece_of(solid: Solid, piece: Any, origin: FloatArray, *, density: float) -
 
 def _bounds_gap(first: Solid, second: Solid) -> float:
     """Return the largest gap between the bounding boxes along an axis [m], negative where they overlap."""
-    low_a, high_a, low_b, high_b = (
-        end(solid.vertices, axis=0) for solid in (first, second) for end in (np.min, np.max)
-    )
+    (low_a, high_a), (low_b, high_b) = first.bounds, second.bounds
     return float(np.maximum(low_b - high_a, low_a - high_b).max())
 
 

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from assess.geometry.boolean import intersect
 from assess.geometry.solid import THINNEST, Solid, keep_of_bodies
-from assess.geometry.surface import area_vectors, areas_and_normals
+from assess.geometry.surface import area_vectors, areas_and_normals, cross
 from spectra.arrays import FloatArray, IntArray
 
 CONTACT_TOLERANCE = 0.01  # m: faces this near each other touch; joints are as thick, and drawings no better
@@ -71,26 +71,24 @@ def find_contact(
     GeometryError : the bodies overlap and the surface of one is not that of a solid
     """
     margin = max(tolerance, JOINT)
-    ends = [(solid.vertices.min(axis=0) - margin, solid.vertices.max(axis=0)) for solid in (block, body)]
-    if (ends[0][0] > ends[1][1]).any() or (ends[1][0] > ends[0][1]).any():
+    (low, high), (foot, head) = block.bounds, body.bounds
+    if (low - margin > head).any() or (foot - margin > high).any():
         return None
     return _contact_of((block, body), tolerance, joint)
 
 
 @keep_of_bodies
 def _contact_of(solids: tuple[Solid, ...], tolerance: float, joint: float) -> ContactArea | None:
-    block, body = solids
-
     def contact(cosine: float, *, bearing: bool) -> ContactArea | None:
-        faces = _facing_parts(block, body, reach=tolerance, cosine=cosine, bearing=bearing)
+        faces = _facing_parts(solids, tolerance, cosine, bearing)
         gap = _gap(faces)
         if gap is None:
             return None
         if (reach := gap + joint) != tolerance:
-            faces = _facing_parts(block, body, reach=reach, cosine=cosine, bearing=bearing)
+            faces = _facing_parts(solids, reach, cosine, bearing)
         return _join_patches(faces, bearing=bearing)
 
-    bears = [contact(PARALLEL, bearing=True), _embedded_contact(block, body)]
+    bears = [contact(PARALLEL, bearing=True), _embedded_contact(solids)]
     found = [each for each in bears if each is not None]
     if found:
         return max(found, key=lambda each: each.area)
@@ -106,12 +104,7 @@ def facing_patches(block: Solid, body: Solid, *, tolerance: float = CONTACT_TOLE
     body : whose faces they may face
     tolerance : on the distance of faces [m]
     """
-    return _upright_patches((block, body), tolerance)
-
-
-@keep_of_bodies
-def _upright_patches(solids: tuple[Solid, ...], tolerance: float) -> FacePatches:
-    return _facing_parts(*solids, reach=tolerance, cosine=PARALLEL, bearing=False)
+    return _facing_parts((block, body), tolerance, PARALLEL, False)
 
 
 def join_contacts(contacts: Sequence[ContactArea]) -> ContactArea | None:
@@ -149,20 +142,19 @@ SPLINTER = JOINT**2  # m2: what meets in less does not touch
 DIGITS = 9  # of a gap in metres: beyond them it is rounding of coordinates
 
 
-def _facing_parts(block: Solid, body: Solid, *, reach: float, cosine: float, bearing: bool) -> FacePatches:
-    """Return the parts of the block's faces that a face of the body faces within reach [m] and cosine.
+@keep_of_bodies
+def _facing_parts(solids: tuple[Solid, ...], reach: float, cosine: float, bearing: bool) -> FacePatches:
+    """Return the parts of a block's faces that a face of a body faces within reach [m] and cosine.
 
     Of the block only faces that bear count, or only upright ones. The body's face is at most the reach away, and at
     most `JOINT` inside the block.
     """
-    origin = (body.vertices.min(axis=0) + body.vertices.max(axis=0)) / 2.0
     margin = max(reach, JOINT)
-    one, other = _triangles_near(block, body, origin=origin, margin=margin)
-    (one, n), (other, m) = _with_normals(one), _with_normals(other)
+    origin, (one, n), (other, m) = _faces_near(solids, margin)
     chosen = n[:, 2] >= STEEP if bearing else np.abs(n[:, 2]) < STEEP
     one, n = one[chosen], n[chosen]
     pairs = _pairs(one, n, other, m, margin=margin, cosine=cosine)
-    found = [_clip_facing(one[i], n[i], other[j], reach=reach) for i, j in pairs]
+    found = [_clip_facing(one[i], n[i], other[j], reach=reach) for i, j in pairs if len(i)]
     area, centroid, normal, distance = (np.concatenate(each) for each in zip(_EMPTY, *found, strict=True))
     centroid = centroid + origin
     for shared in (area, centroid, normal, distance):
@@ -173,17 +165,29 @@ def _facing_parts(block: Solid, body: Solid, *, reach: float, cosine: float, bea
 _EMPTY = (np.empty(0), np.empty((0, 3)), np.empty((0, 3)), np.empty(0))
 
 
-def _triangles_near(block: Solid, body: Solid, *, origin: FloatArray, margin: float) -> tuple[FloatArray, FloatArray]:
-    """Return the triangles [m, 3, 3] of each body inside the bounding box of the other, from the origin."""
-    corners = [(solid.vertices - origin)[solid.triangles] for solid in (block, body)]
-    chosen = []
-    for own, other in (corners, corners[::-1]):
-        low, high = other.min(axis=(0, 1)) - margin, other.max(axis=(0, 1)) + margin
-        chosen.append(own[np.all((own.max(axis=1) >= low) & (own.min(axis=1) <= high), axis=1)])
-    return chosen[0], chosen[1]
+Faces = tuple[FloatArray, FloatArray]
+"""Triangles [m, 3, 3] and their unit normals [m, 3]."""
 
 
-def _with_normals(corners: FloatArray) -> tuple[FloatArray, FloatArray]:
+@keep_of_bodies
+def _faces_near(solids: tuple[Solid, ...], margin: float) -> tuple[FloatArray, Faces, Faces]:
+    """Return the middle of the second of two bodies, and from there the faces of each inside the box of the other."""
+    low, high = solids[1].bounds
+    origin = (low + high) / 2.0
+    corners = [(solid.vertices - origin)[solid.triangles] for solid in solids]
+    one, two = (_with_normals(_inside_box(own, other, margin)) for own, other in (corners, corners[::-1]))
+    for shared in (origin, *one, *two):
+        shared.flags.writeable = False
+    return origin, one, two
+
+
+def _inside_box(own: FloatArray, other: FloatArray, margin: float) -> FloatArray:
+    """Return the triangles [m, 3, 3] of one body inside the bounding box of those of another, widened by a margin."""
+    low, high = other.min(axis=(0, 1)) - margin, other.max(axis=(0, 1)) + margin
+    return own[np.all((own.max(axis=1) >= low) & (own.min(axis=1) <= high), axis=1)]
+
+
+def _with_normals(corners: FloatArray) -> Faces:
     """Return the triangles [m, 3, 3] that have an area, and their unit normals [m, 3]."""
     normals = area_vectors(corners)
     length = np.linalg.norm(normals, axis=1)
@@ -226,17 +230,20 @@ def _clip_facing(
     origin = one[:, 0]
     u = one[:, 1] - origin
     u /= np.linalg.norm(u, axis=1, keepdims=True)
-    frame = np.stack([u, np.cross(n, u), n], axis=1)
+    frame = np.stack([u, cross(n, u), n], axis=1)
     own, facing = (np.einsum("sij,skj->ski", frame, each - origin[:, None]) for each in (one, other))
     distance = facing[:, :, 2]
     within = (distance.min(axis=1) <= reach) & (distance.max(axis=1) >= -JOINT)
+    if not within.any():
+        return _EMPTY
     own, facing, origin, frame, n = own[within], facing[within], origin[within], frame[within], n[within]
     shared = shapely.intersection(shapely.polygons(own[:, :, :2]), shapely.polygons(facing[:, :, :2]))
     slope = _slopes(facing)
     leaning = np.flatnonzero((facing[:, :, 2].max(axis=1) > reach) | (facing[:, :, 2].min(axis=1) < -JOINT))
     leaning = leaning[np.any(slope[leaning] != 0.0, axis=1)]
-    strips = _strips(facing[leaning], slope[leaning], reach=reach)
-    shared[leaning] = shapely.intersection(shared[leaning], strips)
+    if leaning.size:
+        strips = _strips(facing[leaning], slope[leaning], reach=reach)
+        shared[leaning] = shapely.intersection(shared[leaning], strips)
     area = shapely.area(shared)
     real = area > 0.0
     at = shapely.get_coordinates(shapely.centroid(shared[real]))
@@ -246,7 +253,7 @@ def _clip_facing(
 
 def _slopes(corners: FloatArray) -> FloatArray:
     """Return the gradient of the planes through corners [s, 3, 3] over x and y [s, 2]."""
-    normal = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    normal = area_vectors(corners)
     return np.asarray(-normal[:, :2] / normal[:, 2:], dtype=np.float64)
 
 
@@ -271,8 +278,10 @@ def _strips(corners: FloatArray, slope: FloatArray, *, reach: float) -> NDArray[
     return np.asarray(shapely.polygons(ring), dtype=np.object_)
 
 
-def _embedded_contact(block: Solid, body: Solid) -> ContactArea | None:
-    """Find where the underside of a body lies inside the block, in plan by more than a joint is thick."""
+@keep_of_bodies
+def _embedded_contact(solids: tuple[Solid, ...]) -> ContactArea | None:
+    """Find where the underside of a body lies inside a block, in plan by more than a joint is thick."""
+    block, body = solids
     shared = intersect(block, body)
     if shared is None:
         return None

@@ -14,7 +14,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from itertools import combinations_with_replacement
 from typing import Annotated, Any, Concatenate, ParamSpec, TypeVar
 
@@ -57,6 +57,13 @@ class Solid(ShortRepr):
     vertices: FloatArray
     triangles: IntArray
     history: tuple[Message, ...] = ()
+
+    @cached_property
+    def bounds(self) -> tuple[FloatArray, FloatArray]:
+        """The lowest and the highest corner of the box around it, [3] and [3] [m]."""
+        low, high = self.vertices.min(axis=0), self.vertices.max(axis=0)
+        low.flags.writeable = high.flags.writeable = False
+        return low, high
 
 
 def keep_of_bodies(

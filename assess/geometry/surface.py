@@ -212,10 +212,15 @@ def area_vectors(corners: FloatArray) -> FloatArray:
 
     By columns this takes a tenth of the time of `np.cross`, for the same numbers.
     """
-    (ax, ay, az), (bx, by, bz) = ([x[:, k] - x[:, 0] for x in np.moveaxis(corners, 2, 0)] for k in (1, 2))
-    vectors = np.empty((len(corners), 3))
-    vectors[:, 0], vectors[:, 1], vectors[:, 2] = ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx
-    return vectors
+    return cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+
+
+def cross(one: FloatArray, other: FloatArray) -> FloatArray:
+    """Return the cross products of vectors [m, 3] and [m, 3]."""
+    (ax, ay, az), (bx, by, bz) = one.T, other.T
+    found = np.empty((len(one), 3))
+    found[:, 0], found[:, 1], found[:, 2] = ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx
+    return found
 
 
 def areas_and_normals(corners: FloatArray) -> tuple[FloatArray, FloatArray]:

@@ -119,8 +119,12 @@ def shortest_distance(first: Solid, second: Solid, *, limit: float = inf) -> flo
     ------
     GeometryError : a surface is not that of a solid
     """
-    if _bounds_gap(first, second) >= limit:
-        return limit
+    return limit if _bounds_gap(first, second) >= limit else _shortest_distance((first, second), limit)
+
+
+@keep_of_bodies
+def _shortest_distance(solids: tuple[Solid, ...], limit: float) -> float:
+    first, second = solids
     origin = (first.vertices.min(axis=0) + first.vertices.max(axis=0)) / 2.0
     one, two = (_manifold_of_solid(solid, origin) for solid in (first, second))
     from scipy.spatial import KDTree
@@ -145,6 +149,11 @@ def count_once(solids: Sequence[Solid]) -> tuple[Solid, ...]:
     ------
     GeometryError : bodies overlap and the surface of one is not that of a solid
     """
+    return _count_once(tuple(solids))
+
+
+@keep_of_bodies
+def _count_once(solids: tuple[Solid, ...]) -> tuple[Solid, ...]:
     kept: list[Solid] = []
     for solid in solids:
         met = [other for other in kept if find_overlap(other, solid) is not None]

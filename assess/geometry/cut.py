@@ -311,8 +311,13 @@ def _split(solid: Solid, points: FloatArray, *, where: str) -> tuple[Surface, Su
 
 def _cut_solid(whole: Solid, vertices: FloatArray, triangles: IntArray) -> Solid:
     """Return the part of a body inside a closed surface, with the body's density."""
-    volume = polyhedron(whole.vertices, whole.triangles, density=1.0, name=whole.name).mass
-    return polyhedron(vertices, triangles, density=whole.mass / volume, name=whole.name)
+    return polyhedron(vertices, triangles, density=whole.mass / _volume_of((whole,)), name=whole.name)
+
+
+@keep_of_bodies
+def _volume_of(solids: tuple[Solid, ...]) -> float:
+    (solid,) = solids
+    return polyhedron(solid.vertices, solid.triangles, density=1.0, name=solid.name).mass
 
 
 def _area_in_plane(points: FloatArray, triangles: IntArray, *, size: float) -> shapely.Geometry:

@@ -14,7 +14,7 @@ import shapely
 from numpy.typing import NDArray
 
 from assess.errors import GeometryError
-from assess.geometry.solid import Solid
+from assess.geometry.solid import Solid, keep_of_bodies
 from assess.geometry.surface import differs_from_previous
 from spectra.arrays import BoolArray, FloatArray, IntArray
 
@@ -58,12 +58,16 @@ def planar_body(solid: Solid, *, direction: Sequence[float]) -> PlanarBody:
     ------
     GeometryError : the direction is zero, not horizontal or not finite
     """
-    along = _horizontal(direction)
-    points = np.column_stack([solid.vertices @ along, solid.vertices[:, 2]])
-    rings = projected_outline(
-        points, solid.triangles[:, ::-1]
-    )  # x to z turns away from a viewer who looks across `along`
+    rings = _outline_of((solid,), tuple(_horizontal(direction).tolist()))
     return replace(planar_body_without_outline(solid, direction=direction), outline=rings)
+
+
+@keep_of_bodies
+def _outline_of(solids: tuple[Solid, ...], along: tuple[float, ...]) -> Outline:
+    (solid,) = solids
+    points = np.column_stack([solid.vertices @ np.array(along), solid.vertices[:, 2]])
+    # x to z turns away from a viewer who looks across `along`
+    return projected_outline(points, solid.triangles[:, ::-1])
 
 
 def planar_body_without_outline(solid: Solid, *, direction: Sequence[float]) -> PlanarBody:

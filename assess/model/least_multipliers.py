@@ -100,7 +100,7 @@ class Drawing:
         return {
             part.name: Body(
                 name=part.name,
-                solid=replace(part.solid, name=part.name),
+                solid=part.solid if part.solid.name == part.name else replace(part.solid, name=part.name),
                 material=Material(name=part.material or "masonry", density=part.density),
             )
             for part in self.structure.parts

@@ -12,7 +12,7 @@ import shapely
 from assess.errors import GeometryError, MechanismError
 from assess.geometry.cut import Piece, Plane, divide, level_plane
 from assess.geometry.planar import BASE_TOLERANCE, base_of_section, join_bodies, lowest_corners, planar_body
-from assess.geometry.solid import Solid
+from assess.geometry.solid import Solid, keep_of_bodies
 from assess.mechanisms.mechanism import Vector
 from assess.mechanisms.wedged_block import Corner, Wedge, WedgedBlock
 from assess.model.bodies import Bodies, solids_to_cut
@@ -127,7 +127,12 @@ def _planes_of(wedge: Wedge, run: FloatArray, start: float, foot: float) -> list
 
 def left_behind(solids: Sequence[Solid]) -> list[Solid]:
     """Return what stays behind a crack under names of their own, as others that carry floors beside what moves."""
-    return [replace(solid, name=f"{solid.name}{BEHIND}") for solid in solids]
+    return [_renamed((solid,), f"{solid.name}{BEHIND}") for solid in solids]
+
+
+@keep_of_bodies
+def _renamed(solids: tuple[Solid, ...], name: str) -> Solid:
+    return replace(solids[0], name=name)
 
 
 def front_of(

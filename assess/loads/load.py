@@ -28,13 +28,10 @@ from assess.declaration import (
     Name,
     NotAKey,
     Number,
-    PositiveArea,
     PositiveAreaMass,
     PositiveForce,
     PositiveLength,
     PositiveMass,
-    PositiveRatio,
-    PositiveStress,
     Safe,
     Share,
     StatedDirection,
@@ -44,6 +41,14 @@ from assess.geometry.contact import CONTACT_TOLERANCE
 from assess.messages.message import Message, Term
 from spectra.arrays import FloatArray
 from spectra.gravity import g
+
+NO_BAR = "of which no tie is made; check the value and its unit"
+BarModulus = Annotated[float, Number("stress", above=0, least=1e9, most=300e9, beyond=f"not 1 to 300 GPa, {NO_BAR}")]
+BarYield = Annotated[float, Number("stress", above=0, least=50e6, most=1.5e9, beyond=f"not 50 to 1500 MPa, {NO_BAR}")]
+BarArea = Annotated[float, Number("area", above=0, least=1e-6, most=0.02, beyond=f"not 1 to 20,000 mm^2, {NO_BAR}")]
+BarStrain = Annotated[float, Number("ratio", above=0, most=0.4)]
+LONGER = 1.25
+"""Length over which a tie stretches, over the distance of its ends, beyond which the two contradict each other."""
 
 DUCTILE = 1.25
 """Anchorage over yield force of the bar, from which on the bar is taken to yield first."""
@@ -178,15 +183,15 @@ class TieLoad:
     ] = None
     """least of bar, plate, masonry and far wall; it never pulls with more. With `area`: of all but the bar"""
     area: Annotated[
-        PositiveArea | None, UNCERTAIN, Evidence("measured", "up", "the wall without the tie", safe=Safe.ABSENT)
+        BarArea | None, UNCERTAIN, Evidence("measured", "up", "the wall without the tie", safe=Safe.ABSENT)
     ] = None
     """of the bar's section, like "314 mm^2"; the tie then stretches, by young_modulus and yield_stress, to an anchor"""
     young_modulus: Annotated[
-        PositiveStress | None, Evidence("measured", "up", "the wall without the tie", safe=Safe.ABSENT)
+        BarModulus | None, Evidence("measured", "up", "the wall without the tie", safe=Safe.ABSENT)
     ] = None
     """of the bar, like "210 GPa\""""
     yield_stress: Annotated[
-        PositiveStress | None, UNCERTAIN, Evidence("measured", "up", "the wall without the tie", safe=Safe.ABSENT)
+        BarYield | None, UNCERTAIN, Evidence("measured", "up", "the wall without the tie", safe=Safe.ABSENT)
     ] = None
     """of the bar, like "235 MPa\""""
     length: Annotated[
@@ -194,7 +199,7 @@ class TieLoad:
     ] = None
     """of the bar, over which it stretches"""
     fracture_strain: Annotated[
-        PositiveRatio | None, Evidence("measured", "up", "absent: it does not last to collapse", safe=Safe.ABSENT)
+        BarStrain | None, Evidence("measured", "up", "absent: it does not last to collapse", safe=Safe.ABSENT)
     ] = None
     """of the bar; it breaks where it has lengthened by more than this times its length"""
     block: Annotated[BlockNumber, ITS_BLOCK] = 0
@@ -206,6 +211,11 @@ class TieLoad:
         """Yield the keys that do not go together."""
         if (self.direction is None) == (self.anchor is None):
             yield "anchor", "give either anchor or direction, the way the tie pulls"
+        apart = None
+        if self.anchor is not None and len(self.anchor) == len(self.at):
+            apart = float(np.linalg.norm(np.subtract(self.anchor, self.at)))
+        if apart and self.length is not None and self.length > LONGER * apart:
+            yield "length", f"its ends lie {apart:.4g} m apart, over which it stretches; measure it again"
         bar = {key: getattr(self, key) for key in ("area", "young_modulus", "yield_stress")}
         if all(value is None for value in bar.values()):
             return
@@ -219,6 +229,11 @@ class TieLoad:
             yield "anchor", "missing; a tie that stretches does so towards its fixed end"
         if self.until is not None:
             yield "until", "a tie that stretches ends by its own law; remove until"
+        if apart and self.length is not None and self.length * LONGER < apart:
+            yield "length", f"its ends lie {apart:.4g} m apart, and a tie that stretches does so over all of them"
+        most = min((self.area or inf) * (self.yield_stress or inf), self.strength or inf)
+        if self.force > most:
+            yield "force", f"a pretension above what bar and anchorage bear, {most / 1e3:.4g} kN"
 
 
 @dataclass(frozen=True, kw_only=True)

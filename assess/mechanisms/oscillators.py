@@ -275,11 +275,22 @@ def _make_oscillator(pair: ChainPair, front: Stages, back: Stages) -> Oscillator
                 'force, or write model = "rigid"'
             )
         made = _rigid_oscillator(pair, front, back)
-        return replace(made, memory=_memory(pair, front, back, list(stretching)))
+        return _capped(replace(made, memory=_memory(pair, front, back, list(stretching))))
     made = flexible_oscillator(pair, front, back) if pair.has_joints else _rigid_oscillator(pair, front, back)
     if made.negative is None or not _same_branch(made.positive, made.negative):
         return made
     return replace(made, negative=made.positive)
+
+
+def _capped(made: Oscillator) -> Oscillator:
+    """Return an oscillator that has overturned where it would without its ties: beyond, they alone would hold it."""
+    positive, negative = (
+        None
+        if branch is None or bare is None
+        else replace(branch, overturning=min(branch.overturning, bare.overturning))
+        for branch, bare in ((made.positive, made.bare.positive), (made.negative, made.bare.negative))
+    )
+    return replace(made, positive=positive or made.positive, negative=negative)
 
 
 def _stretches(action: ForceOrTie) -> bool:

@@ -282,7 +282,7 @@ def _forces_at_rest(chain: Chain) -> list[ForceAtRest]:
     """Return every mass and load of a chain.
 
     A mass that is not bearing has horizontal inertia and no weight here, as all have that are seen from above; a tie
-    that shortens as rocking starts is slack, unless it acts both ways.
+    that shortens as rocking starts is slack, unless it acts both ways or stretches, with a pretension to lose.
     """
     down = 0.0 if chain.level else -1.0
     forces = [
@@ -295,7 +295,7 @@ def _forces_at_rest(chain: Chain) -> list[ForceAtRest]:
             forces.append(ForceAtRest(load.block, load.at, (0.0, down * weight if load.bearing else 0.0), weight))
         elif isinstance(load, Force):
             forces.append(ForceAtRest(load.block, load.at, load.force, 0.0))
-        elif load.both or not _shortens(load, chain):
+        elif load.both or load.stretches or not _shortens(load, chain):
             forces.append(ForceAtRest(load.block, load.at, pull_at_rest(load), 0.0))
     return forces
 

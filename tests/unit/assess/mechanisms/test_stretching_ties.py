@@ -128,3 +128,28 @@ def test_on_joints_that_deform_it_is_refused() -> None:
     block = assess.single_block(wall, direction=[1, 0, 0], loads=[load], interface=soft)
     with pytest.raises(MechanismError, match="rigid joints"):
         block.rocking  # noqa: B018
+
+
+@pytest.mark.parametrize(
+    ("changes", "words"),
+    [
+        ({"fracture_strain": 10.0}, "0.4"),
+        ({"young_modulus": 210e6}, "1 to 300 GPa"),
+        ({"yield_stress": 2350e6}, "50 to 1500 MPa"),
+        ({"area": 314.0}, "20,000 mm"),
+        ({"length": 100.0}, "its ends lie 10 m apart"),
+        ({"length": 0.05}, "its ends lie 10 m apart"),
+        ({"strength": 5e3}, "above what bar and anchorage bear, 5 kN"),
+    ],
+)
+def test_a_bar_that_nobody_makes_or_that_the_drawing_contradicts_is_refused(
+    changes: dict[str, Any], words: str
+) -> None:
+    with pytest.raises(AssessError, match=words):
+        facade(**changes)
+
+
+def test_a_wall_that_its_tie_alone_would_hold_has_no_more_capacity_of_displacement() -> None:
+    held = facade(evidence="tests", fracture_strain=0.3).mechanism.variants.deciding
+    assert held.memory is not None
+    assert held.positive.overturning == pytest.approx(np.arctan2(THICKNESS, HEIGHT), rel=1e-9)

@@ -16,8 +16,9 @@ def shafts(drawing: Drawing, *, kinds: tuple[PartKind, ...]) -> Seeds:
     """Find the towers and spires that can fall above an inclined crack."""
     for part in drawing.structure.of_kind(*kinds):
         low, high = part.base, part.base + 0.6 * part.height
-        find = partial(weakest_crack, part, ways_to_fall(part, drawing), drawing, low=low, high=high)
-        yield Seed((part,), note("reason-shaft", height=Quantity(part.height, "length", 3)), find)
+        parts = (part, *(each for each in standing_above((part,), low, drawing) if each is not part))
+        find = partial(weakest_crack, parts, ways_to_fall(part, drawing), drawing, low=low, high=high)
+        yield Seed(parts, note("reason-shaft", height=Quantity(part.height, "length", 3)), find)
 
 
 def arches(drawing: Drawing) -> Seeds:
@@ -74,5 +75,6 @@ def apses(drawing: Drawing) -> Seeds:
     for wall in drawing.structure.of_kind("wall"):
         if bends(wall):
             low, high = wall.base, wall.base + 0.6 * wall.height
-            find = partial(weakest_crack, wall, ways_to_fall(wall, drawing), drawing, low=low, high=high)
-            yield Seed((wall,), note("reason-apse", length=Quantity(wall.length, "length", 3)), find)
+            parts = (wall, *(each for each in standing_above((wall,), low, drawing) if each is not wall))
+            find = partial(weakest_crack, parts, ways_to_fall(wall, drawing), drawing, low=low, high=high)
+            yield Seed(parts, note("reason-apse", length=Quantity(wall.length, "length", 3)), find)

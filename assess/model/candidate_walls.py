@@ -47,6 +47,8 @@ from assess.model.moving_parts import (
     walls_behind,
     ways_of,
 )
+from assess.model.part_kinds import LOW
+from assess.model.part_shapes import UNEVEN
 from assess.model.structure import CrossWall, Part, PartKind
 from spectra.gravity import g
 
@@ -221,17 +223,37 @@ def caps(drawing: Drawing, *, kinds: tuple[PartKind, ...]) -> Seeds:
 
 
 def gables(drawing: Drawing) -> Seeds:
-    """Find the gables: parts of their own, and what walls have above all that meet them."""
+    """Find the gables: parts of their own, and what walls with a pitched top have above all that meet them."""
     yield from caps(drawing, kinds=("gable",))
+    yield from upper_parts(drawing, shape="pitched")
+
+
+def parapets(drawing: Drawing) -> Seeds:
+    """Find the parapets: parts of their own, and what walls with a level top have above all that meet them, if low."""
+    yield from caps(drawing, kinds=("parapet",))
+    yield from upper_parts(drawing, shape="low")
+
+
+def upper_parts(drawing: Drawing, *, shape: Literal["pitched", "low", "high"]) -> Seeds:
+    """Find what walls have above all that meet them, with what stands on it: pitched, or level and low or high."""
     for wall in drawing.structure.of_kind("wall"):
         if bends(wall):
             continue
         meeting = [cross.part.top for cross in drawing.structure.cross_walls(wall.name)]
         eaves = max(meeting, default=wall.top) if wall.eaves is None else wall.eaves
-        if LOW_GABLE <= wall.top - eaves < wall.height:
-            high = eaves + 0.5 * (wall.top - eaves)
-            find = partial(_weakest_way, (wall,), ways_of((wall,)), drawing, low=eaves, high=high)
-            yield Seed((wall,), note("reason-cap", z=Quantity(eaves, "length")), find)
+        rise = wall.top - eaves
+        own = "pitched" if not _has_level_top(wall) else "low" if rise <= LOW else "high"
+        if own == shape and LOW_GABLE <= rise < wall.height:
+            parts = standing_above((wall,), eaves, drawing)
+            find = partial(_weakest_way, parts, ways_of((wall,)), drawing, low=eaves, high=eaves + 0.5 * rise)
+            yield Seed(parts, note("reason-cap", z=Quantity(eaves, "length")), find)
+
+
+def _has_level_top(wall: Part) -> bool:
+    """Return whether the top of a wall is level over half of its length, so that what it has on top is no gable."""
+    vertices = wall.solid.vertices
+    along = vertices[vertices[:, 2] >= wall.top - UNEVEN] @ np.array(wall.along)
+    return wall.eaves is None and float(np.ptp(along)) >= wall.length / 2.0
 
 
 def _pressing(wall: Part, level: float, drawing: Drawing) -> OverburdenLoad | None:

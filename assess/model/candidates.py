@@ -17,7 +17,17 @@ from assess.mechanisms.single_block import SingleBlock
 from assess.mechanisms.two_block import TwoBlock
 from assess.messages.message import Message, Quantity, Term, note
 from assess.model.candidate_frames import apses, arches, bell_cells, portals, shafts
-from assess.model.candidate_walls import bays, caps, corners, gables, spanning_walls, turning_walls, walls_with_wedges
+from assess.model.candidate_walls import (
+    bays,
+    caps,
+    corners,
+    gables,
+    parapets,
+    spanning_walls,
+    turning_walls,
+    upper_parts,
+    walls_with_wedges,
+)
 from assess.model.churches import Church
 from assess.model.least_multipliers import Alternative, Drawing, Found, built
 from assess.model.load_paths import by_worst_paths, resolve_thrusts
@@ -387,13 +397,19 @@ CLASSES: tuple[MechanismClass, ...] = (
         {"house": "gable", "church": "facade-top"},
         gables,
     ),
+    MechanismClass(
+        "upper-part",
+        Term("overturning of the upper part of a wall"),
+        {"house": "simple-overturning", "church": "facade-top"},
+        partial(upper_parts, shape="high"),
+    ),
     MechanismClass("bending", Term("vertical bending between floors"), {"house": "vertical-bending"}, spanning_walls),
     MechanismClass("bay", Term("horizontal arch between cross walls"), {"house": "horizontal-bending"}, bays),
     MechanismClass(
         "parapet",
         Term("overturning of a parapet"),
         {"house": "parapet", "church": "projections"},
-        partial(caps, kinds=("parapet",)),
+        parapets,
     ),
     MechanismClass(
         "chimney",

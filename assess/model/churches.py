@@ -80,8 +80,10 @@ class Church:
         if kind == "corner":
             on_tower = all(stands_on_tower((part,), self.drawing) for part in parts)
             return "bell-tower" if lead.kind == "tower" else "bell-cell" if on_tower else ""
-        if kind == "gable":
+        if kind in ("gable", "upper-part"):
             return "facade-top" if self._is_facade(lead) else ""
+        if kind == "parapet":
+            return "facade-top" if lead.kind == "wall" and self._is_facade(lead) else None
         if kind == "arch":
             return "triumphal-arch" if lead.name == self._triumphal_arch else ""
         if kind == "portal":

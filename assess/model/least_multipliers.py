@@ -362,16 +362,19 @@ def _mass_at(solid: Solid, direction: Vector) -> tuple[float, tuple[float, float
     return solid.mass, (float(solid.centroid @ np.array(direction)), float(solid.centroid[2]))
 
 
-def weakest_crack(part: Part, directions: Sequence[Vector], drawing: Drawing, *, low: float, high: float) -> Found:
-    """Find elevation and inclination of the crack above which a tower or spire falls at the least multiplier.
+def weakest_crack(
+    parts: Sequence[Part], directions: Sequence[Vector], drawing: Drawing, *, low: float, high: float
+) -> Found:
+    """Find elevation and inclination of the crack above which a tower or spire falls, with what stands on it.
 
     The crack is looked for in the direction in which it is weakest on a level one, then in any in which the crack that
     is found is weaker. A crack begins on the line up from the edge of the foot, between the two elevations [m]: one
     below would leave through the foot, and what it parts would still stand on what carries the foot.
     """
+    lead, blocks = parts[0], (tuple(part.name for part in parts),)
     stacks: dict[Vector, TurningStack] = {}
     for direction in directions:
-        definition = SingleBlock(blocks=((part.name,),), direction=direction, sides="one")
+        definition = SingleBlock(blocks=blocks, direction=direction, sides="one")
         try:
             stacks[direction] = turning_stack(definition, drawing.around(definition))
         except AssessError as error:
@@ -379,7 +382,7 @@ def weakest_crack(part: Part, directions: Sequence[Vector], drawing: Drawing, *,
     known: dict[tuple[Vector, tuple[float, ...]], float] = {}
 
     def value(way: Vector, at: tuple[float, ...]) -> float:
-        x, y, _ = edge_towards(way, part.solid.vertices)
+        x, y, _ = edge_towards(way, lead.solid.vertices)
         normal = (way[0] * sin(at[1]), way[1] * sin(at[1]), cos(at[1]))
         if (way, at) not in known:
             plane = inclined_plane((x, y, at[0]), normal, where="crack")
@@ -399,9 +402,9 @@ def weakest_crack(part: Part, directions: Sequence[Vector], drawing: Drawing, *,
         weaker = min(stacks, key=lambda way: value(way, least.at))
         towards = weaker if value(weaker, least.at) < (1.0 - AS_WEAK) * least.value else towards
     least = replace(least, evaluations=len(known))
-    x, y, _ = edge_towards(towards, part.solid.vertices)
+    x, y, _ = edge_towards(towards, lead.solid.vertices)
     point = (x, y, least.at[0])
-    definition = SingleBlock(blocks=((part.name,),), direction=towards, sides="one", cut=CutAngle(point, least.at[1]))
+    definition = SingleBlock(blocks=blocks, direction=towards, sides="one", cut=CutAngle(point, least.at[1]))
     parameters = {"crack": Quantity(least.at[0], "length"), "angle": Quantity(least.at[1], "angle", 3)}
     beside = ((value(way, least.at), way) for way in stacks if way != towards)
     others = tuple(Alternative(each, way, {}) for each, way in sorted(beside) if each < inf)

@@ -46,7 +46,7 @@ def test_a_house_has_its_mechanisms_and_no_wall_is_without(found: Candidates) ->
     count = {row.key: len(of_kind(found, row.key)) for row in CLASSES}
     assert count == {
         "overturning": 4, "overturning-of-storeys": 4, "wedges": 0, "corner": 4, "gable": 1, "bending": 4, "bay": 0,
-        "parapet": 0, "chimney": 1,
+        "upper-part": 0, "parapet": 0, "chimney": 1,
         "pinnacle": 0, "arch": 0, "portal": 0, "belfry": 0, "apse": 0, "tower": 0, "spire": 0,
     }  # fmt: skip
     assert not found.without
@@ -110,6 +110,35 @@ def test_what_a_wall_has_above_those_that_meet_it_is_a_gable() -> None:
     (gable,) = of_kind(find_candidates(Structure(parts=parts, contacts=touching(parts))), "gable")
     assert gable.definition.cut == pytest.approx(3.0)
     assert gable.multiplier == pytest.approx(0.25 / (2.0 / 3.0), rel=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("top", "kind", "entry"), [(5.4, "upper-part", "simple-overturning"), (4.0, "parapet", "parapet")]
+)
+def test_a_level_wall_above_those_that_meet_it_is_no_gable_and_turns_with_its_chimney(top, kind, entry) -> None:
+    """By hand: wall 6 m by 0.5 m above z = 3 m, chimney 0.6 m by 0.5 m by 1.5 m on it: sum W t/2 over sum W h."""
+    wall = part_of("Party", block((-3, 3), (0, 0.5), (0, top)), normal=(0, 1), outward=True)
+    sides = [part_of(f"Side {x}", block((x, x + 0.4), (-4, 0), (0, 3)), normal=(1, 0)) for x in (-3.0, 2.6)]
+    chimney = part_of("Chimney", block((-1, -0.4), (0, 0.5), (top, top + 1.5)), "chimney", normal=(0, 1))
+    parts = (wall, *sides, chimney)
+    found = find_candidates(Structure(parts=parts, contacts=touching(parts)))
+    upper = one(found, kind, "Party")
+    rise, own, above = top - 3.0, 6.0 * (top - 3.0), 0.6 * 1.5
+    by_hand = 0.25 * (own + above) / (own * rise / 2.0 + above * (rise + 0.75))
+    assert upper.multiplier == pytest.approx(by_hand, rel=1e-6)
+    assert (upper.definition.bodies, upper.definition.cut) == (("Party", "Chimney"), 3.0)
+    assert upper.examines["house"] == entry
+    assert not of_kind(found, "gable")
+
+
+def test_what_stands_on_a_tower_falls_with_it() -> None:
+    """By hand, of the level crack at the foot: sum W b/2 over sum W h bounds the least from above."""
+    tower = part_of("Tower", block((0, 4), (0, 4), (0, 12)), "tower", normal=(1, 0), outward=True)
+    top = part_of("Pinnacle", block((1, 3), (1, 3), (12, 16)), "pinnacle", normal=(1, 0))
+    parts = (tower, top)
+    fall = one(find_candidates(Structure(parts=parts, contacts=touching(parts))), "tower", "Tower")
+    assert fall.parts == fall.definition.bodies == ("Tower", "Pinnacle")
+    assert fall.multiplier <= 2.0 * (192.0 + 16.0) / (192.0 * 6.0 + 16.0 * 14.0)
 
 
 def test_a_roof_that_would_push_a_wall_over_is_taken_as_tied() -> None:

@@ -9,6 +9,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import combinations, groupby, product
 from math import inf
+from operator import sub
 from typing import Any
 
 import numpy as np
@@ -265,7 +266,7 @@ def find_overlap(one: Solid, other: Solid) -> Intersection | None:
 
 def _boxes_overlap(one: Solid, other: Solid) -> bool:
     """Return whether the boxes around two bodies share more than the rounding of a drawing."""
-    size = min(float((high - low).max()) for low, high in (one.bounds, other.bounds))
+    size = min(float(max(map(sub, *solid.bounds[::-1]))) for solid in (one, other))
     return _bounds_gap(one, other) < -NEGLIGIBLE_OVERLAP * size
 
 
@@ -278,7 +279,7 @@ def _piece_of(solid: Solid, piece: Any, origin: FloatArray, *, density: float) -
 def _bounds_gap(first: Solid, second: Solid) -> float:
     """Return the largest gap between the bounding boxes along an axis [m], negative where they overlap."""
     (low_a, high_a), (low_b, high_b) = first.bounds, second.bounds
-    return float(np.maximum(low_b - high_a, low_a - high_b).max())
+    return float(max(*map(sub, low_b, high_a), *map(sub, low_a, high_b)))
 
 
 def _manifold_of_solid(solid: Solid, origin: FloatArray) -> Any:

@@ -72,7 +72,7 @@ def find_contact(
     """
     margin = max(tolerance, JOINT)
     (low, high), (foot, head) = block.bounds, body.bounds
-    if (low - margin > head).any() or (foot - margin > high).any():
+    if any(a - margin > b for a, b in zip((*low, *foot), (*head, *high), strict=True)):
         return None
     return _contact_of((block, body), tolerance, joint)
 
@@ -173,7 +173,7 @@ Faces = tuple[FloatArray, FloatArray]
 def _faces_near(solids: tuple[Solid, ...], margin: float) -> tuple[FloatArray, Faces, Faces]:
     """Return the middle of the second of two bodies, and from there the faces of each inside the box of the other."""
     low, high = solids[1].bounds
-    origin = (low + high) / 2.0
+    origin = (np.array(low) + np.array(high)) / 2.0
     corners = [(solid.vertices - origin)[solid.triangles] for solid in solids]
     one, two = (_with_normals(_inside_box(own, other, margin)) for own, other in (corners, corners[::-1]))
     for shared in (origin, *one, *two):

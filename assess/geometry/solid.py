@@ -59,11 +59,9 @@ class Solid(ShortRepr):
     history: tuple[Message, ...] = ()
 
     @cached_property
-    def bounds(self) -> tuple[FloatArray, FloatArray]:
-        """The lowest and the highest corner of the box around it, [3] and [3] [m]."""
-        low, high = self.vertices.min(axis=0), self.vertices.max(axis=0)
-        low.flags.writeable = high.flags.writeable = False
-        return low, high
+    def bounds(self) -> tuple[tuple[float, ...], tuple[float, ...]]:
+        """The lowest and the highest corner of the box around it, x, y, z each [m]."""
+        return tuple(self.vertices.min(axis=0).tolist()), tuple(self.vertices.max(axis=0).tolist())
 
 
 def keep_of_bodies(

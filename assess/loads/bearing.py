@@ -15,7 +15,7 @@ from assess.geometry.boolean import SAME_PLACE, shared_volume, shortest_distance
 from assess.geometry.contact import CONTACT_TOLERANCE, JOINT, ContactArea, find_contact, join_contacts
 from assess.geometry.cut import Piece
 from assess.geometry.planar import top_edge
-from assess.geometry.solid import Solid
+from assess.geometry.solid import Solid, keep_of_bodies
 from assess.geometry.surface import volume
 from assess.loads.load import Force, OverburdenLoad, point_in_plane
 from assess.messages.message import Message, Quantity, message, warning
@@ -60,6 +60,12 @@ def support(
     joint: float = JOINT,
 ) -> Support | None:
     """Find how a body meets the solids of a block and the other solids; None if it does not touch the block."""
+    return _support((body, *block, *others), len(block), tolerance, joint)
+
+
+@keep_of_bodies
+def _support(solids: tuple[Solid, ...], of_block: int, tolerance: float, joint: float) -> Support | None:
+    body, block, others = solids[0], solids[1 : 1 + of_block], solids[1 + of_block :]
     met = (find_contact(solid, body, tolerance=tolerance, joint=joint) for solid in block)
     contact = join_contacts([each for each in met if each is not None])
     if contact is None:

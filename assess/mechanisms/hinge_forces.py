@@ -182,4 +182,4 @@ def _pull(tie: Tie, chain: Chain) -> Point:
     along, up = pull_at_rest(tie)
     leaving = trace_point(move(chain, np.zeros(1)), block=tie.block, at=tie.at)
     shortens = along * leaving.dx[0] + up * leaving.dz[0] > 0.0
-    return (0.0, 0.0) if shortens and not tie.both else (along, up)
+    return (0.0, 0.0) if shortens and not (tie.both or tie.stretches) else (along, up)

@@ -363,6 +363,8 @@ TEXTS: Mapping[str, str] = {
     "control-coarser": "record {record} at {level}, again with half the rotations in the table and {factor} times "
     "the error allowed in a step",
     "control-coarser-table": "no history at the site's level rocks: from half the rotations in the table",
+    "control-chaotic": "not made: records that differ by a thousandth and less part as far as a coarser table does; "
+    "how far the history can be trusted counts in the verdict, as its numerical spread",
     "control-without-table": "not made: the linearised equation has no table, and its steps have no error",
     "control-not-in-equilibrium": "automatic control failed: the reactions differ from weights, loads and inertia by "
     "{difference} of the weight ({tolerance} allowed); do not use the results of this mechanism until the cause is "

@@ -40,7 +40,7 @@ from assess.short_repr import ShortRepr
 from assess.study.amplification import MechanismAmplification
 from assess.study.controls import control_not_made, make_control
 from assess.study.histories import fastest_vibration, history_severity
-from assess.study.level_peaks import with_restitution_factor
+from assess.study.level_peaks import TWIN_FACTORS, with_restitution_factor
 from assess.study.study import ScaledRecord
 from records.record import Record, make_record
 from spectra.arrays import BoolArray, FloatArray
@@ -153,7 +153,7 @@ def energy_control(mechanism: Mechanism, governing: GoverningHistory | None, *, 
         scale=governing.scale,
     )
     energies = replace(energies, energy=energies.energy + stored[: energies.energy.size])
-    worst, largest = energies.worst, float(energies.energy.max())
+    worst, largest = energies.worst, float(energies.energy.max()) + _energy_at_rest(governing.oscillator)
     if largest <= 0.0:
         return _free_rocking_control(mechanism, equation=equation)
     return make_control(
@@ -168,6 +168,12 @@ def energy_control(mechanism: Mechanism, governing: GoverningHistory | None, *, 
     )
 
 
+def _energy_at_rest(oscillator: Oscillator) -> float:
+    """Return what ties that stretch hold by their pretension [J]."""
+    ties = () if oscillator.memory is None else oscillator.memory.ties
+    return sum(tie.stiffness * max(float(tie.elongation[0][0]), 0.0) ** 2 / 2 for tie in ties)
+
+
 def _tie_energies(oscillator: Oscillator, motion: Record, scale: float) -> FloatArray:
     """Return what ties that stretch have taken up at the samples of a history [n] [J]; zeros where there are none."""
     if oscillator.memory is None:
@@ -180,7 +186,7 @@ def branch_energies(mechanism: Mechanism, oscillator: Oscillator, equation: Equa
     """Return the energies of each branch: of the masses of a rigid chain with all its actions, else of the table."""
     if equation == "linearised":
         return tuple(_energies_of_linearised(branch.linearised) for branch in oscillator.branches)
-    if _is_rigid_chain_throughout(mechanism) and oscillator.memory is None:
+    if _is_rigid_chain_throughout(mechanism):
         return tuple(map(_energies_of_masses, mechanism.chains))
     return tuple(map(_energies_of_table, oscillator.bare.branches))
 
@@ -293,7 +299,7 @@ def convergence_control(mechanism: Mechanism, governing: GoverningHistory | None
         value, reference = history.overturning_time_s, float(coarse.overturning_time[0])
     if value is None:  # it overturns here, and not with less exact steps
         value = 1.0
-    return make_control(
+    made = make_control(
         "convergence",
         mechanism.name,
         quantity,
@@ -309,6 +315,28 @@ def convergence_control(mechanism: Mechanism, governing: GoverningHistory | None
             factor=Quantity(LOOSER_TOLERANCE, "ratio", 3),
         ),
     )
+    if made.met is False and _twins_part(governing, by=abs(float(coarse.max_ratio[0]) - _ratio_of_run(governing))):
+        return control_not_made("convergence", mechanism.name, quantity, dimension=dimension, why="control-chaotic")
+    return made
+
+
+def _ratio_of_run(governing: GoverningHistory) -> float:
+    """Return the largest ratio of the governing history, run again by itself."""
+    return float(_ratios(governing, np.ones(1))[0])
+
+
+def _twins_part(governing: GoverningHistory, *, by: float) -> bool:
+    """Return whether the twins of the governing history lie farther apart than a ratio: a coarser table says no more.
+
+    What they differ by counts in the verdict as its numerical spread.
+    """
+    return bool(np.ptp(_ratios(governing, TWIN_FACTORS)) >= by)
+
+
+def _ratios(governing: GoverningHistory, factors: FloatArray) -> FloatArray:
+    """Return the largest ratio of the governing history at factors on its motion [n]."""
+    jobs = product(1, 1, governing.scale * factors)
+    return peaks([governing.oscillator], [governing.motion], jobs, equation="exact", threads=1).max_ratio
 
 
 def every_second(rotation: FloatArray) -> FloatArray:
@@ -320,7 +348,8 @@ def every_second(rotation: FloatArray) -> FloatArray:
 
 def _is_rigid_chain_throughout(mechanism: Mechanism) -> bool:
     """Return whether the histories are those of the rigid chain with every action that is there at rest."""
-    return not mechanism.flexible and mechanism.variants.deciding is mechanism.oscillator
+    bars = any(isinstance(load, Tie) and load.stretches for load in mechanism.positive.loads)
+    return not mechanism.flexible and not bars and mechanism.variants.deciding is mechanism.oscillator
 
 
 def _work_of_ground(
@@ -368,7 +397,7 @@ def _comes_to_rest(times: FloatArray, impact: BoolArray, path: Trace) -> BoolArr
 
 def _free_rocking_control(mechanism: Mechanism, *, equation: Equation) -> Control:
     """Compare the kinetic energy at the first impact of free rocking with the potential energy at its release."""
-    oscillator = mechanism.variants.deciding
+    oscillator = mechanism.variants.deciding.bare
     branch = oscillator.positive
     release = RELEASE_SHARE * (branch.linearised.overturning if equation == "linearised" else branch.unstable)
     energies = branch_energies(mechanism, oscillator, equation)[0](np.array([0.0, release]))
@@ -504,7 +533,7 @@ def _coarser_branch(branch: Branch) -> Branch:
 
 def _overturning_control(mechanism: Mechanism) -> Control:
     """Compare the overturning rotation with that at which a table half as fine falls to zero."""
-    branch = mechanism.variants.deciding.positive
+    branch = mechanism.variants.deciding.bare.positive
     roots = _coarser_branch(branch).restoring_spline.roots(extrapolate=False)
     finite = roots[np.isfinite(roots)]  # an interval of no width has none
     near = finite[np.argmin(np.abs(finite - branch.unstable))] if finite.size else 0.0

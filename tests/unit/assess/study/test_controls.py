@@ -305,6 +305,21 @@ MECHANISMS = {
     ),
     "table": published(),
 }
+BAR = {"kind": "tie", "at": [0.0, 3.9], "anchor": [-4.0, 3.9], "force": "2 kN", "area": "113 mm^2"}
+BAR |= {"young_modulus": "210 GPa", "yield_stress": "235 MPa", "length": "4 m", "fracture_strain": 0.1}
+
+
+@pytest.mark.parametrize("force", ["2 kN", "25 kN"])
+@pytest.mark.parametrize("sides", ["one", "two"])
+def test_the_controls_of_a_wall_with_a_tie_that_stretches_hold(tmp_path: Path, sides: str, force: str) -> None:
+    """Where it rocks, and where its pretension holds it still."""
+    wall = block(
+        loads=[{**BAR, "force": force, "strength": "60 kN"}], sides=sides, direction=[1, 0, 0], restitution=0.9
+    )
+    sources = {"report": {"sources": {"mechanisms.wall.loads[1]": "measured: tests"}}}
+    results = results_of(tmp_path, mechanisms={"wall": wall}, **sources)
+    assert [each.quantity for each in results.controls if each.met is False] == []
+    assert sum(each.met is True for each in results.controls) >= 4
 
 
 def test_a_wrong_multiplier_of_moved_hinges_shows_in_their_reactions(

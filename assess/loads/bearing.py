@@ -24,6 +24,7 @@ from spectra.gravity import g
 
 DRAWN_APART = 0.05  # m: bodies that touch may be drawn this far apart, and a bed or a wall plate be this thick
 UNSURE = 0.1  # of a share: readings of a drawing that differ by more do not tell it
+LEAST_SHARE = 1e-3  # of the weight of a body: less is none
 ACROSS = 0.7  # cosine: an upright face within 45 degrees of square to the axis of a vault is one it springs from
 
 
@@ -132,9 +133,9 @@ def shares(contacts: Sequence[ContactArea], *, centroid: FloatArray) -> FloatArr
 
 
 def share_of(found: Support, *, centroid: FloatArray) -> float:
-    """Return the share of a body's weight that goes to the block: 0 if it would hold the body down, at most 1."""
-    r = shares([found.contact, *found.others.values()], centroid=centroid)
-    return float(np.clip(r[0], 0.0, 1.0))
+    """Return the share of a body's weight that goes to the block, at most 1; 0 if it would hold it down."""
+    share = min(float(shares([found.contact, *found.others.values()], centroid=centroid)[0]), 1.0)
+    return share if share >= LEAST_SHARE else 0.0
 
 
 def bearing_contacts(found: Support, *, axis: FloatArray | None = None) -> Support:

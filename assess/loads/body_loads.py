@@ -365,6 +365,8 @@ def _carried_share(placed: BodyOnBlock, *, bearing: bool) -> CarriedShare:
         share = {"share": Quantity(placed.load.share, "ratio", 3)}
         if statics is None:
             return CarriedShare(placed.load.share, message("load-share-given", share))
+        if statics == 0.0:
+            return CarriedShare(placed.load.share, message("load-share-beside-none", share))
         beside = Quantity(statics, "ratio", 3)
         return CarriedShare(placed.load.share, message("load-share-beside", {**share, "statics": beside}))
     if not bearing:

@@ -17,6 +17,8 @@ CANDIDATE_TEXTS: Mapping[str, str] = {
     "confirmed",
     "reason-path": "the drawing does not tell which walls carry {bodies}: the share of the lower static multiplier is "
     "taken; give the one surveyed",
+    "reason-path-none": "the drawing does not tell whether it carries {bodies}: without that the static multiplier is "
+    "lower, so that it is no load here; give the share surveyed",
     "reason-ties": "{ties} may hold it and is left out",
     "reason-wedges": "a wedge of {walls} may come with it, cracked at up to 30 degrees from the vertical",
     "reason-corner": "outer corner of {one} and {other}, whose bond is not known",

@@ -165,6 +165,7 @@ GEOMETRY_TEXTS: Mapping[str, str] = {
     "load-pushes-given": "only pushes (given; by its contact it {seen})",
     "load-share-given": "share {share} (given)",
     "load-share-beside": "share {share} (given; by statics {statics})",
+    "load-share-beside-none": "share {share} (given; by statics none)",
     "load-share-statics": "share {share} (statics; the rest on {bodies})",
     "load-place-given": "place given (its contact is at x = {x}, z = {z})",
     "load-measure": "{symbol} = {size} (found)",

@@ -18,6 +18,7 @@ from assess.geometry.contact import find_contact
 from assess.loads.load import OverburdenLoad
 from assess.mechanisms.mechanism import Vector
 from assess.messages.message import Message, Quantity, note
+from assess.model.covering_paths import is_drawn_in_part
 from assess.model.least_multipliers import (
     NEAR_LEVEL,
     Alternative,
@@ -30,7 +31,6 @@ from assess.model.least_multipliers import (
     weakest_turn,
     weakest_wedges,
 )
-from assess.model.load_paths import is_drawn_in_part
 from assess.model.moving_parts import (
     HELD,
     LOW_STOREY,
@@ -270,7 +270,7 @@ def _pressing(wall: Part, level: float, drawing: Drawing) -> OverburdenLoad | No
             for each in on_top
             if each.elevation >= wall.top - HELD
             and find_contact(wall.solid, structure.part(each.first).solid)
-            and not is_drawn_in_part(structure.part(each.first), drawing)
+            and not is_drawn_in_part(structure.part(each.first), structure)
         )
         return OverburdenLoad(bodies=tuple(names)) if names else None
     above = [part for part in standing_above((wall,), wall.base, drawing) if part is not wall]

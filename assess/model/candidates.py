@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 from functools import partial
 from typing import TYPE_CHECKING
 
-from assess.loads.load import BodyLoad
+from assess.loads.load import BodyLoad, bodies_of
 from assess.mechanisms.mechanism import BlockMechanism, CutAngle
 from assess.mechanisms.single_block import SingleBlock
 from assess.mechanisms.two_block import TwoBlock
@@ -310,9 +310,16 @@ def _candidate(row: MechanismClass, seed: Seed, drawing: Drawing, church: Church
     found = replace(found, tied=_tied_loads(found))
     stem = f"{_slug(seed.parts[0].name)}-{row.key}"
     name = next(each for each in (stem, *(f"{stem}-{i}" for i in range(2, 1000))) if each not in taken)
+    loading = (
+        set() if found.definition is None else {body for load in found.definition.loads for body in bodies_of(load)}
+    )
     said = [
         note(key, bodies=", ".join(each))
-        for key, each in (("reason-tied", found.tied), ("reason-path", unsure))
+        for key, each in (
+            ("reason-tied", found.tied),
+            ("reason-path", [body for body in unsure if body in loading]),
+            ("reason-path-none", [body for body in unsure if body not in loading]),
+        )
         if each
     ]
     low = found.parameters.get("hinge", Quantity(seed.parts[0].base)).value

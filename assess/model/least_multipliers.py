@@ -35,6 +35,7 @@ from assess.mechanisms.wedged_block import Corner, FacadeWithWedges, Wedge, Wedg
 from assess.messages.message import Quantity
 from assess.model.assembly import on_rigid_hinges
 from assess.model.bodies import Bodies, Body, Material, pieces_of
+from assess.model.covering_paths import NO_SHARE, LoadPath, load_paths
 from assess.model.directions import edge_towards
 from assess.model.loading import loads_of
 from assess.model.structure import Part, PartContact, Structure
@@ -106,10 +107,16 @@ class Drawing:
             for part in self.structure.parts
         }
 
+    @cached_property
+    def paths(self) -> Mapping[str, tuple[LoadPath, ...]]:
+        """The ways in which the weight of each part that may load a wall may go down, by name."""
+        return {part.name: load_paths(part, self.structure) for part in self.structure.parts}
+
     def loads_on(self, parts: Sequence[Part], *, above: float, tied: bool = False) -> tuple[BodyLoad, ...]:
         """Return the coverings that bear on parts above an elevation, as loads; tied: roofs and vaults do not push.
 
-        One that is drawn some way off its wall bears on it all the same.
+        One that is drawn some way off its wall bears on it all the same. One that by statics rests on others, and may
+        come down here, has the largest share that it may have.
         """
         names = {part.name for part in parts}
         found: dict[str, BodyLoad] = {}
@@ -118,14 +125,18 @@ class Drawing:
                 covering = self.structure.part(contact.first)
                 if contact.relation != "bears-on" or contact.first in names or contact.elevation <= above + NEAR_LEVEL:
                     continue
-                if self.share_of(contact) <= 0.0:
-                    continue  # by statics it rests on the others
+                paths = self.paths[covering.name]
+                on_parts = [path.on(dict.fromkeys(names, 1.0)) for path in paths]
+                if max(path.shares.get(part.name, 0.0) for path in paths) < NO_SHARE:
+                    continue  # it rests on the others
                 off = shortest_distance(part.solid, covering.solid)
                 near = CONTACT_TOLERANCE if off < CONTACT_TOLERANCE else round(off + CONTACT_TOLERANCE, 3)
+                near = max(near, found[covering.name].tolerance) if covering.name in found else near
                 role: Role = THRUSTING.get(covering.kind, "floor")
                 taken = tied or any(covering.name in self.thrusts_taken.get(name, ()) for name in names)
                 held = True if taken and role != "floor" else None
-                found[covering.name] = BodyLoad(body=covering.name, role=role, tolerance=near, tied=held)
+                share = None if on_parts[0] >= NO_SHARE else round(max(on_parts), 3)
+                found[covering.name] = BodyLoad(body=covering.name, role=role, tolerance=near, tied=held, share=share)
         return tuple(found.values())
 
     def around(self, definition: BlockMechanism) -> Bodies:

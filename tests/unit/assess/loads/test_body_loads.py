@@ -384,6 +384,8 @@ def test_a_floor_that_would_lift_off_is_refused(tmp_path):
     slab = FLOOR.replace("thickness = 5.8", "thickness = 5.0").replace("[0, 0, 3]", "[0.4, 0, 3]")
     with pytest.raises(GeometryError, match='load "floor": by statics it lifts off the block'):
         study_of(tmp_path, slab + pier, 'body = "floor"')
+    (floor,) = loads_of(tmp_path, slab + pier, 'body = "floor", share = 0.3')
+    assert "share 0.3 (given; by statics none)" in floor.source
 
 
 def test_hostile_names_appear_as_text(tmp_path):

@@ -8,8 +8,7 @@ import pytest
 
 from assess.geometry.solid import profile
 from assess.model.candidates import Candidates, find_candidates
-from assess.model.least_multipliers import Drawing
-from assess.model.load_paths import load_paths
+from assess.model.covering_paths import load_paths
 from assess.model.structure import Part, Structure
 from tests.support.buildings import STONE, TIMBER, block, part_of, touching
 
@@ -33,7 +32,7 @@ def turned(found: Candidates, wall: str):
 
 def test_a_covering_on_walls_both_ways_goes_down_by_either_or_by_both() -> None:
     structure = building(FRONT, BACK, LEFT, RIGHT, roof())
-    both, *alone = load_paths(structure.part("Roof"), Drawing(structure))
+    both, *alone = load_paths(structure.part("Roof"), structure)
     assert sum(both.shares.values()) == pytest.approx(1.0)
     assert both.shares["Front"] == pytest.approx(9.0 / 30.0)  # by their areas: 9 and 6 m of wall each way
     assert [each.shares for each in alone] == [
@@ -54,6 +53,33 @@ def test_the_worse_path_counts_for_each_mechanism_and_is_stated() -> None:
         assert "does not tell which walls carry Roof" in str(each.reason)
 
 
+def test_a_gable_beside_a_party_wall_may_carry_half_of_a_roof_that_statics_put_on_the_eaves() -> None:
+    """Purlins that enter a party wall bring half to the one gable; rafters none: by hand the worse is half, at the top.
+
+    Of a front with the roof's edge over its inner half, none is worse: the roof would hold it down.
+    """
+    inner = part_of("Roof", block((0.0, 8.5), (0.25, 6.75), (3.0, 3.3), density=TIMBER), "floor", density=TIMBER)
+    found = find_candidates(building(FRONT, BACK, LEFT, inner))
+    weight, wall = TIMBER * 8.5 * 6.5 * 0.3 / 2.0, STONE * 6.0 * 0.5 * 3.0
+    left = turned(found, "Left")
+    assert [load.share for load in left.definition.loads] == [0.5]
+    assert left.multiplier == pytest.approx((wall + weight) * 0.25 / (wall * 1.5 + weight * 3.0), rel=1e-3)
+    assert "does not tell which walls carry Roof" in str(left.reason)
+    front, wall = turned(found, "Front"), STONE * 9.0 * 0.5 * 3.0
+    ways = [(wall * 0.25 + w * 0.375) / (wall * 1.5 + w * 3.0) for w in (0.0, weight)]
+    assert front.multiplier == pytest.approx(min(ways), rel=1e-3)
+    assert len(front.definition.loads) == ways.index(min(ways))
+
+
+def test_where_none_is_worse_the_comment_says_that_it_is_no_load() -> None:
+    """A floor low on the inner half of a wall holds it, at 0.375 m over 0.8 m: without it the wall has t/h = 0.5/3."""
+    floor = part_of("Floor", block((0.25, 8.5), (0.25, 6.75), (0.8, 1.0), density=TIMBER), "floor", density=TIMBER)
+    left = turned(find_candidates(building(FRONT, BACK, LEFT, floor)), "Left")
+    assert left.multiplier == pytest.approx(0.5 / 3.0, rel=1e-3)
+    assert not left.definition.loads
+    assert "does not tell whether it carries Floor: without that" in str(left.reason)
+
+
 def test_where_the_drawing_tells_no_share_is_stated() -> None:
     found = find_candidates(building(FRONT, BACK, LEFT, RIGHT, roof(x=(0.5, 8.5))))
     assert [load.share for load in turned(found, "Front").definition.loads] == [None]
@@ -65,7 +91,7 @@ def test_a_floor_of_which_one_seat_is_drawn_is_not_all_on_its_wall() -> None:
     """A floor low on a wall, let in to its inner half, holds it: half of it counts, its other end is not drawn."""
     floor = part_of("Floor", block((0.5, 8.5), (0.25, 6.0), (0.8, 1.0), density=TIMBER), "floor", density=TIMBER)
     structure = building(FRONT, floor)
-    whole, half = load_paths(structure.part("Floor"), Drawing(structure))
+    whole, half = load_paths(structure.part("Floor"), structure)
     assert (whole.shares, half.shares) == ({"Front": 1.0}, {"Front": 0.5})
     each = next(one for one in find_candidates(structure) if one.kind.startswith("overturning"))
     assert [load.share for load in each.definition.loads] == [0.5]
@@ -82,7 +108,7 @@ def test_what_rests_on_something_not_drawn_does_not_press_a_wall_that_bends() ->
 def test_an_edge_that_would_hold_a_covering_down_carries_nothing() -> None:
     far = replace(BACK, name="Middle", solid=block((0, 9), (1.0, 1.5), (0, 3)))
     structure = building(FRONT, far, roof(y=(0.0, 4.0)))
-    (path,) = load_paths(structure.part("Roof"), Drawing(structure))[:1]
+    (path,) = load_paths(structure.part("Roof"), structure)[:1]
     assert path.shares == {"Front": pytest.approx(0.0), "Middle": pytest.approx(1.0)}
 
 

@@ -286,6 +286,8 @@ TEXTS: Mapping[str, str] = {
     "period of {years} (class of use {class}, nominal life of 50 years): [site] return_period does not say so",
     "dbe-by-asce7": "a pass is valid only if the spectrum by ASCE 7 (hazard = {hazard}) is no less than the design "
     "basis earthquake of ASCE/SEI 43-05",
+    "premise-other-spectrum": "a pass is valid only if the engineer shows that {method} applies to a spectrum of "
+    "{code}; it is written for those of {codes}",
     "premise-near-fault": "a pass is valid only if no major fault lies within 20 km: the clauses of TS 1170.5 on near "
     "faults were not read",
     "pga-lowered": "a pass is valid for site.pga = {given}, which replaces {own} from the parameters of the spectrum",

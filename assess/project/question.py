@@ -157,6 +157,7 @@ def facts_of(
         *_unstated_return_period(content, question, years),
         *_dbe_by_asce7(content),
         *near_fault_conditions(spectrum),
+        *_of_another_spectrum(spectrum, question),
         *_unstated_importance_class(content, question),
     )
     importance = (
@@ -261,6 +262,18 @@ def near_fault_conditions(spectrum: Spectrum | None) -> Iterator[Message]:
     """Yield the condition that no major fault is near, where the spectrum is not known to be free of it."""
     if spectrum is not None and any(each.key == NEAR_FAULT for each in spectrum.warnings):
         yield message("premise-near-fault", severity=Severity.WARNING)
+
+
+def _of_another_spectrum(spectrum: Spectrum | None, question: Question) -> Iterator[Message]:
+    """Yield the condition that a method applies to the site's spectrum, where it is written for that of other codes."""
+    if spectrum is None or question.basis is None or question.basis.name == "own":
+        return
+    for method in methods_of(question):
+        written = PROCEDURES[method].spectra
+        if written and spectrum.code not in (*written, TABLE_SPECTRUM):
+            values: dict[str, Value] = {"codes": ", ".join(written), "code": spectrum.code}
+            values["method"] = PROCEDURES[method].title
+            yield message("premise-other-spectrum", values, severity=Severity.WARNING)
 
 
 ORDINARY_LIFE = 50.0  # years: nominal life of ordinary works (NTC 2018, 2.4.1), where the project gives none

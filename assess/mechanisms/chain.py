@@ -51,7 +51,7 @@ from spectra.arrays import ComplexArray, FloatArray
 from spectra.gravity import g
 
 HINGES = {1: 1, 2: 3, 3: 4}  # of a chain by its number of blocks
-ROUNDING = 1e-9  # m: accuracy of coordinates
+ROUNDING = 1e-6  # m: files of models round coordinates to a tenth of it
 STRAIGHT = 1e-6  # sine of an angle: three hinges this near one line are a dead point
 APART = 1e4  # ratio of the largest distance between hinges to the least; beyond, rounding moves the corners of the loop
 NEAR_TOP_HINGE = 1e-6  # of a wall's height: a load this near the hinge at the top acts through its joint

@@ -140,7 +140,7 @@ def corners(drawing: Drawing) -> Seeds:
             parts = tuple(part for part in (*stack, *other) if part.kind in ("wall", "pier"))
             sides = tuple(tuple(part for part in each if part.kind in ("wall", "pier")) for each in (stack, other))
             reason = note("reason-corner", one=stack[0].name, other=other[0].name)
-            yield Seed(parts, reason, partial(weakest_corner, (sides[0], sides[1]), drawing))
+            yield Seed(parts, reason, partial(weakest_corner, (sides[0], sides[1]), drawing), beside=other[0])
     for stack in stacks_of(drawing):
         if stack[0].name not in cornered:
             yield RuledOut(stack[0], note("no-outer-corner"))

@@ -323,10 +323,11 @@ def _candidate(row: MechanismClass, seed: Seed, drawing: Drawing, church: Church
         if each
     ]
     low = found.parameters.get("hinge", Quantity(seed.parts[0].base)).value
+    leads = seed.parts[0].name if seed.beside is None else f"{seed.parts[0].name}, {seed.beside.name}"
     return Candidate(
         name=name,
         kind=row.key,
-        title=note("candidate-title", part=seed.parts[0].name, what=row.title),
+        title=note("candidate-title", part=leads, what=row.title),
         parts=tuple(part.name for part in seed.parts),
         reason=all_of([seed.reason, *said]),
         carries=tuple(load.body for load in drawing.loads_on(seed.parts, above=low)),

@@ -8,12 +8,13 @@ from math import inf, tan
 
 import numpy as np
 
-from assess.loads.load import BodyLoad, LoadDefinition, OverburdenLoad
+from assess.loads.load import BodyLoad, LoadDefinition, OverburdenLoad, PointMass
 from assess.mechanisms.arch_in_plan import HorizontalArch
 from assess.mechanisms.mechanism import BlockMechanism
 from assess.mechanisms.wedged_block import Corner, WedgedBlock
+from assess.model.assembly import on_rigid_hinges
 from assess.model.covering_paths import NO_SHARE
-from assess.model.least_multipliers import THRUSTING, Drawing, Found, built, weakest_turn
+from assess.model.least_multipliers import NAME, THRUSTING, Drawing, Found, built, weakest_turn
 from assess.model.moving_parts import levels_of, stacks_of, standing_above, ways_of
 
 
@@ -57,8 +58,22 @@ def by_worst_paths(found: Found, drawing: Drawing) -> tuple[Found, tuple[str, ..
     else:
         worst = replace(worst, tied=found.tied)
     if worst.multiplier is None or 0.0 < found.multiplier < worst.multiplier:
-        return found, unsure  # as by its share by statics, with all of the thrust
+        shares = _shares_by_statics(definition, drawing)  # with all of the thrust
+        stated = _with_shares(definition, {body: shares[body] for body in unsure if body in shares})
+        worst = replace(built(stated, drawing.around(definition), found.parameters), tied=found.tied)
+        if worst.multiplier is None or worst.multiplier <= 0.0:
+            return found, unsure  # by a share that is not rounded it stands
     return replace(found, definition=worst.definition, multiplier=worst.multiplier, tied=worst.tied), unsure
+
+
+def _shares_by_statics(definition: BlockMechanism, drawing: Drawing) -> Mapping[str, float]:
+    """Return the share of each covering that a mechanism carries by statics, as it is built, by name."""
+    mechanism, _ = on_rigid_hinges(NAME, definition, drawing.around(definition))
+    return {
+        load.name: load.mass / drawing.structure.part(load.name).mass
+        for load in mechanism.positive.loads
+        if isinstance(load, PointMass) and load.name in drawing.bodies
+    }
 
 
 def _share_that_moves(definition: BlockMechanism, drawing: Drawing) -> Mapping[str, float]:

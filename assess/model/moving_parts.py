@@ -27,11 +27,12 @@ MOSTLY = 0.49  # of its foot, by area: what stands so far on parts that move goe
 
 @dataclass(frozen=True)
 class Seed:
-    """Parts that can move in one way: why, and what finds their least multiplier."""
+    """Parts that can move in one way: why, what finds their least multiplier, and a second part that names it."""
 
     parts: tuple[Part, ...]
     reason: Message
     find: Callable[[], Found]
+    beside: Part | None = None
 
 
 @dataclass(frozen=True)

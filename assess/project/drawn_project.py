@@ -356,7 +356,7 @@ SURVEY = f"""\
 #     loads = [{{ kind = "tie", force = "30 kN", at = [0, 0, 6], anchor = [0, 7, 6] }}]
 #     side_walls = {{ bond = "toothed", course = "0.25 m", overlap = "0.12 m", thickness = "0.5 m" }}"""
 WHO_SAYS = """\
-# Who says that the masonry does not fall apart and that roofs are tied; when, and by which test.
+# Who says that the masonry does not fall apart, what carries and ties roofs, and where walls crack; when, by what test.
 # [report.sources]"""
 SOURCE = '"measured: …, by whom and when"'
 
@@ -381,9 +381,11 @@ def _survey(structure: Structure, stated: Sequence[Candidate], likely: BuildingT
     yield from (f'# "materials.{name}.disintegration" = {SOURCE}' for name in masonry)
     for each in stated:
         loads = each.definition.loads if each.definition is not None else ()
+        keys = ["wedges"] if isinstance(each.definition, WedgedBlock) else []
         for number, load in enumerate(loads, start=1):
             known = [key for key in ("tied", "share") if isinstance(load, BodyLoad) and getattr(load, key) is not None]
-            yield from (f'# "mechanisms.{each.name}.loads[{number}].{key}" = {SOURCE}' for key in known)
+            keys += [f"loads[{number}].{key}" for key in known]
+        yield from (f'# "mechanisms.{each.name}.{key}" = {SOURCE}' for key in keys)
     yield "# The masonry: its density where it is assumed, and whether it may fall apart."
     for name, part in seen.items():
         yield f"[materials.{name}]"

@@ -29,6 +29,7 @@ from assess.codes.question import Missing, missing_input
 from assess.errors import GeometryError, ProjectError
 from assess.geometry.solid import Solids
 from assess.loads.load import bodies_of
+from assess.mechanisms.chain import ROUNDING
 from assess.mechanisms.kinds import MECHANISM_KINDS, Definition
 from assess.mechanisms.mechanism import BlockMechanism, Mechanism, height_of_support
 from assess.messages.message import Message, Quantity, Term, Value, message, note, warning, whole_number
@@ -300,6 +301,7 @@ def find_height(
     With the source of the level of the ground.
     """
     base = ground.base_height(mechanism, base_elevation)
+    base = 0.0 if abs(base) < ROUNDING else base
     support = _mean_support_height(base, mechanism)
     source = _source_of_level(ground, base_elevation, by_table=by_table)
     lowest = mechanism.elevation if ground.lowest is None else ground.lowest

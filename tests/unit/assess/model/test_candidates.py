@@ -190,6 +190,8 @@ def test_corners_turn_at_the_least_of_the_formula(found: Candidates) -> None:
     assert corner.multiplier == pytest.approx(held / driven, rel=5e-3)  # a floor loads by what touches
     assert corner.definition.kind == "corner"
     assert corner.examines == {"house": "corner"}
+    assert len({str(each.title) for each in of_kind(found, "corner")}) == 4  # each names both of its walls
+    assert str(corner.title).startswith(("Back 1, Right 1: ", "Right 1, Back 1: "))
 
 
 def test_a_project_states_all_of_them_with_the_multiplier_that_is_listed(found: Candidates) -> None:

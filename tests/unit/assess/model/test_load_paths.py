@@ -127,6 +127,7 @@ def test_a_wall_that_the_thrust_of_its_share_would_push_over_stands_all_the_same
     front = turned(found, "Front")
     assert front.found.tied == tied
     assert 0.0 < front.multiplier < (0.05 if not tied else 0.12)
+    assert [load.share is None for load in front.definition.loads] == [False]  # its source is asked
     of_front = [each for each in found if "Front" in each.parts and each.kind in ("overturning", "corner")]
     assert {each.kind for each in of_front} == {"overturning", "corner"}
     pushed = {load.tied for each in of_front for load in each.definition.loads}

@@ -145,11 +145,16 @@ def test_once_filled_in_it_runs(drawn, tmp_path) -> None:
     again = tmp_path / "again"
     write_project([folder / "house.obj"], again)
     assert fill_in(again / "project.toml") <= 15
+    assert '\n"mechanisms.front-1-corner.wedges" = "measured: two openings' in (again / "project.toml").read_text(
+        "utf-8"
+    )
     results = run(again, jobs=1).results
     assert len(results.mechanisms) == sum(map(is_stated, candidates))
     assert results.verdict is not None
     assert results.verdict.basis == "ntc2018"
     assert any(each.outcome.value == "pass" for each in results.verdict.mechanisms)
+    said = [str(each) for mechanism in results.verdict.mechanisms for each in mechanism.conditions]
+    assert not any("wedges[1]" in each for each in said)  # one line vouches for both cracks of a corner
     spanning = [each for each in results.verdict.mechanisms if "bending" in each.mechanism]
     assert spanning
     assert all(any("is held at its top and at its foot" in str(said) for said in each.conditions) for each in spanning)

@@ -33,6 +33,10 @@ def test_the_lowest_body_near_0_stands_on_the_ground(tmp_path: Path, at: float) 
     assert not found.above
 
 
+def test_the_rounding_of_a_file_of_millimetres_is_no_height(tmp_path: Path) -> None:
+    assert height_of(tmp_path, wall(-8.6e-8), "[building]\nground_elevation = 0\n", mechanism_toml()).base == 0.0
+
+
 @pytest.mark.parametrize("at", [0.51, 8.0, 120.0, -2.0])
 def test_a_lowest_body_far_from_0_does_not_tell(tmp_path: Path, at: float) -> None:
     found = height_of(tmp_path, wall(at), mechanism_toml())

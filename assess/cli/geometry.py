@@ -75,8 +75,11 @@ def geometry(
         print((doctor_json if as_json else doctor_csv if as_csv else doctor_table)(found), end="")
     else:
         print((_geometry_json if as_json else _geometry_csv if as_csv else _geometry_table)(found), end="")
-    usable = any(not entry.why_not for each in listed if not isinstance(each, Exception) for entry in each)
-    raise typer.Exit(0 if usable else 2)
+    entries = [(file, entry) for file, each in found if not isinstance(each, Exception) for entry in each]
+    if entries and all(entry.why_not for _, entry in entries):
+        file, first = entries[0]
+        raise GeometryError(f"{file}: no part of it is usable ({first.element.shown}: {first.why_not})")
+    raise typer.Exit(0 if entries else 2)
 
 
 def _read_entries(

@@ -111,6 +111,9 @@ def walls_with_wedges(drawing: Drawing) -> Seeds:
         yield Seed((*parts, *behind), reason, lambda found=found: found)  # type: ignore[misc]
 
 
+FREE_TOPS = ("parapet", "chimney", "pinnacle")
+
+
 def corners(drawing: Drawing) -> Seeds:
     """Find the outer corners of two façades; those of the shaft of a tower are not looked for."""
     for tower in drawing.structure.of_kind("tower"):
@@ -139,6 +142,10 @@ def corners(drawing: Drawing) -> Seeds:
                 continue
             parts = tuple(part for part in (*stack, *other) if part.kind in ("wall", "pier"))
             sides = tuple(tuple(part for part in each if part.kind in ("wall", "pier")) for each in (stack, other))
+            low = max(stack[0].base, other[0].base)
+            caps = [part.name for part in standing_above(parts, low, drawing) if part.kind in FREE_TOPS]
+            if caps:
+                yield Unexamined(stack[0], note("gap-corner-caps", parts=", ".join(caps)))
             reason = note("reason-corner", one=stack[0].name, other=other[0].name)
             yield Seed(parts, reason, partial(weakest_corner, (sides[0], sides[1]), drawing), beside=other[0])
     for stack in stacks_of(drawing):

@@ -316,4 +316,4 @@ def test_chains_that_move_are_not_refused(hinges):
 
 def test_rounding_is_written_as_nought():
     assert point_text((-5.561e-17, 4.0)) == "(0, 4) m"
-    assert point_text((-1.25e-6, 1e-8)) == "(-1.25e-06, 1e-08) m"
+    assert point_text((-1.25e-6, 1e-8)) == "(-1.25e-06, 0) m"

@@ -153,6 +153,11 @@ class TieLaw(ShortRepr):
                     "follow: look at its anchor"
                 )
 
+    @property
+    def energy_at_rest(self) -> float:
+        """What it holds by its pretension [J]."""
+        return self.stiffness * max(float(self.elongation[0][0]), 0.0) ** 2 / 2
+
 
 @dataclass(frozen=True, repr=False)
 class Memory(ShortRepr):

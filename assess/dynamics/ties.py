@@ -138,8 +138,7 @@ def tie_energy(oscillator: Memory, path: Trace, plastic: FloatArray) -> FloatArr
         gone = np.isinf(plastic[:, number]) | (e >= tie.gone)
         left = np.where(gone, max(tie.gone - most / k, 0.0), np.maximum(plastic[:, number], e - most / k))
         pull = np.where(gone, min(most, k * tie.gone), np.clip(k * (e - left), 0.0, most))
-        at_rest = k * max(float(tie.elongation[0][0]), 0.0) ** 2 / 2
-        total += pull**2 / (2 * k) + most * left - at_rest
+        total += pull**2 / (2 * k) + most * left - tie.energy_at_rest
     return total
 
 

@@ -497,12 +497,11 @@ class Tie:
     @property
     def tension(self) -> float:
         """The force with which it pulls at rest [N]: its pretension, and never more than its strength."""
-        most = [each for each in (self.pull, self.strength, self.yield_force) if each is not None]
-        return min(most)
+        return min(self.pull, self.most)
 
     @property
     def most(self) -> float:
-        """The force beyond which a tie that stretches does not go [N]: of its bar or, where less, of its anchorage."""
+        """The force that it never exceeds [N]: the lesser of bar and anchorage; inf where neither is known."""
         return min(each for each in (self.yield_force, self.strength, inf) if each is not None)
 
     @property

@@ -27,7 +27,16 @@ from math import ceil, pi, sqrt
 import numpy as np
 
 from assess.amplification import base_motion
-from assess.dynamics.history import TOLERANCE, Events, Trace, free_rocking, peaks, product, trace_with_events
+from assess.dynamics.history import (
+    MOST_EVENTS,
+    TOLERANCE,
+    Events,
+    Trace,
+    free_rocking,
+    peaks,
+    product,
+    trace_with_events,
+)
 from assess.dynamics.packing import Equation
 from assess.dynamics.ties import tie_energy, tied_trace
 from assess.loads.load import Force, PointMass, Tie
@@ -140,8 +149,7 @@ def energy_control(mechanism: Mechanism, governing: GoverningHistory | None, *, 
     if governing is None:
         return _free_rocking_control(mechanism, equation=equation)
     motion = sampled_finely(governing.motion, governing.oscillator)
-    path, events = trace_with_events(governing.oscillator, motion, scale=governing.scale, equation=governing.equation)
-    stored = _tie_energies(governing.oscillator, motion, governing.scale)
+    path, events, stored, at_rest = _history_with_ties(governing, motion)
     if governing.history.overturned:  # its last sample is where it overturned, between two samples of the record
         path = Trace(path.time[:-1], path.rotation[:-1], path.velocity[:-1])
     energies = energy_balance(
@@ -153,7 +161,7 @@ def energy_control(mechanism: Mechanism, governing: GoverningHistory | None, *, 
         scale=governing.scale,
     )
     energies = replace(energies, energy=energies.energy + stored[: energies.energy.size])
-    worst, largest = energies.worst, float(energies.energy.max()) + _energy_at_rest(governing.oscillator)
+    worst, largest = energies.worst, float(energies.energy.max()) + at_rest
     if largest <= 0.0:
         return _free_rocking_control(mechanism, equation=equation)
     return make_control(
@@ -168,18 +176,14 @@ def energy_control(mechanism: Mechanism, governing: GoverningHistory | None, *, 
     )
 
 
-def _energy_at_rest(oscillator: Oscillator) -> float:
-    """Return what ties that stretch hold by their pretension [J]."""
-    ties = () if oscillator.memory is None else oscillator.memory.ties
-    return sum(tie.stiffness * max(float(tie.elongation[0][0]), 0.0) ** 2 / 2 for tie in ties)
-
-
-def _tie_energies(oscillator: Oscillator, motion: Record, scale: float) -> FloatArray:
-    """Return what ties that stretch have taken up at the samples of a history [n] [J]; zeros where there are none."""
-    if oscillator.memory is None:
-        return np.zeros(motion.npts)
-    path, plastic, _ = tied_trace(oscillator.memory, motion, scale=scale)
-    return tie_energy(oscillator.memory, path, plastic)
+def _history_with_ties(governing: GoverningHistory, motion: Record) -> tuple[Trace, Events, FloatArray, float]:
+    """Return a history, its events, and what ties that stretch take up at its samples [n] and hold at rest [J]."""
+    memory, scale = governing.oscillator.memory, governing.scale
+    if memory is None:
+        path, events = trace_with_events(governing.oscillator, motion, scale=scale, equation=governing.equation)
+        return path, events, np.zeros(path.time.size), 0.0
+    path, plastic, events = tied_trace(memory, motion, scale=scale, capacity=MOST_EVENTS)
+    return path, events, tie_energy(memory, path, plastic), sum(tie.energy_at_rest for tie in memory.ties)
 
 
 def branch_energies(mechanism: Mechanism, oscillator: Oscillator, equation: Equation) -> tuple[EnergiesAt, ...]:

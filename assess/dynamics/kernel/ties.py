@@ -230,6 +230,14 @@ def segment_of(table: FloatArray, first: int, last: int, y: float) -> int:
 
 
 @compiled
+def keep_sample(path: FloatArray, i: int, y: float, v: float, side: int, plastic: FloatArray) -> None:
+    """Keep the state at a sample in the path of `march_with_memory`."""
+    path[i, 0], path[i, 1], path[i, 2] = y, v, side
+    for k in range(plastic.shape[0]):
+        path[i, 3 + k] = plastic[k]
+
+
+@compiled
 def march_with_memory(flow: Any, origin: Any, memory: Any, branch: FloatArray, ground: FloatArray, blocks: FloatArray,
                       dt: float, scale: float, found: FloatArray, path: FloatArray, events: FloatArray
                       ) -> int:  # fmt: skip
@@ -281,9 +289,7 @@ def march_with_memory(flow: Any, origin: Any, memory: Any, branch: FloatArray, g
                         flow, side, y, v, ground, scale, dt, i, x, until, -1.0, branch[side, LIMIT]
                     )
             if traced and i == until:
-                path[i, 0], path[i, 1], path[i, 2] = y, v, side
-                for k in range(plastic.shape[0]):
-                    path[i, 3 + k] = plastic[k]
+                keep_sample(path, i, y, v, side, plastic)
             if i == until:
                 continue
             a, time = ground_over(ground, scale, dt, i), i * dt
@@ -309,9 +315,7 @@ def march_with_memory(flow: Any, origin: Any, memory: Any, branch: FloatArray, g
         if x >= h:
             i, x = i + 1, 0.0
             if traced and i <= last:
-                path[i, 0], path[i, 1], path[i, 2] = y, v, side
-                for k in range(plastic.shape[0]):
-                    path[i, 3 + k] = plastic[k]
+                keep_sample(path, i, y, v, side, plastic)
     if side >= 0 and y >= 1.0 and peaked != both:
         found[OVERTURNED] = 1.0
     if found[OVERTURNED] > 0.0:

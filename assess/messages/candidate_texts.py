@@ -40,7 +40,7 @@ CANDIDATE_TEXTS: Mapping[str, str] = {
     "one, state a façade with wedges and its side_walls",
     "gap-inner-wedges": "a wall with rooms on both sides, whose wedges are not looked for",
     "gap-bell-cell": "{number} piers stand on it; the sway of more than two is not looked for",
-    "gap-corner-caps": "{parts} on it would fall with a corner and is no part of the one that is looked for",
+    "gap-caps": "{parts} would fall with it and is no part of what is looked for",
     "gap-tower-corners": "the corners of its shaft are not looked for",
     "gap-facade-top": "it may be the façade, and nothing is found that turns above its foot",
     "gap-which-arch": "the drawing does not tell which arch is the triumphal arch",

@@ -101,7 +101,10 @@ def walls_with_wedges(drawing: Drawing) -> Seeds:
         if stopping := drawing.stopped_by(parts, stack[0].normal, above=low + LOW_STOREY / 2.0):
             yield Unexamined(stack[0], note("gap-stopped", z=Quantity(low, "length"), walls=", ".join(stopping)))
             continue
-        found = weakest_wedges(parts, stack[0].normal, drawing, behind, elevation=low)
+        groups = [(wall, *(cap for cap in _caps_on((wall,), drawing) if cap not in parts)) for wall in behind]
+        if whole := _compact_on(behind, drawing):
+            yield Unexamined(stack[0], note("gap-caps", parts=whole))
+        found = weakest_wedges(parts, stack[0].normal, drawing, groups, elevation=low)
         angle = found.parameters.get("angle")
         if angle is not None and angle.value == 0.0:
             yield Unexamined(stack[0], note("gap-no-wedge"), lists=("house",))
@@ -111,7 +114,18 @@ def walls_with_wedges(drawing: Drawing) -> Seeds:
         yield Seed((*parts, *behind), reason, lambda found=found: found)  # type: ignore[misc]
 
 
-FREE_TOPS = ("parapet", "chimney", "pinnacle")
+RUNNING, COMPACT = ("gable", "parapet"), ("chimney", "pinnacle")
+
+
+def _caps_on(walls: Sequence[Part], drawing: Drawing, *, kinds: tuple[str, ...] = RUNNING) -> tuple[Part, ...]:
+    """Return what stands on walls; gables and parapets run along them, and a crack goes on through these."""
+    above = standing_above(walls, min(part.base for part in walls), drawing)
+    return tuple(part for part in above if part.kind in kinds)
+
+
+def _compact_on(walls: Sequence[Part], drawing: Drawing) -> str:
+    """Return the names of what stands on walls and falls as a whole or not at all, which no search carries yet."""
+    return ", ".join(part.name for part in _caps_on(walls, drawing, kinds=COMPACT))
 
 
 def corners(drawing: Drawing) -> Seeds:
@@ -142,12 +156,11 @@ def corners(drawing: Drawing) -> Seeds:
                 continue
             parts = tuple(part for part in (*stack, *other) if part.kind in ("wall", "pier"))
             sides = tuple(tuple(part for part in each if part.kind in ("wall", "pier")) for each in (stack, other))
-            low = max(stack[0].base, other[0].base)
-            caps = [part.name for part in standing_above(parts, low, drawing) if part.kind in FREE_TOPS]
-            if caps:
-                yield Unexamined(stack[0], note("gap-corner-caps", parts=", ".join(caps)))
+            if whole := _compact_on(parts, drawing):
+                yield Unexamined(stack[0], note("gap-caps", parts=whole))
             reason = note("reason-corner", one=stack[0].name, other=other[0].name)
-            yield Seed(parts, reason, partial(weakest_corner, (sides[0], sides[1]), drawing), beside=other[0])
+            on = (_caps_on(sides[0], drawing), _caps_on(sides[1], drawing))
+            yield Seed(parts, reason, partial(weakest_corner, (sides[0], sides[1]), drawing, on), beside=other[0])
     for stack in stacks_of(drawing):
         if stack[0].name not in cornered:
             yield RuledOut(stack[0], note("no-outer-corner"))

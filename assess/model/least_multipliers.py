@@ -6,7 +6,7 @@ built once more as a project would, so that a project with this mechanism finds 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property, partial
 from math import atan2, cos, inf, pi, radians, sin, tan
@@ -293,11 +293,20 @@ def built(definition: BlockMechanism, bodies: Bodies, parameters: Parameters, le
 
 
 def weakest_wedges(
-    parts: Sequence[Part], direction: Vector, drawing: Drawing, side_walls: Sequence[Part], *, elevation: float
+    parts: Sequence[Part],
+    direction: Vector,
+    drawing: Drawing,
+    side_walls: Sequence[Sequence[Part]],
+    *,
+    elevation: float,
 ) -> Found:
     """Find the angle of the cracks in the side walls of the least multiplier of a wall that turns with their wedges.
 
     Nothing holds along the cracks, as nothing is known of the bond; at an angle of 0 the wall turns alone.
+
+    Parameters
+    ----------
+    side_walls : each with what stands on it and cracks with it
     """
     turned = weakest_turn(parts, direction, drawing, low=elevation, high=elevation)
     if turned.multiplier is None:
@@ -306,9 +315,10 @@ def weakest_wedges(
     alone = stack.above(level_plane(elevation) if elevation > min(p.base for p in parts) + NEAR_LEVEL else None)
     back = base_of_section(lowest_corners(stack.solids), direction=direction)[0][0]
     across = np.array(direction)
+    behind = [part for group in side_walls for part in group]
 
     def with_wedges(at: tuple[float, ...]) -> float:
-        solids = [wall.solid for wall in side_walls]
+        solids = [part.solid for part in behind]
         wedges = _wedges(solids, across, back, elevation, at[0]) if at[0] > 0.0 else []
         masses = [PointMass(f"wedge {i}", *_mass_at(each, direction), True) for i, each in enumerate(wedges)]
         return _value(lambda: replace(alone, loads=(*alone.loads, *masses)))
@@ -320,12 +330,14 @@ def weakest_wedges(
     if least.at[0] == 0.0:
         return found  # it turns alone
     definition = FacadeWithWedges(
-        blocks=(tuple(part.name for part in (*parts, *side_walls)),),
+        blocks=(tuple(part.name for part in (*parts, *behind)),),
         direction=direction,
-        cut=elevation if any(part.base < elevation - NEAR_LEVEL for part in (*parts, *side_walls)) else None,
-        wedges=tuple(Wedge(walls=(wall.name,), angle=round(least.at[0], 6)) for wall in side_walls),
+        cut=elevation if any(part.base < elevation - NEAR_LEVEL for part in (*parts, *behind)) else None,
+        wedges=tuple(
+            Wedge(walls=tuple(part.name for part in group), angle=round(least.at[0], 6)) for group in side_walls
+        ),
     )
-    return _cut_exactly(definition, drawing, (*parts, *side_walls), found)
+    return _cut_exactly(definition, drawing, (*parts, *behind), found)
 
 
 def _cut_exactly(definition: WedgedBlock, drawing: Drawing, parts: Sequence[Part], found: Found) -> Found:
@@ -356,8 +368,7 @@ def _add_loads(definition: BlockMechanism, drawing: Drawing, loads: Sequence[Bod
 
 def _wedges(solids: Sequence[Solid], across: np.ndarray, back: float, elevation: float, angle: float) -> list[Solid]:
     """Return the parts of side walls in front of a crack that rises from the back of a wall at an angle [rad]."""
-    point = (*(back * across[:2]), elevation)
-    plane = inclined_plane(point, (*(cos(angle) * across[:2]), sin(angle)), where="crack")
+    plane = Plane(np.array([*(back * across[:2]), elevation]), np.array([*(cos(angle) * across[:2]), sin(angle)]))
     found: list[Solid] = []
     for solid in solids:
         ahead = solid.vertices @ plane.normal > plane.point @ plane.normal
@@ -473,7 +484,9 @@ def _slice(body: Body, name: str, low: float, high: float) -> Body:
     return replace(body, name=name, solid=replace(kept, name=name))
 
 
-def weakest_corner(stacks: tuple[Sequence[Part], Sequence[Part]], drawing: Drawing) -> Found:
+def weakest_corner(
+    stacks: tuple[Sequence[Part], Sequence[Part]], drawing: Drawing, caps: tuple[Sequence[Part], Sequence[Part]]
+) -> Found:
     """Find height, cracks and direction of the least multiplier of the corner of two façades, with what bears on it.
 
     Coverings load a corner by their weight along each wall, over the top of its wedge; thrusts of hips are not drawn.
@@ -481,12 +494,23 @@ def weakest_corner(stacks: tuple[Sequence[Part], Sequence[Part]], drawing: Drawi
     Parameters
     ----------
     stacks : the walls of each façade, from the ground up
+    caps : gables and parapets on each façade, through which its crack goes on
     """
     first, second = np.array(stacks[1][0].normal), np.array(stacks[0][0].normal)
     walls = (_side_wall(stacks[0], first), _side_wall(stacks[1], second))
     top = min(max(part.top for part in stack) for stack in stacks)
     foot = max(min(part.base for part in stack) for stack in stacks)
-    lines = [[drawing.weight_per_length(part) for part in stack] for stack in stacks]
+    lines = [
+        [drawing.weight_per_length(part) for part in (*stack, *on)] for stack, on in zip(stacks, caps, strict=True)
+    ]
+    faces = [_face(stacks[1], first), _face(stacks[0], second)]
+
+    def caps_at(at: tuple[float, ...]) -> Iterator[CornerLoad]:
+        for number, (way, other) in enumerate(((first, walls[1]), (second, walls[0]))):
+            solids = [part.solid for part in caps[number]]
+            for part in _wedges(solids, way, faces[number] - other.thickness, top - at[0], at[1 + number]):
+                x, y = (float(part.centroid @ each) - face for each, face in zip((first, second), faces, strict=True))
+                yield CornerLoad(name=part.name, at=(x, y, float(part.centroid[2]) - foot), mass=part.mass)
 
     def chain_at(at: tuple[float, ...]) -> Chain:
         loads = []
@@ -499,6 +523,7 @@ def weakest_corner(stacks: tuple[Sequence[Part], Sequence[Part]], drawing: Drawi
                 for line, elevation in lines[number]
                 if line > 0.0
             ]
+        loads += caps_at(at)
         return corner(walls, top=top - foot, height=at[0], angles=(at[1], at[2]), direction=at[3], loads=loads)
 
     height = top - foot
@@ -522,20 +547,27 @@ def weakest_corner(stacks: tuple[Sequence[Part], Sequence[Part]], drawing: Drawi
     others = tuple(Alternative(value, direction_of(at), parameters_of(at)) for value, at in least.others)
     found = Found(least.value, direction_of(least.at), parameters_of(least.at), None, others, least.evaluations)
     elevation = round(top - least.at[0], 3)
+    moving = [(*stack, *on) for stack, on in zip(stacks, caps, strict=True)]
+    parts = [part for each in moving for part in each]
     definition = Corner(
-        blocks=(tuple(part.name for stack in stacks for part in stack),),
+        blocks=(tuple(part.name for part in parts),),
         direction=found.direction,
-        cut=elevation if any(part.base < elevation - NEAR_LEVEL for stack in stacks for part in stack) else None,
+        cut=elevation if any(part.base < elevation - NEAR_LEVEL for part in parts) else None,
         wedges=tuple(
             Wedge(
-                walls=tuple(part.name for part in stack),
+                walls=tuple(part.name for part in each),
                 angle=round(angle, 6),
-                reach=wall.reach if any(part.openings for part in stack) else None,
+                reach=wall.reach if any(part.openings for part in each) else None,
             )
-            for stack, wall, angle in zip(stacks, walls, least.at[1:3], strict=True)
+            for each, wall, angle in zip(moving, walls, least.at[1:3], strict=True)
         ),
     )
-    return _cut_exactly(definition, drawing, [part for stack in stacks for part in stack], found)
+    return _cut_exactly(definition, drawing, parts, found)
+
+
+def _face(stack: Sequence[Part], outwards: np.ndarray) -> float:
+    """Return how far walls reach outwards [m]."""
+    return max(float((part.solid.vertices @ outwards).max()) for part in stack)
 
 
 def arch_of_bay(wall: Part, between: tuple[Part, Part], drawing: Drawing, direction: Vector) -> Found:

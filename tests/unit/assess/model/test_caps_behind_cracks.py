@@ -1,4 +1,4 @@
-"""What stands on the walls of a corner, or behind a façade, falls with its wedge: by cells of the masonry, or listed."""
+"""What stands on the walls of a corner, or behind a façade, falls with the wedge, or is listed."""
 
 from itertools import product
 from math import cos, sin

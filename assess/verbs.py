@@ -235,8 +235,13 @@ def read_building(
     return read_structure([Path(file) for file in files], unit=unit, up=up, density=density)
 
 
-def load(path: str | Path) -> Project:
+def load(path: str | Path, *, before: str | Path | None = None) -> Project:
     """Read a project file.
+
+    Parameters
+    ----------
+    path : of the project file, or its folder
+    before : results.json of the state before the works, in place of that which `[verdict] before` names
 
     Raises
     ------
@@ -247,7 +252,9 @@ def load(path: str | Path) -> Project:
 
     if not isinstance(path, str | Path):
         raise ProjectError(f"{path!r:.60} is no path; give a project file or its folder")
-    return read(Path(path))
+    if not isinstance(before, str | Path | None):
+        raise ProjectError(f"before = {before!r:.60}: give the path of a results.json")
+    return read(Path(path), before=before)
 
 
 @dataclass(frozen=True)

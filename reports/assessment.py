@@ -20,6 +20,7 @@ from reports.chapters import (
     annex_inputs,
     annex_sheets,
     assumptions,
+    before_and_after,
     comparison,
     data_tables,
     declaration,
@@ -142,7 +143,7 @@ def write_pages(document: Document, folder: Path, *, name: str, jobs: int = 0) -
 
 Detail = Literal["main", "full"]
 WORKSHEETS: tuple[tuple[Phrase, tuple[str, ...]], ...] = (
-    (say("Verdict"), ("verdict", "checklist", "answers", "lacking")),
+    (say("Verdict"), ("verdict", "before-and-after", "checklist", "answers", "lacking")),
     (say("Checks"), ("verdicts",)),
     (say("Comparison"), ("levels", "pga-at-capacity", "rotations", "comparison")),
     (say("Mechanisms"), ("page-parameters", "parameters", "loads", "interfaces", "hinge-forces")),
@@ -341,6 +342,7 @@ def _main_sections(results: Results) -> Iterator[Section]:
     yield from verdict.sections(results)
     building = building_of(results)
     yield from key_plan.sections(results, building)
+    yield from before_and_after.sections(results)
     yield from scope.sections(results)
     yield from assumptions.sections(results)
     yield from site.sections(results)

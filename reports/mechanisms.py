@@ -32,6 +32,14 @@ def numbered_title(results: Results, name: str) -> Verbatim:
     return Verbatim(f"{mechanism_number(results, name)} {mechanism_title(found)}")
 
 
+def title_in_either_state(results: Results, name: str) -> Verbatim:
+    """Return number and title of a mechanism; of one of the state before the works alone its title."""
+    if any(each.name == name for each in _every_mechanism(results)):
+        return numbered_title(results, name)
+    found = None if results.before is None else results.before.of(name)
+    return Verbatim(found.label if found is not None and found.label else name)
+
+
 def _every_mechanism(results: Results) -> tuple[MechanismResult | FallingMechanism, ...]:
     return (*results.mechanisms, *results.falling)
 

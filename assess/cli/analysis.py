@@ -42,6 +42,14 @@ def run(
     verify: Annotated[
         bool, flag("--verify", "First do what `assess verify --for PROJECT` does; its page ends the report.")
     ] = False,
+    before: Annotated[
+        Path | None,
+        typer.Option(
+            "--before",
+            metavar="RESULTS",
+            help="The results.json of the state before the works, in place of that which [verdict] before names.",
+        ),
+    ] = None,
 ) -> None:
     """Assess every mechanism and write the report.
 
@@ -49,7 +57,7 @@ def run(
     that of each mechanism and the path of the report; notes that bear on nothing that decides only with -v. The exit
     code is 0 for a pass, 1 for a fail and 3 for an incomplete verdict; the last lines then say what is missing.
     """
-    results, path = _run_project(project, output, jobs, report=not no_report, verify=verify)
+    results, path = _run_project(project, output, jobs, report=not no_report, verify=verify, before=before)
     from assess.cli.tables.analysis import exit_code, run_text
 
     print(run_text(results, verbose=is_verbose()), end="")
@@ -241,15 +249,16 @@ def fragility(
 
 
 def _run_project(
-    project: Path, output: Path | None, jobs: int | None, *, report: bool, verify: bool
+    project: Path, output: Path | None, jobs: int | None, *, report: bool, verify: bool, before: Path | None
 ) -> tuple[Results, Path]:
     """Run the study and write its files; return the results and the path of the report, or of results.json.
 
     verify : whether solved cases are run before, into the folder of the annex that the project names
+    before : results of the state before the works, in place of those that the project names
     """
     from assess.project.project_file import load
 
-    loaded = load(project)  # before the physics is imported, which takes seconds, so that an error is reported at once
+    loaded = load(project, before=before)  # before physics is imported, which takes seconds: errors come at once
     if verify:
         from assess.cli.verify import verify_project
 

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Callable, Collection, Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Literal
 
-from assess.codes.bases import Acceptance, Basis, IndexKind, LimitState, LimitStateRole, Method
+from assess.codes.bases import Acceptance, Basis, LimitState, LimitStateRole, Method
 from assess.codes.check import Check, Family, Outcome, Reason
 from assess.codes.procedures import PROCEDURES
-from assess.messages.message import Message, Quantity, Value, distinct, message
+from assess.messages.message import Message, Value, distinct, message
 from assess.short_repr import ShortRepr
 from spectra.ntc import EXCEEDANCE
 
@@ -53,12 +53,26 @@ class Action(ShortRepr):
 
 
 @dataclass(frozen=True)
+class StateBefore:
+    """The building before the works, by the results of its own run.
+
+    path : of their file, as the project names it
+    index : of the building, the larger of its two states'; None where a mechanism has no answer
+    indices : of each mechanism, by name; None where that has no answer
+    """
+
+    path: str
+    index: float | None
+    indices: Mapping[str, float | None]
+
+
+@dataclass(frozen=True)
 class Question:
     """What the project asks of its basis.
 
     basis : None where none is named and the site has no default
     limit_state, procedures : as the project names them; None where it does not
-    works, use_class, school, upgrading, index_before : of the targets of NTC 8.4
+    works, use_class, school, upgrading, index_before, before : of the targets of NTC 8.4
     target_nbs : share of the new building standard to be reached [%], of NZSEE 2017
     missing : what the whole project lacks, without which its numbers stand for no action
     provisional : what a provisional value stands for, with which its numbers are computed
@@ -73,6 +87,7 @@ class Question:
     school: bool | None = None
     upgrading: str | None = None
     index_before: float | None = None
+    before: StateBefore | None = None
     target_nbs: float | None = None
     missing: tuple[Missing, ...] = ()
     provisional: tuple[Missing, ...] = ()
@@ -212,85 +227,6 @@ def missing_action(state: LimitState, action: Action) -> Missing | None:
         why = message("missing-action-of-state", of_state)
     return missing_input("site.limit_state", why, f'limit_state = "{state.actions[0]}"')
 
-
-TargetOrMissing = tuple[float | None, tuple[Missing, ...]]
-IMPROVED, RAISED = 0.60, 0.10  # NTC 8.4.2
-UPGRADED, FULL = 0.80, 1.0  # NTC 8.4.3: cases c and e, and all others
-
-
-def target_of(question: Question, basis: Basis) -> TargetOrMissing:
-    """Return the target, and what is missing to know it (NTC 8.4.1-8.4.3; NZSEE 2017).
-
-    Parameters
-    ----------
-    question : what the project asks
-    basis : the rules of the code
-
-    Returns
-    -------
-    Target, None where it is not known, and the missing inputs.
-    """
-    if basis.index == IndexKind.NBS:
-        return _share_of_standard(question)
-    if basis.index == IndexKind.DEMAND_CAPACITY:
-        return FULL, ()
-    return _OF_WORKS[question.works](question)
-
-
-def full_target(basis: Basis) -> float:
-    """Return the target of a new building, in the unit of the index."""
-    return 100.0 if basis.index == IndexKind.NBS else FULL
-
-
-def _share_of_standard(question: Question) -> TargetOrMissing:
-    if question.target_nbs is None:
-        return None, (missing_input("verdict.target_nbs", message("missing-target"), "target_nbs = 67"),)
-    return question.target_nbs, ()
-
-
-def _unchanged(question: Question) -> TargetOrMissing:
-    return FULL, ()
-
-
-def _of_local_works(question: Question) -> TargetOrMissing:
-    return _compared(question, message("missing-works"))
-
-
-def _improved(question: Question) -> TargetOrMissing:
-    if question.use_class is None:
-        why = message("missing-class-of-improvement")
-        return None, (missing_input("building.use_class", why, 'use_class = "II"'),)
-    if question.use_class == "III" and question.school is None:
-        return None, (missing_input("building.school", message("missing-school"), "school = true"),)
-    if question.use_class == "IV" or (question.use_class == "III" and question.school):
-        return IMPROVED, ()
-    if question.use_class == "I":
-        return _compared(question, message("missing-target-of-class-I"))
-    if question.index_before is None:
-        return None, (missing_input("verdict.index_before", message("missing-index-before"), "index_before = 0.40"),)
-    return question.index_before + RAISED, ()
-
-
-def _compared(question: Question, why: Message) -> TargetOrMissing:
-    """Return no target where the clause states no threshold: the indices before and after are for the engineer."""
-    before = question.index_before
-    if before is None:
-        return None, (missing_input("verdict.index_before", why, "index_before = 0.40"),)
-    compared = message("compared-with-index-before", {"before": Quantity(before, "ratio", 3)})
-    return None, (missing_input("verdict.works", compared, reasons=(why,)),)
-
-
-def _upgraded(question: Question) -> TargetOrMissing:
-    return (UPGRADED if question.upgrading in ("c", "e") else FULL), ()
-
-
-_OF_WORKS: Mapping[str, Callable[[Question], TargetOrMissing]] = {
-    "none": _unchanged,
-    "local": _of_local_works,
-    "repair": _of_local_works,
-    "improvement": _improved,
-    "upgrading": _upgraded,
-}
 
 KeyLine = tuple[str, str]
 """A key, with the mechanism's name for {}, and a line of TOML."""

@@ -17,22 +17,20 @@ from assess.codes.bases import Basis, IndexKind, LimitState, LimitStateRole
 from assess.codes.check import Check, Outcome
 from assess.codes.histories import failure_below, is_between, ratio_figures, side_figures, standing_figures
 from assess.codes.question import (
-    FULL,
     Action,
     MechanismChecks,
     Missing,
     Question,
     Rank,
     find_limit_states,
-    full_target,
     merge_missing,
     methods_of,
     missing_action,
     missing_input,
     missing_keys,
     requested_ranks,
-    target_of,
 )
+from assess.codes.works import FULL, fall_of_index, full_target, target_of
 from assess.messages.message import Message, Quantity, Severity, Term, message
 from assess.short_repr import ShortRepr
 
@@ -192,7 +190,7 @@ SAME_MARGIN = 0.01  # share by which a margin may fall without being worse
 
 def outcome_of(found: MechanismVerdict) -> MechanismOutcome:
     """Return the outcome of a mechanism, with its margin and index."""
-    return MechanismOutcome(found.mechanism, found.outcome, found.margin, _index([found]))
+    return MechanismOutcome(found.mechanism, found.outcome, found.margin, least_index(found))
 
 
 def is_worse(one: MechanismOutcome, *, than: MechanismOutcome, same: float = SAME_MARGIN) -> bool:
@@ -243,7 +241,7 @@ def verdict(question: Question, mechanisms: Sequence[MechanismChecks]) -> Verdic
     states, no_state = find_limit_states(question)
     target, no_target = target_of(question, basis)
     criteria = _Criteria(question, basis, states, target, (*question.missing, *no_state, *no_target))
-    found = tuple(_decide_mechanism(each, criteria) for each in mechanisms)
+    found = tuple(_hold_to_before(_decide_mechanism(each, criteria), question) for each in mechanisms)
     outcome = worst_outcome(one.outcome for one in found)
     return Verdict(
         basis=basis.name,
@@ -586,6 +584,27 @@ def _decide_mechanism(mechanism: MechanismChecks, criteria: _Criteria) -> Mechan
     )
 
 
+def _hold_to_before(found: MechanismVerdict, question: Question) -> MechanismVerdict:
+    """Return the verdict of a mechanism, which fails where works lower an index that they are not to lower."""
+    least = least_index(found)
+    falls = fall_of_index(question, found.mechanism, None if least is None else least.value)
+    if falls is None:
+        return found
+    answers = (
+        replace(each, outcome=Decision.FAIL, reason=falls, provisional=None) if each.index == least else each
+        for each in found.answers
+    )
+    return replace(
+        found,
+        outcome=Decision.FAIL,
+        at_the_limit=False,
+        answers=tuple(answers),
+        conditions=(),
+        missing=(),
+        provisional=None,
+    )
+
+
 def _not_shown(answer: Answer) -> Answer:
     """Return an answer that rests on a provisional value: incomplete, whether it would pass or fail."""
     would_be = answer.provisional or answer.outcome
@@ -669,6 +688,11 @@ def _margin_of(check: Check) -> float | None:
     if check.safety_index is not None:
         return check.safety_index
     return None if check.capacity_pga_g is None else check.capacity_pga_g / check.level_pga_g
+
+
+def least_index(found: MechanismVerdict) -> Index | None:
+    """Return the index of a mechanism, the worst of its answers'; None where one has none."""
+    return _index([found])
 
 
 def _index(found: Sequence[MechanismVerdict]) -> Index | None:
@@ -856,7 +880,8 @@ def _unanswered(
     answer = Answer(
         state.name, Decision.INCOMPLETE, check.procedure, check.ratio, index, check.reason, provisional=provisional
     )
-    return AnswerAndChecks(answer, (), missing)
+    known = target is None and check.verdict != Outcome.NOT_ANSWERED  # how far it holds depends on no target
+    return AnswerAndChecks(answer, tuple(_of_rank(check, unanswered, ranks)) if known else (), missing)
 
 
 def _provisional_of_check(check: Check, basis: Basis, target: float | None) -> Decision | None:

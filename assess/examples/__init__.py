@@ -48,6 +48,9 @@ EXAMPLES: dict[str, Example] = {
     "chiesa": Example(
         "a small church of our own making: six mechanisms, and the list of the 28 possible", surfaces.facade_meshes
     ),
+    "facade": Example(
+        "a façade before works and with ties: project.toml, then with-ties.toml, both states on one page"
+    ),
     "house": Example(
         "a house as an IFC model: its street front with ties, a gable; the tutorial ends with it",
         models=lambda: {"house.ifc": house.model()},

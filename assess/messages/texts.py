@@ -198,7 +198,7 @@ TEXTS: Mapping[str, str] = {
     "side-walls-part": "with the friction of its side walls the upper {height} of the wall resists least, in front of "
     "cracks in them at tan(β) = {slope} from the vertical: no more friction counts than gives the wall the multiplier "
     "of that part, {multiplier}; examine it as a mechanism of its own",
-    "holds-to-its-end": "a pass is valid only if {what} acts in full up to the displacement given as its end, and what "
+    "holds-to-its-end": "a pass is valid only if {what} acts in full up to the displacement at which it ends, and what "
     "it is anchored to holds it",
     "seats-hold": "a pass at {state} is valid only if the seats that are not given are longer than what moves on them "
     "at the displacement capacity: {seats}",
@@ -241,6 +241,12 @@ TEXTS: Mapping[str, str] = {
     "class I no threshold is stated (NTC 8.4.2)",
     "compared-with-index-before": "no threshold is stated (NTC 8.4.1, 8.4.2): the increase from an index of {before} "
     "is for the engineer to judge",
+    "before-incomplete": "the index before the works: a mechanism of {file} has no answer by a method that decides; "
+    "complete that project and run it again",
+    "gone-since-before": "{mechanisms} of the state before the works: not examined here, so that the index may rise "
+    "for want of the weakest; examine them, or name the source that shows them to be gone",
+    "gone-by-source": "a pass is valid only if {mechanisms} of the state before the works are gone, as a source says",
+    "index-falls": "the works lower the index from {before} to {after} (NTC 8.4.1)",
     "missing-class-of-improvement": "the class of use, on which the target of an improvement depends (NTC 8.4.2)",
     "missing-class-of-hazard": "the class of use, on which the return period of the action depends; provisional: the "
     "action is that of class {taken}, the severest",

@@ -45,7 +45,7 @@ from assess.project.question import (
     options_of,
     procedures_of,
     question_of,
-    with_procedures_run,
+    with_values_of_run,
 )
 from assess.project.record_set import (
     horizontal_records,
@@ -72,6 +72,7 @@ from assess.project.site_and_structure import (
     spectrum_of,
     structure_of,
 )
+from assess.project.state_before import Before, at_another_site, read_before
 from assess.project.variables import Cases, Variants, sampling_of, survey_of, uncertainty_messages, variables_of
 from assess.results.run import FallingMechanism
 from assess.study.amplification import MechanismInPlace, amplify
@@ -92,6 +93,7 @@ class ProjectFiles:
 
     states : of the files, before the first was read
     built : the mechanisms that are already built of these bodies, by name
+    before : the state before the works; None where the project names none
     """
 
     models: MeshesBySelection
@@ -100,6 +102,7 @@ class ProjectFiles:
     named: RecordSet
     states: FileStates
     built: Mapping[str, Built] = field(default_factory=dict)
+    before: Before | None = None
 
 
 @dataclass(frozen=True)
@@ -190,7 +193,7 @@ def study_of(project: Project, *, executor: Executor | None = None, known: Known
             folder=project.folder,
         ),
         report=report,
-        resolved=with_procedures_run(resolve(project), content),
+        resolved=with_values_of_run(resolve(project), content, study.question),
         messages=(*_input_messages(project, study, files, messages), *annex_messages),
         sweeps=sweeps,
         survey=survey_of(variants, study),
@@ -273,11 +276,16 @@ def _files_of(project: Project, *, known: Known | None) -> tuple[ProjectFiles, t
     named, messages = NO_RECORDS, tuple[Message, ...]()
     with faults.gather():
         named, messages = _all_records(content.records, project.folder, spectrum)
+    before = None if known is None else known.files.before
+    if known is None and spectrum is not None:
+        with faults.gather():
+            question = question_of(content, site_pga=spectrum.pga, scale=spectrum.factor)
+            before = read_before(content, question, spectrum, project.folder)
     if faults.any:
         _gather_mechanism_faults(content, solids, faults)
     faults.raise_all()
     built = {} if known is None else _same_mechanisms(content, known.content, known.files.built)
-    return ProjectFiles(models, solids, spectrum, named, states, built), messages
+    return ProjectFiles(models, solids, spectrum, named, states, built, before), messages
 
 
 def _gather_mechanism_faults(content: sections.Content, solids: Mapping[str, Solid | None], faults: Faults) -> None:
@@ -394,7 +402,9 @@ def _study_of_mechanisms(
     own = files.spectrum
     chains = (each for each in content.mechanisms.values() if isinstance(each, sections.ChainSection))
     in_blocks = {body for each in chains for block in each.blocks for body in block}
-    question = question_of(content, site_pga=own.pga if own else 0.0, scale=own.factor if own else 1.0)
+    question = question_of(
+        content, site_pga=own.pga if own else 0.0, scale=own.factor if own else 1.0, before=files.before
+    )
     return Study(
         spectrum=files.spectrum,
         vertical_ratio=VERTICAL_RATIO if site is None else site.vertical_ratio,
@@ -433,6 +443,7 @@ def _study_of_mechanisms(
         knowledge=knowledge_of(content),
         limit_state=None if site is None else site.own_limit_state,
         falling=tuple(falling),
+        before=None if files.before is None else files.before.shown,
     )
 
 
@@ -479,13 +490,16 @@ def _files_of_case(content: sections.Content, project: Project, files: ProjectFi
         for name in content.bodies
     }
     site = site_in(content)
-    spectrum = files.spectrum if site is None or site == site_in(whole) else spectrum_of(site)
+    same_site = site is None or site == site_in(whole)
+    spectrum = files.spectrum if site is None or same_site else spectrum_of(site)
+    before = files.before if same_site else at_another_site(files.before)
     same = content.records == whole.records
     if not same and (content.records.select is not None or content.records.lock is not None):
         how = "selected by" if content.records.lock is None else "locked by"
         raise ProjectError(f"records: a sweep cannot vary what records are {how}; sweep another key")
     records = files.named if same else _all_records(content.records, project.folder, spectrum)[0]
-    return ProjectFiles(models, solids, spectrum, records, files.states, _same_mechanisms(content, whole, files.built))
+    built = _same_mechanisms(content, whole, files.built)
+    return ProjectFiles(models, solids, spectrum, records, files.states, built, before)
 
 
 def _solid_in_case(

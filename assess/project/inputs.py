@@ -71,13 +71,13 @@ def record_files(section: sections.Records, paths: Iterable[Path]) -> tuple[Path
 
 
 def _model_and_table_files(content: sections.Content) -> Iterator[Path]:
-    """Yield the models of bodies, each with the files that it names, and the table of the spectrum."""
+    """Yield the models of bodies with the files that they name, the table of the spectrum, results of before works."""
     for body in content.bodies.values():
         if isinstance(body, sections.MeshBody):
             yield body.mesh
             yield from companions(body.mesh) if body.mesh.suffix.lower() == ".gltf" else ()
     table = getattr(content.site.spectrum, "file", None) if content.site is not None else None
-    yield from () if table is None else (table,)
+    yield from (path for path in (table, content.verdict.before) if path is not None)
 
 
 def _state(path: Path) -> FileState | None:

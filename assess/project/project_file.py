@@ -86,10 +86,15 @@ class Project:
         return self.path.parent
 
 
-def load(path: Path | str) -> Project:
+def load(path: Path | str, *, before: Path | str | None = None) -> Project:
     """Read the project in the file `path`, or in `project.toml` of the folder `path`.
 
     Raises ProjectError for a file that is missing, is not TOML, or breaks the schema.
+
+    Parameters
+    ----------
+    path : of the project
+    before : results of the state before the works, in place of those that `[verdict] before` names
     """
     file = _project_file(Path(path))
     if file.suffix.lower() in READERS and file.is_file():
@@ -100,6 +105,9 @@ def load(path: Path | str) -> Project:
         tables = parse_toml(_text(data))
     except ProjectError as error:
         raise ProjectError(f"{file}: {error}") from None
+    verdict = tables.setdefault("verdict", {}) if before is not None else None
+    if isinstance(verdict, dict):
+        verdict["before"] = str(Path(before or "").resolve())
     return load_tree(tables, file, sha256=hashlib.sha256(data).hexdigest())
 
 
@@ -139,10 +147,21 @@ def resolve(project: Project) -> dict[str, ResolvedValue]:
 
     Paths are written relative to the project file.
     """
-    found = dict(_resolve("", project.content, True, project.folder))
+    found = resolved_values(project.content, project.folder)
     kinds = {key: place.kind.name for key, place in keyed_values(project.content).items() if place.kind is not None}
     covs = covs_of(project.uncertain)
     return {key: replace(each, dimensions=_below(key, kinds), cov=_covs(key, covs)) for key, each in found.items()}
+
+
+def resolved_values(content: Content, folder: Path) -> dict[str, ResolvedValue]:
+    """Return every key of a content as `resolve` does, without dimensions and scatter.
+
+    Parameters
+    ----------
+    content : of a project file
+    folder : of that file, to which paths are relative
+    """
+    return dict(_resolve("", content, True, folder))
 
 
 HUGE = 60.0  # m: a body larger than this, by a number alone, was rather meant in another unit

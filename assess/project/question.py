@@ -31,6 +31,7 @@ from assess.project import sections
 from assess.project.key_errors import key_text, value_text
 from assess.project.keys import error_line
 from assess.project.section import fill, plain_data
+from assess.project.state_before import Before, conditions_since_before, missing_since_before, works_of
 from assess.results import ResolvedValue
 from assess.results.fragility import HazardResult, StateResult
 from assess.risk.hazard import read_hazard
@@ -70,19 +71,30 @@ def basis_of(content: sections.Content) -> Basis | None:
     return found
 
 
-def question_of(content: sections.Content, *, site_pga: float, scale: float = 1.0) -> Question:
-    """Return what the project asks of its basis at the site's own action; scale: of the spectrum by `pga` [-]."""
+def question_of(
+    content: sections.Content, *, site_pga: float, scale: float = 1.0, before: Before | None = None
+) -> Question:
+    """Return what the project asks of its basis at the site's own action.
+
+    Parameters
+    ----------
+    content : of the project
+    site_pga : of the site's own action [m/s2]
+    scale : of the spectrum by `pga` [-]
+    before : the state before the works, where the project names one and it has been read
+    """
     verdict, building, basis = content.verdict, content.building, basis_of(content)
     return Question(
         basis=basis,
         action=action_of(content, basis, pga_g=site_pga / g),
         limit_state=verdict.limit_state,
         procedures=verdict.procedures,
-        works=verdict.works,
+        works=works_of(content, basis, before),
         use_class=use_class_of(content),
         school=None if building is None else building.school,
         upgrading=verdict.upgrading,
         index_before=verdict.index_before,
+        before=None if before is None else before.state,
         target_nbs=verdict.target_nbs,
         missing=tuple(_scaled_down_hazard(content, scale)),
         provisional=tuple(_class_of_hazard(content)),
@@ -153,6 +165,7 @@ def facts_of(
     holds = (
         *lowered_pga_conditions(content, spectrum),
         *conditions_of_works(content, question),
+        *conditions_since_before(content, question),
         *_conditions_of_own_basis(content, question),
         *_unstated_return_period(content, question, years),
         *_dbe_by_asce7(content),
@@ -164,7 +177,12 @@ def facts_of(
         *(_missing_importance(content) if NZSEE2017_FACE_LOADED.name in methods_of(question) else ()),
         *_missing_importance_factor(content, question),
     )
-    lacking = (*importance, *_missing_of_table(content, question), *_too_short_return_period(content, question, years))
+    lacking = (
+        *importance,
+        *_missing_of_table(content, question),
+        *_too_short_return_period(content, question, years),
+        *missing_since_before(content, question),
+    )
     return {
         name: (
             (
@@ -519,14 +537,20 @@ def _states_not_checked(name: str, content: sections.Content) -> tuple[str, ...]
     return () if set(states) & set(checked) else states
 
 
-def with_procedures_run(resolved: Mapping[str, ResolvedValue], content: sections.Content) -> dict[str, ResolvedValue]:
-    """Add the procedures that run to the values of the project, and leave out default options of other codes."""
+def with_values_of_run(
+    resolved: Mapping[str, ResolvedValue], content: sections.Content, question: Question
+) -> dict[str, ResolvedValue]:
+    """Add the procedures that run and the kind of works to the values, and leave out default options of other codes."""
     names = procedures_of(content)
     codes = {key: key.split(".")[1] for key in resolved if key.startswith("procedures.")}
     used = {PROCEDURES[name].options.replace("_", "-") for name in names}
     unused = {key for key, code in codes.items() if code not in used}
     kept = {key: each for key, each in resolved.items() if each.given or key not in unused}
-    return {**kept, "analysis.procedures": ResolvedValue(list(names), content.analysis.procedures is not None)}
+    return {
+        **kept,
+        "analysis.procedures": ResolvedValue(list(names), content.analysis.procedures is not None),
+        "verdict.works": ResolvedValue(question.works, content.verdict.works is not None),
+    }
 
 
 def options_of(content: sections.Content) -> CodeOptions:

@@ -6,6 +6,7 @@ same bytes.
 
 from assess.mechanisms.directions import DirectionCandidate, DirectionSweep
 from assess.oscillator import BranchName
+from assess.results.before import CapacitiesResult, CapacityResult
 from assess.results.mechanism import (
     AmplificationFactor,
     AmplificationResult,
@@ -79,7 +80,9 @@ __all__ = [
     "BranchCurve",
     "BranchMoment",
     "BranchName",
+    "CapacitiesResult",
     "CapacityCurve",
+    "CapacityResult",
     "CarriedMotion",
     "ChecklistItem",
     "ChecklistOutcome",

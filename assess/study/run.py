@@ -200,6 +200,7 @@ def _run_state(
         verdict=verdict,
         falling=study.falling,
         beside=tuple(map(edges_in_space, study.beside)),
+        before=study.before,
         ground_motion=ground_motion(study, spectrum, motions),
         sensitivity=sensitivities(study, spectrum, motions, results, jobs=jobs, progress=progress),
         stamp=stamp("run", program, study.inputs),

@@ -17,7 +17,7 @@ from assess.geometry.cut import Scene
 from assess.geometry.solid import Solid
 from assess.mechanisms.mechanism import Mechanism
 from assess.messages.message import Message
-from assess.results import NO_MATTER, Input, ReportMatter, ResolvedValue
+from assess.results import NO_MATTER, CapacitiesResult, Input, ReportMatter, ResolvedValue
 from assess.results.fragility import FragilityMethod, HazardResult, MeasureResult, StateResult
 from assess.results.run import FallingMechanism, UncertainInput
 from assess.results.verification import AnnexResult
@@ -118,6 +118,7 @@ class Study:
     falling : mechanisms that fall at rest under their own loads, which are not among `mechanisms`
     replaceables : its values that something stands for where no source vouches for them
     replaced : returns the study in which these are replaced
+    before : the state of the building before the works; None where the project names no results of it
     """
 
     spectrum: Spectrum | None
@@ -162,6 +163,7 @@ class Study:
     beside: tuple[Solid, ...] = ()
     replaceables: tuple[Replaceable, ...] = ()
     replaced: Callable[[Sequence[Replaceable]], Study] | None = None
+    before: CapacitiesResult | None = None
 
 
 @dataclass(frozen=True)

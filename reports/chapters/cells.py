@@ -52,6 +52,7 @@ METHOD, LIMIT_STATE, OUTCOME = Column(say("Method")), Column(say("Limit state"))
 PROCEDURE, ROLE = Column(say("Procedure")), Column(say("Role"))
 QUANTITY, UNIT, CLAUSE = Column(say("Quantity")), Column(say("Unit")), Column(say("Clause"))
 FIGURES = 3
+YEARS = 6  # figures of a whole number of years
 
 RATIO = Column(say("D/C"), "ratio", FIGURES)
 CAPACITY_PGA = Column(say("PGA at capacity"), "ground acceleration", FIGURES)
@@ -194,6 +195,35 @@ def target_text(verdict: Verdict) -> Text | None:
     if name == DEMAND_CAPACITY:
         return say("{index} of at most {value}", index=index_symbol(name), value=value)
     return say("{index} of at least {value}", index=index_symbol(name), value=value) if name else value
+
+
+WORKS: Mapping[str, Phrase] = {
+    "local": say("local works"),
+    "repair": say("local works"),
+    "improvement": say("improvement"),
+    "upgrading": say("upgrading"),
+}
+
+
+def works_text(results: Results) -> Text | None:
+    """Return the kind of works; None where there are none."""
+    return WORKS.get(project_text(results, "verdict.works"))
+
+
+def return_period_text(years: float | None, bound: str) -> Text:
+    """Return the return period of a capacity [years]: a bound beyond the rows of the hazard, or that it is not known.
+
+    Parameters
+    ----------
+    years : of the capacity
+    bound : "<=" or ">=" where that is a bound
+    """
+    if years is None:
+        return say("not known")
+    shown = quantity(float(round(years)), "return period", YEARS)
+    if not bound:
+        return shown
+    return say("{years} or less", years=shown) if bound == "<=" else say("{years} or more", years=shown)
 
 
 def has_reduced_target(verdict: Verdict) -> bool:
@@ -464,9 +494,16 @@ def _knowledge_level(results: Results, check: Check, mechanism: str) -> str:
     return str(given or project_text(results, f"{table}.knowledge_level"))
 
 
+WEIGHT = "overburden "  # how the names of loads begin that are weights: nobody need state that they last
+
+
 def _with_lasting_load(results: Results, lasting: str) -> list[str]:
-    """Return the mechanisms with a load that is stated to last so long."""
-    return [each.name for each in results.mechanisms if any(load.lasting == lasting for load in each.loads)]
+    """Return the mechanisms with a tie or force that is stated to last so long."""
+    return [
+        each.name
+        for each in results.mechanisms
+        if any(load.lasting == lasting and not load.name.startswith(WEIGHT) for load in each.loads)
+    ]
 
 
 def _missing_text(results: Results, key: str, group: Sequence[Missing]) -> Text:

@@ -12,6 +12,7 @@ from assess.codes.procedures import family_of, uses_histories
 from assess.codes.verdict import Decision
 from assess.messages.message import Message
 from assess.results import MechanismResult, Results, SuiteResult
+from assess.results.before import governing_check
 from reports import governing
 from reports.chapters import annex_envelopes
 from reports.chapters.cells import (
@@ -26,6 +27,7 @@ from reports.chapters.cells import (
     capacity_pga_cell,
     margin_cell,
     ratio_cell,
+    return_period_text,
     rotation_cell,
     unbounded_text,
 )
@@ -34,7 +36,7 @@ from reports.figures import comparison as figure
 from reports.language.texts import Listing, Paragraph, Phrase, Text, count, listing, names, quantity, say
 from reports.mechanisms import mechanism_number, numbered_title, procedure_title
 
-MAX_LEVELS = 5
+MAX_LEVELS = 4
 """Levels besides the site's own in the table; the tables of the spreadsheet have all."""
 
 
@@ -58,7 +60,8 @@ def ratios_table(results: Results) -> Table:
     own, others = governing.site_pga(results), _evenly_chosen(governing.other_levels(results))
     levels = others if own is None else (own, *others)
     over_site = Column(say("PGA at capacity over the site’s"), "ratio", FIGURES)
-    columns = (MECHANISM, METHOD, *map(_level_column, levels), CAPACITY_PGA, over_site)
+    years = Column(say("Return period of the capacity"))
+    columns = (MECHANISM, METHOD, *map(_level_column, levels), CAPACITY_PGA, over_site, years)
     rows = tuple(_ratios_row(results, mechanism, levels) for mechanism in results.mechanisms)
     return Table("levels", _ratios_caption(results, others), columns, rows, small=True)
 
@@ -187,7 +190,9 @@ def _ratios_row(results: Results, mechanism: MechanismResult, levels: tuple[floa
     title = None if known is None else procedure_title(known.procedure)
     capacity = None if known is None else capacity_pga_cell(known)
     margin = None if mechanism_verdict is None else margin_cell(mechanism_verdict)
-    return (numbered_title(results, mechanism.name), title, *cells, capacity, margin)
+    governs = None if own is None else governing_check(mechanism.checks, pga_g=own)
+    years = None if governs is None else return_period_text(governs.return_period_years, governs.return_period_bound)
+    return (numbered_title(results, mechanism.name), title, *cells, capacity, margin, years)
 
 
 def _accepted(results: Results, mechanism: MechanismResult, level: float) -> tuple[Check, ...]:

@@ -30,7 +30,7 @@ from reports.language.texts import (
 )
 from reports.language.value_names import key_words, parameter_rows
 from reports.mechanisms import mechanism_list, numbered_title, procedure_title
-from reports.project_values import project_text, split_key
+from reports.project_values import split_key
 
 MAX_POINTS = 4  # points of a list; page 1 holds no more
 
@@ -58,13 +58,6 @@ ESSENTIAL: Mapping[str, Phrase] = {
     "s_d1": say("S_D1 = {value}"),
 }
 """The parameters of the spectrum that page 1 shows."""
-
-WORKS: Mapping[str, Phrase] = {
-    "local": say("local works"),
-    "repair": say("local works"),
-    "improvement": say("improvement"),
-    "upgrading": say("upgrading"),
-}
 
 
 def sections(results: Results) -> list[Section]:
@@ -350,7 +343,7 @@ def _spectrum_text(spectrum: SpectrumResult) -> Text:
 
 
 def _with_works(results: Results, target: Text) -> Text:
-    works = WORKS.get(project_text(results, "verdict.works"))
+    works = cells.works_text(results)
     return target if works is None else say("{target} ({works})", target=target, works=works)
 
 

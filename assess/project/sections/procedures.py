@@ -17,6 +17,7 @@ from assess.codes.procedures import THESIS_READINGS
 from assess.declaration import FREE, Evidence, NotNegativeLength, PositiveRatio, Safe, Several
 from assess.project.key_errors import error_at, quote_names
 from assess.project.section import ProjectSection, default_table
+from assess.project.values import InputFile
 
 Procedure = Literal[
     "asce43-05-spectrum",
@@ -61,6 +62,7 @@ INDEX_BEFORE = Evidence(
     judged="the target of an improvement is 0.10 above it",
     safe=Safe.ABSENT,
 )
+BEFORE = Evidence("defines", "either", "absent: an improvement is incomplete")
 TARGET_NBS = Evidence("chosen", (100, 67, 34), "absent: incomplete; the grade stands beside")
 RULE = Evidence(
     "chosen",
@@ -83,13 +85,15 @@ class VerdictSection(ProjectSection, title="VerdictSection"):
     """limit state that decides for the whole building, like "SLV"; the default of the basis if absent"""
     procedures: Annotated[ProcedureNames | None, METHODS] = None
     """methods that may decide, also those that the basis accepts only if named; all it accepts unnamed if absent"""
-    works: Annotated[Literal["none", "local", "improvement", "upgrading", "repair"], WORKS] = "none"
+    works: Annotated[Literal["none", "local", "improvement", "upgrading", "repair"] | None, WORKS] = None
     """kind of work, which sets the target of the Italian index: "none" (1.0), "local" (none; old spelling "repair"),
-    "improvement", "upgrading\""""
+    "improvement", "upgrading"; if absent "none", and "local" where a state before is given and a tie is new"""
     upgrading: Annotated[Literal["a", "b", "c", "d", "e"] | None, UPGRADING] = None
     """case of NTC 8.4.3: "c" and "e" have the target 0.80, the others 1.0"""
     index_before: Annotated[PositiveRatio | None, INDEX_BEFORE] = None
-    """index before the works, which an improvement raises by 0.10, and which local works do not lower"""
+    """index before the works, as measured, which an improvement raises by 0.10, and which local works do not lower"""
+    before: Annotated[InputFile | None, BEFORE] = None
+    """results.json of the state before the works, by the same hazard; its index stands for index_before"""
     target_nbs: Annotated[Literal[34, 67, 100] | None, TARGET_NBS] = None
     """share of the new building standard to be reached in per cent, 34, 67 or 100; no default"""
     rule: Annotated[Literal["all", "any"] | None, RULE] = None
@@ -101,6 +105,8 @@ class VerdictSection(ProjectSection, title="VerdictSection"):
 
     @model_validator(mode="after")
     def _belongs_together(self) -> VerdictSection:
+        if self.before is not None and self.index_before is not None:
+            raise error_at("index_before", "beside before, whose results have the index; remove one of the two")
         if self.basis == "own":
             for key in ("procedures", "rule", "statement"):
                 if not getattr(self, key):

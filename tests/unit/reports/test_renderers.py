@@ -33,6 +33,7 @@ DATA = {
     "assess.workers",  # processes that end with their parent
     "assess.errors",
     "assess.results",
+    "assess.results.before",  # both states are read from results in one way
     "assess.results.mechanism",
     "assess.portfolio.tasks",
     "assess.results.provenance",
@@ -47,6 +48,7 @@ DATA = {
     "assess.codes.histories",
     "assess.codes.question",
     "assess.codes.verdict",
+    "assess.codes.works",  # by how much an index may be less and count as the same
     "assess.messages.message",
 }
 

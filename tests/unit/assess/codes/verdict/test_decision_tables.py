@@ -8,8 +8,9 @@ import pytest
 
 from assess.codes.bases import BASES, BY_SITE, stated_basis
 from assess.codes.check import Outcome
-from assess.codes.question import Action, Missing, Question, target_of
+from assess.codes.question import Action, Missing, Question
 from assess.codes.verdict import Decision
+from assess.codes.works import target_of
 from tests.support.answered import SITE, check, decide, question
 
 PASS, FAIL, SILENT, NOT_FOR = Outcome.PASS, Outcome.FAIL, Outcome.NOT_ANSWERED, Outcome.NOT_APPLICABLE

@@ -1,0 +1,211 @@
+"""The state before the works, from the results of its own run: read, and refused unless its hazard is the project's."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, replace
+from math import isclose
+from pathlib import Path
+from typing import Any
+
+from assess.codes.bases import Basis, IndexKind
+from assess.codes.question import SOURCES, Missing, Question, StateBefore, Works, find_limit_states, missing_input
+from assess.codes.verdict import Decision, Verdict
+from assess.codes.works import LOCAL
+from assess.errors import ProjectError, ResultsError
+from assess.messages.message import Message, Severity, message
+from assess.project import sections
+from assess.project.project_file import resolved_values
+from assess.results import CapacitiesResult, Results
+from assess.results.before import state_of
+from assess.results.json import open_results
+from assess.study.ground_motion import spectrum_result
+from records.reading import relative_path
+from spectra.spectrum import Spectrum
+
+KEY = "verdict.before"
+SAME = 1e-6  # relative difference of numbers that are one
+HAZARD = "site.spectrum.hazard"
+TIES = "tie"  # kind of the loads that are ties
+
+
+@dataclass(frozen=True)
+class Before:
+    """The state before the works.
+
+    state : what the verdict compares with
+    shown : what the report sets beside the state of the project
+    has_new_ties : whether the project has a tie that is not in it
+    """
+
+    state: StateBefore
+    shown: CapacitiesResult
+    has_new_ties: bool
+
+
+def read_before(content: sections.Content, question: Question, spectrum: Spectrum, folder: Path) -> Before | None:
+    """Read the state before the works that a project names; None where it names none.
+
+    Parameters
+    ----------
+    content : of the project
+    question : what it asks of its basis
+    spectrum : of its site
+    folder : of the project file
+
+    Raises
+    ------
+    ProjectError : the file holds no verdict, was changed since it was written, or is by another basis, limit state,
+        hazard or soil; the text names the number that differs
+    """
+    file = content.verdict.before
+    if file is None:
+        return None
+    path = relative_path(file, folder)
+    told: list[Message] = []
+    try:
+        results = open_results(file, tell=told.append).results
+    except ResultsError as error:
+        raise ProjectError(f"{KEY}: {error}") from None
+    if any(each.key == "results-changed" for each in told):
+        raise ProjectError(f"{KEY}: {path}: changed since it was written; run the project of the state before again")
+    shown = state_of(results, path=path)
+    if shown is None or results.verdict is None or results.spectrum is None:
+        raise ProjectError(f"{KEY}: {path}: holds no verdict; run the project of the state before with `assess run`")
+    resolved = resolved_values(content, folder)
+    for what, there, here in _differences(results, results.verdict, question, spectrum, resolved):
+        raise ProjectError(
+            f"{KEY}: {path}: {what}: {_shown(there)} there and {_shown(here)} in this project; both states are "
+            "compared by the same hazard, basis and limit state: run the state before by those of this project"
+        )
+    indices = {each.mechanism: None if each.index is None else each.index.value for each in shown.mechanisms}
+    open_ones = {each.mechanism for each in results.verdict.mechanisms if _is_open(each.answers)}
+    known = {name: None if name in open_ones else index for name, index in indices.items()}
+    state = StateBefore(path, _larger_index(results.verdict, known), known)
+    return Before(state, shown, _has_new_ties(resolved, results))
+
+
+def works_of(content: sections.Content, basis: Basis | None, before: Before | None) -> Works:
+    """Return the kind of works: as the project says, else local where a state before is known and a tie is new.
+
+    Of an index before that is measured nothing tells which ties were there, so that each counts as new.
+    """
+    named = content.verdict.works
+    if named is not None or basis is None or basis.index != IndexKind.ZETA_E:
+        return named or "none"
+    if before is not None:
+        return "local" if before.has_new_ties else "none"
+    chains = [each for each in content.mechanisms.values() if isinstance(each, sections.ChainSection)]
+    has_ties = any(load.kind == TIES for each in chains for load in each.loads)
+    return "local" if content.verdict.index_before is not None and has_ties else "none"
+
+
+def at_another_site(before: Before | None) -> Before | None:
+    """Return the state before where a case of a sweep changes the site: its indices are of another hazard."""
+    return None if before is None else replace(before, state=StateBefore(before.state.path, None, {}))
+
+
+def missing_since_before(content: sections.Content, question: Question) -> Iterator[Missing]:
+    """Yield the mechanisms of the state before that are not examined here, where the index before sets the target."""
+    gone = _gone_since_before(content, question)
+    if gone and not content.report.source_of(KEY):
+        why = message("gone-since-before", {"mechanisms": ", ".join(gone)})
+        yield missing_input(SOURCES, why, f'"{KEY}" = "measured: …"', enlarges=True)
+
+
+def conditions_since_before(content: sections.Content, question: Question) -> Iterator[Message]:
+    """Yield the condition that mechanisms of the state before are gone, as a source says."""
+    gone = _gone_since_before(content, question)
+    if gone and content.report.source_of(KEY):
+        yield message("gone-by-source", {"mechanisms": ", ".join(gone)}, severity=Severity.WARNING)
+
+
+def _gone_since_before(content: sections.Content, question: Question) -> list[str]:
+    if question.before is None or question.works not in (*LOCAL, "improvement"):
+        return []
+    return [name for name in question.before.indices if name not in content.mechanisms]
+
+
+Difference = tuple[str, Any, Any]
+
+
+def _differences(
+    results: Results, verdict: Verdict, question: Question, spectrum: Spectrum, resolved: Mapping[str, Any]
+) -> Iterator[Difference]:
+    """Yield what differs of basis, action, spectrum and hazard: what it is, there and here."""
+    before, here, action = results.spectrum, spectrum_result(spectrum), question.action
+    assert before is not None
+    states, _ = find_limit_states(question)
+    pairs: list[Difference] = [
+        ("basis", verdict.basis, "" if question.basis is None else question.basis.name),
+        ("limit states that decide", ", ".join(verdict.limit_states), ", ".join(each.name for each in states)),
+        ("limit state of the site", verdict.action.limit_state, action.limit_state),
+        ("return period of the action [years]", verdict.action.return_period_years, action.return_period_years),
+        ("code of the spectrum", before.code, here.code),
+        *(
+            (f"{key} of the spectrum", before.parameters.get(key), here.parameters.get(key))
+            for key in dict.fromkeys((*before.parameters, *here.parameters))
+        ),
+        ("damping of the spectrum", before.damping, here.damping),
+        ("PGA of the site [g]", verdict.action.pga_g, action.pga_g),
+        *_hazard_pairs(results, resolved),
+    ]
+    yield from (each for each in pairs if not _is_same(each[1], each[2]))
+    if before.period_s != here.period_s:
+        yield "longest period of the spectrum [s]", before.period_s[-1], here.period_s[-1]
+    for period, there, own in zip(before.period_s, before.acceleration_g, here.acceleration_g, strict=False):
+        if not _is_same(there, own):
+            yield f"spectrum at {period:.4g} s [g]", there, own
+
+
+def _hazard_pairs(results: Results, resolved: Mapping[str, Any]) -> Iterator[Difference]:
+    """Yield the numbers of the rows of the hazard over return periods, where either project has it."""
+    there, here = (
+        [] if key is None else key.value or [] for key in (results.project.get(HAZARD), resolved.get(HAZARD))
+    )
+    yield f"rows of {HAZARD}", len(there), len(here)
+    for place, (one, other) in enumerate(zip(there, here, strict=False), start=1):
+        for key in dict.fromkeys((*one, *other)):
+            yield f"{HAZARD}[{place}].{key} in SI", one.get(key), other.get(key)
+
+
+def _is_same(one: Any, other: Any) -> bool:
+    if isinstance(one, int | float) and isinstance(other, int | float):
+        return isclose(one, other, rel_tol=SAME, abs_tol=1e-12)
+    return bool(one == other)
+
+
+def _shown(value: Any) -> str:
+    if value is None or value == "":
+        return "none"
+    return f"{value:.6g}" if isinstance(value, float) else str(value)
+
+
+def _is_open(answers: Any) -> bool:
+    """Return whether an answer decides nothing, so that its index may be too low a one to compare with."""
+    return any(each.outcome == Decision.INCOMPLETE for each in answers)
+
+
+def _larger_index(verdict: Verdict, known: Mapping[str, float | None]) -> float | None:
+    """Return the index of the building in the better of its two states, above which works raise it; None if unknown."""
+    if not known or None in known.values():
+        return None
+    other = () if verdict.other_state is None else verdict.other_state.mechanisms
+    better = [each.index.value for each in other if each.index is not None]
+    own = min(index for index in known.values() if index is not None)
+    return max(own, min(better)) if len(better) == len(known) else own
+
+
+def _has_new_ties(resolved: Mapping[str, Any], before: Results) -> bool:
+    """Return whether a tie of the project is in no mechanism of the same name before, with the same values."""
+    old = {name: _ties_of(each.value) for name, each in before.project.items() if name.endswith(".loads")}
+    return any(
+        tie not in old.get(name, [])
+        for name, each in resolved.items()
+        if name.startswith("mechanisms.") and name.endswith(".loads")
+        for tie in _ties_of(each.value)
+    )
+
+
+def _ties_of(loads: Any) -> list[Any]:
+    return [load for load in loads or () if isinstance(load, Mapping) and load.get("kind") == TIES]

@@ -1,0 +1,40 @@
+"""The example of a façade before and after works, run once for all tests that read its results."""
+
+from __future__ import annotations
+
+from functools import cache
+from pathlib import Path
+from tempfile import mkdtemp
+
+import assess
+from assess.examples import copy_example
+from assess.outputs.manifest import RESULTS
+from assess.results import Results
+from assess.results.json import dumps
+
+
+@cache
+def folder() -> Path:
+    """The example, with the results of the state before where its project file looks for them."""
+    made = copy_example("facade", Path(mkdtemp()) / "facade").parent
+    place = made / "project-results"
+    place.mkdir()
+    (place / RESULTS).write_text(dumps(assess.run(made / "project.toml").results), encoding="utf-8")
+    return made
+
+
+@cache
+def with_ties() -> Results:
+    """The results of the state after."""
+    return assess.run(folder() / "with-ties.toml").results
+
+
+def variant(name: str, **words: str) -> Path:
+    """A project file beside that of the state after, in which words stand in place of others."""
+    text = (folder() / "with-ties.toml").read_text(encoding="utf-8")
+    for old, new in words.items():
+        assert old in text
+        text = text.replace(old, new)
+    path = folder() / f"{name}.toml"
+    path.write_text(text, encoding="utf-8")
+    return path

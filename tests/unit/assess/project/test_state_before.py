@@ -1,0 +1,148 @@
+"""The state before the works: matched by name, refused where its hazard is another, and the works that follow."""
+
+from __future__ import annotations
+
+import json
+import shutil
+from pathlib import Path
+
+import pytest
+
+import assess
+from assess.errors import ProjectError
+from assess.outputs.manifest import RESULTS
+from assess.project.build import build_to_decide
+from assess.project.project_file import load
+from assess.results.before import state_of
+from assess.results.json import dumps, loads
+from assess.study.run import find_outcome
+from tests.support.facade import folder, variant, with_ties
+
+BEFORE = 'before = "project-results/results.json"'
+WORKS = 'works = "improvement"'
+
+
+def question_of(path: Path, **more):
+    return build_to_decide(load(path, **more)).question
+
+
+def test_the_state_before_is_that_of_its_own_results():
+    before = state_of(loads((folder() / "project-results" / RESULTS).read_text(encoding="utf-8")))
+    found = with_ties().before
+    assert before is not None
+    assert found is not None
+    assert found.path == "project-results/results.json"
+    assert (found.mechanisms, found.index, found.weakest) == (before.mechanisms, before.index, "facade")
+
+
+def test_results_with_a_state_before_are_read_back_as_they_were_written():
+    assert loads(dumps(with_ties())) == with_ties()
+
+
+def test_the_target_is_a_tenth_above_the_index_before_and_the_weakest_is_another():
+    results = with_ties()
+    before, after = results.before, state_of(results)
+    assert results.verdict is not None
+    assert before is not None
+    assert after is not None
+    assert results.verdict.target == pytest.approx(before.of("facade").index.value + 0.10, rel=1e-12)
+    assert (before.weakest, after.weakest) == ("facade", "gable")
+    assert before.of("gable").index == after.of("gable").index  # nothing of it changed
+    assert after.of("facade").capacity_pga_g > before.of("facade").capacity_pga_g
+    assert before.of("facade").return_period_years < 475.0 < after.of("gable").return_period_years
+
+
+def test_the_files_before_are_among_the_inputs_and_their_stamp_is_kept():
+    results = with_ties()
+    assert results.before is not None
+    assert results.before.stamp
+    assert "project-results/results.json" in {each.path for each in results.inputs}
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "told"),
+    [
+        ('soil = "B"', 'soil = "C"', "soil of the spectrum: B there and C in this project"),
+        ('topography = "T1"', 'topography = "T2"', "topography of the spectrum: T1 there and T2"),
+        ('a_g = "0.188 g"', 'a_g = "0.189 g"', "a_g of the spectrum: 1.84302 there and 1.85282"),
+        ('a_g = "0.325 g"', 'a_g = "0.326 g"', "site.spectrum.hazard[7].a_g in SI: 3.18716 there and 3.19697"),
+        ("nominal_life = 50", "nominal_life = 100", "return period of the action [years]: 474.561 there and 949.122"),
+        ('limit_state = "SLV"', 'limit_state = "SLC"', "limit states that decide: SLV there and SLC"),
+        ('basis = "ntc2018"', 'basis = "dmi2008"', "basis: ntc2018 there and dmi2008"),
+    ],
+)
+def test_a_state_by_another_hazard_is_refused_with_the_number_that_differs(old, new, told):
+    with pytest.raises(ProjectError) as refused:
+        question_of(variant("other-hazard", **{old: new}))
+    assert told in str(refused.value)
+    assert "verdict.before: project-results/results.json" in str(refused.value)
+
+
+def test_another_density_is_no_other_hazard():
+    path = variant("denser", **{'density = "2000 kg/m^3"': 'density = "2100 kg/m^3"'})
+    assert question_of(path).before.indices["facade"] == with_ties().before.of("facade").index.value
+
+
+def test_works_are_local_where_a_state_before_is_known_and_a_tie_is_new():
+    unsaid = {WORKS: ""}
+    assert question_of(variant("unsaid", **unsaid)).works == "local"
+    assert question_of(variant("measured", **unsaid, **{BEFORE: "index_before = 0.5"})).works == "local"
+    assert question_of(variant("alone", **unsaid, **{BEFORE: ""})).works == "none"
+    assert question_of(folder() / "project.toml", before=folder() / "project-results" / RESULTS).works == "none"
+    assert question_of(folder() / "with-ties.toml").works == "improvement"
+
+
+def test_ties_that_were_there_before_are_not_new(tmp_path):
+    old = tmp_path / RESULTS
+    old.write_text(dumps(with_ties()), encoding="utf-8")
+    assert question_of(variant("again", **{WORKS: ""}), before=old).works == "none"
+
+
+def test_an_index_typed_beside_the_results_is_refused():
+    with pytest.raises(ProjectError, match=r"index_before.*beside before"):
+        load(variant("both", **{BEFORE: f"{BEFORE}\nindex_before = 0.5"}))
+
+
+def test_results_named_at_the_door_win_over_those_of_the_file(tmp_path):
+    other = tmp_path / "other.json"
+    shutil.copy(folder() / "project-results" / RESULTS, other)
+    project = assess.load(variant("elsewhere", **{BEFORE: ""}), before=other)
+    assert project.content.verdict.before == other
+    assert question_of(project.path, before=other).before.index == pytest.approx(with_ties().before.index.value)
+
+
+def test_results_that_were_changed_since_they_were_written_are_refused(tmp_path):
+    made = tmp_path / "facade"
+    shutil.copytree(folder(), made)
+    run = assess.load(made / "project.toml")
+    assess.write_report(assess.Run(run, loads((made / "project-results" / RESULTS).read_text())), made / "whole")
+    written = made / "whole" / RESULTS
+    tree = json.loads(written.read_text(encoding="utf-8"))
+    tree["verdict"]["mechanisms"][0]["answers"][0]["index"]["value"] = 0.1
+    written.write_text(json.dumps(tree), encoding="utf-8")
+    with pytest.raises(ProjectError, match="changed since it was written"):
+        question_of(made / "with-ties.toml", before=written)
+
+
+def test_what_is_no_results_file_is_refused(tmp_path):
+    (tmp_path / "x.json").write_text("{}", encoding="utf-8")
+    with pytest.raises(ProjectError, match=r"verdict\.before.*no schema_version"):
+        question_of(folder() / "with-ties.toml", before=tmp_path / "x.json")
+    with pytest.raises(ProjectError, match=r"verdict\.before.*no such file"):
+        load(folder() / "with-ties.toml", before=tmp_path / "nowhere.json")
+
+
+GABLE = '[mechanisms.gable]\nlabel = "Gable above the eaves"'
+
+
+def test_a_mechanism_that_is_not_examined_any_more_leaves_an_improvement_open():
+    """The index of the building would rise for want of its weakest mechanism."""
+    renamed = {GABLE: GABLE.replace(".gable", ".top"), '"mechanisms.gable.cut"': '"mechanisms.top.cut"'}
+    found = find_outcome(build_to_decide(load(variant("renamed", **renamed))))
+    assert found.outcome == "incomplete"
+    assert [(each.key, each.toml) for each in found.missing] == [("report.sources", '"verdict.before" = "measured: …"')]
+    assert "gable of the state before the works: not examined here" in found.missing[0].text
+    vouched = {"[report.sources]": '[report.sources]\n"verdict.before" = "measured: the gable was taken down"'}
+    found = find_outcome(build_to_decide(load(variant("vouched", **renamed, **vouched))))
+    assert found.outcome == "pass"
+    assert "gone-by-source" in {each.key for each in found.conditions}

@@ -32,6 +32,7 @@ from assess.codes.italian_limit_states import floor_of
 from assess.codes.ntc2018 import NTC2018_HISTORY, NTC2018_LINEAR, NTC2018_NONLINEAR, Ntc2018Options
 from assess.codes.nzsee2017 import NZSEE2017_FACE_LOADED, Nzsee2017Options
 from assess.codes.sliding import ASCE43_05_SLIDING, SLIDING, sliding_pga
+from assess.codes.toothing import counted_moment
 from assess.errors import ProcedureError
 from assess.messages.message import Message, Quantity, Severity, Term, Value, message
 from assess.oscillator import Oscillator
@@ -303,7 +304,10 @@ def premise_conditions(procedure: str, context: Context) -> tuple[Message, ...]:
     }
     if context.support == "free":
         keys[Premise.ANCHORAGE] = "premise-anchorage-foot" if context.above_ground else ""
-    found = (keys[each] for each in PROCEDURES[procedure].premises)
+    found = [keys[each] for each in PROCEDURES[procedure].premises]
+    rubs = context.toothing is not None and not context.linearised and counted_moment(context.toothing) > 0.0
+    if rubs and uses_histories(procedure):
+        found.append("side-walls-hold")
     return tuple(message(key, severity=Severity.WARNING) for key in found if key)
 
 

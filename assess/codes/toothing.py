@@ -15,7 +15,8 @@ unit of its slope τ = tan β, weights and loads above a level and about its fro
 a from the front edge to the side walls. No more friction counts than gives the wall as a whole the least α of all parts
 and slopes. A joint at the height z opens by z sin φ, and its overlap is lost at l: the triangle of friction becomes
 q(z) (1 - z sin φ / l), where that is above 0. It resists on the way out alone and is not shown to last up to collapse:
-it counts in α0 and in a(d), in no displacement at collapse and in no history. Loads on the side walls are not in it.
+it counts in α0 and in a(d), and in no displacement at collapse. Histories have it as memory, where the wall opens
+farther than ever before (`assess.dynamics.ties`). Loads on the side walls are not in it.
 """
 
 from __future__ import annotations

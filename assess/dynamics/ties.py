@@ -2,7 +2,8 @@
 
 A tie of elongation e (phi) pulls with N = k (e - e_p), between zero and its yield force, where e_p is its plastic
 elongation so far; at `gone` it breaks, or its anchor fails, for good. By virtual work it adds N de/dphi to the
-restoring moment. Friction adds its moment where the mechanism opens farther than ever before, and nothing elsewhere.
+restoring moment. Friction adds its moment where the mechanism opens farther than ever before, and nothing elsewhere: a
+mechanism that has stopped there is held until the ground overcomes it, or the mechanism alone would turn back.
 """
 
 from __future__ import annotations
@@ -25,8 +26,9 @@ from records.record import Record
 from spectra.arrays import BoolArray, FloatArray, IntArray
 
 if TYPE_CHECKING:
-    from scipy.interpolate import CubicHermiteSpline
+    from scipy.interpolate import CubicHermiteSpline, CubicSpline
 
+FIRST_TIE = 5  # column of the kernel's path
 RunTied = Callable[[IntArray, IntArray, FloatArray, FloatArray, FloatArray, FloatArray, FloatArray], int]
 
 
@@ -40,6 +42,18 @@ class TiedPeaks(ShortRepr):
     peaks: Peaks
     plastic: FloatArray
     broken: BoolArray
+
+
+@dataclass(frozen=True, repr=False)
+class Traces(ShortRepr):
+    """What a history has left behind it, at the samples of its record.
+
+    plastic : elongation of each tie [n, ties] [m], infinite once it is gone; of one that yields that of the last peak
+    reached : largest rotation of each side at its peaks so far [n, sides] [rad]
+    """
+
+    plastic: FloatArray
+    reached: FloatArray
 
 
 def tied_peaks(
@@ -80,7 +94,7 @@ def make_tied_solver(
         plastic = np.zeros((checked.scale.size, _most_ties(oscillators)))
 
         def work(part: slice) -> None:
-            path, events = np.empty((0, 3 + plastic.shape[1])), np.zeros((1, 4))
+            path, events = np.empty((0, FIRST_TIE + plastic.shape[1])), np.zeros((1, 4))
             which = checked.oscillator[part], checked.motion[part], checked.scale[part]
             run(*which, found[part], plastic[part], path, events)
 
@@ -96,10 +110,8 @@ def make_tied_solver(
 
 def tied_trace(
     oscillator: Memory, motion: Record, *, scale: float, tolerance: float = TOLERANCE, capacity: int = 0
-) -> tuple[Trace, FloatArray, Events]:
-    """Return the history at the samples of the record, the plastic elongation of each tie there, and its events.
-
-    A tie that is gone has an infinite plastic elongation [n, ties] [m]; one that yields has that of the last peak.
+) -> tuple[Trace, Traces, Events]:
+    """Return the history at the samples of the record, what it has left there, and its events.
 
     Parameters
     ----------
@@ -111,34 +123,40 @@ def tied_trace(
     (one,) = _packed([oscillator])
     run = _solver([oscillator], [one], [motion], tolerance)
     first, ties = np.zeros(1, dtype=np.int64), _most_ties([oscillator])
-    path, events = np.zeros((motion.npts, 3 + ties)), np.zeros((capacity + 1, 4))
+    path, events = np.zeros((motion.npts, FIRST_TIE + ties)), np.zeros((capacity + 1, 4))
     path[0, 2] = -1.0
     found, plastic = np.empty((1, columns.FOUND)), np.zeros((1, ties))
     samples = run(first, first, np.array([scale]), found, plastic, path, events)
     happened = history.events_found(events[1 : 1 + int(events[0, 0])], one)
-    return history.trace_found(motion, one, path[:samples, :3]), path[:samples, 3:], happened
+    reached = np.stack([side.rotation(path[:samples, 3 + k]) for k, side in enumerate(one.sides)], axis=1)
+    left = Traces(path[:samples, FIRST_TIE:], reached)
+    return history.trace_found(motion, one, path[:samples, :3]), left, happened
 
 
-def tie_energy(oscillator: Memory, path: Trace, plastic: FloatArray) -> FloatArray:
-    """Return what the ties have taken up since rest, elastic and for good, at the samples of a history [n] [J].
+def memory_energy(oscillator: Memory, path: Trace, left: Traces) -> FloatArray:
+    """Return what ties and friction have taken up since rest, for good or not, at the samples of a history [n] [J].
 
     Parameters
     ----------
     oscillator, path : the mechanism and its history
-    plastic : elongation of each tie at its samples, as `tied_trace` gives it [n, ties] [m]
+    left : what it has left at its samples, as `tied_trace` gives it
     """
     total = np.zeros(path.time.size)
+    sides = [path.rotation < 0.0 if side else path.rotation >= 0.0 for side in range(len(oscillator.bare.branches))]
     for number, tie in enumerate(oscillator.ties):
         e = np.empty(path.time.size)
-        for side, branch in enumerate(oscillator.bare.branches):
-            here = path.rotation < 0.0 if side else path.rotation >= 0.0
+        for side, (here, branch) in enumerate(zip(sides, oscillator.bare.branches, strict=True)):
             shape = _cubic_spline(branch.rotation, tie.elongation[side], tie.rate[side])
             e[here] = shape(np.abs(path.rotation[here]))
-        k, most = tie.stiffness, tie.strength
-        gone = np.isinf(plastic[:, number]) | (e >= tie.gone)
-        left = np.where(gone, max(tie.gone - most / k, 0.0), np.maximum(plastic[:, number], e - most / k))
-        pull = np.where(gone, min(most, k * tie.gone), np.clip(k * (e - left), 0.0, most))
-        total += pull**2 / (2 * k) + most * left - tie.energy_at_rest
+        k, most, plastic = tie.stiffness, tie.strength, left.plastic[:, number]
+        gone = np.isinf(plastic) | (e >= tie.gone)
+        kept = np.where(gone, max(tie.gone - most / k, 0.0), np.maximum(plastic, e - most / k))
+        pull = np.where(gone, min(most, k * tie.gone), np.clip(k * (e - kept), 0.0, most))
+        total += pull**2 / (2 * k) + most * kept - tie.energy_at_rest
+    for side, moment in enumerate(oscillator.friction):
+        rotation = oscillator.bare.branches[side].rotation
+        rubbed = _spline_of(rotation, moment).antiderivative()
+        total += rubbed(np.maximum(left.reached[:, side], np.where(sides[side], np.abs(path.rotation), 0.0)))
     return total
 
 
@@ -179,7 +197,7 @@ def _solver(
                 elongation[k, first : last + 1] = _cubics(canonical.y, e, rate)
             if of.friction:
                 moment = of.friction[side][keep] * over_y / scale
-                friction[first : last + 1] = _cubics(canonical.y, moment, np.gradient(moment, canonical.y))
+                friction[first : last + 1] = _spline_of(canonical.y, moment).c.T
     return partial(
         ties.rock_with_memory, branches_of(each), table, smooth, spans, laws, elongation, friction, tolerance,
         *history.motion_arrays(motions),
@@ -189,6 +207,14 @@ def _solver(
 def _cubics(y: FloatArray, value: FloatArray, slope: FloatArray) -> FloatArray:
     """Return the cubics through values and slopes at y [n], highest power first [n - 1, 4]."""
     return np.ascontiguousarray(_cubic_spline(y, value, slope).c.T)
+
+
+def _spline_of(x: FloatArray, value: FloatArray) -> CubicSpline:
+    """Return the smooth spline through values at x [n], of which two alike are one."""
+    from scipy.interpolate import CubicSpline
+
+    keep = np.r_[True, np.diff(x) > 0.0]
+    return CubicSpline(x[keep], value[keep])
 
 
 def _cubic_spline(x: FloatArray, value: FloatArray, slope: FloatArray) -> CubicHermiteSpline:

@@ -90,7 +90,8 @@ GEOMETRY_TEXTS: Mapping[str, str] = {
     "{low_x}, z = {low_z} to x = {high_x}, z = {high_z}; the whole body turns about it all the same",
     "no-such-body": "I_O / (M R^2) = g / (p^2 R) = {ratio} is less than 1, which no body has; check p and radius",
     "side-walls-where-counted": "the friction of its side walls counts in the multiplier and in a(d) of ntc2018-linear "
-    "and ntc2018-nonlinear; displacements at collapse, histories and all other procedures leave it out",
+    "and ntc2018-nonlinear, and in histories by the exact equation on rigid joints, where the wall opens farther than "
+    "ever before; displacements at collapse and all other procedures leave it out",
     # joints
     "never-crushes": "interface {interface}: no strength is known, so its joint never crushes; give strength",
     "joint-taken-level": "interface {interface}: no faces meet at its hinge, so its joint is taken level",

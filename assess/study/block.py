@@ -192,7 +192,8 @@ def single_block(
     interface : what the hinges press on; rigid without limit of strength where None
     restitution : velocity after over before the impact [-], or a rule: "thesis", "housner", "sorrentino", "momentum"
     hinge, hinge_negative : given hinges, in space or in the plane of motion; as the geometry shows where None
-    side_walls : toothed into its back as seen along a given direction; only NTC 2018 counts their friction
+    side_walls : toothed into its back as seen along a given direction; NTC 2018 counts their friction, and histories
+        of a study, not the motion of one record
     around : other bodies of the building: floors that load it, walls that stop it
 
     Raises

@@ -71,7 +71,7 @@ from assess.study.fragility_runs import (
     run_once,
 )
 from assess.study.fragility_union import NamedRuns, find_union
-from assess.study.histories import vibrates
+from assess.study.histories import rocking_oscillators, vibrates
 from assess.study.level_peaks import RockingCase
 from assess.study.study import FragilityQuestion, Progress, ScaledRecord, Study, no_progress
 from assess.study.suites import motions_of
@@ -187,7 +187,7 @@ def run_records(
     """
     amplification = study.amplified[mechanism.name].amplification
     base = tuple(base_motion(amplification, record) for record in records)
-    oscillator, *others = mechanism.variants.of_histories
+    oscillator, *others = rocking_oscillators(mechanism, study.equations[mechanism.name])
     case = RockingCase(
         mechanism.name, oscillator, study.equations[mechanism.name], base, mechanism.rebounds, tuple(others)
     )
@@ -242,7 +242,7 @@ def _sampled_cases(study: Study, name: str, records: Sequence[Record]) -> Cases:
         if not mechanism.rocks or mechanism.variants.collapse is None:
             numbers = ", ".join(f"{n.input.key} = {v:.4g}" for n, v in zip(sampling.numbers, values, strict=True))
             raise ProjectError(f"mechanisms.{name}: no history is answered with sampled values: {numbers}")
-        oscillator, *others = mechanism.variants.of_histories
+        oscillator, *others = rocking_oscillators(mechanism, sampled.equations[name])
         base = (base_motion(sampled.amplified[name].amplification, record),)
         rebounds = mechanism.rebounds
         cases.append(RockingCase(name, oscillator, sampled.equations[name], base, rebounds, tuple(others)))

@@ -19,9 +19,11 @@ import numpy as np
 from assess.amplification import BaseMotion, base_motion
 from assess.codes.histories import LOW_SHARE, SuiteResponse, SuiteRule, share_upright
 from assess.codes.procedures import pga_rules, uses_histories
+from assess.codes.toothing import counted_moment, friction_left
 from assess.dynamics.history import Peaks, trace
+from assess.dynamics.packing import Equation
 from assess.mechanisms.mechanism import Mechanism
-from assess.oscillator import Oscillator, elastic_frequency, linear_multiplier
+from assess.oscillator import Memory, Oscillator, Toothing, elastic_frequency, linear_multiplier
 from assess.results import HistoryResult, HistoryTrace
 from assess.short_repr import ShortRepr
 from assess.study.level_peaks import (
@@ -61,11 +63,32 @@ def mechanism_histories(
     )
 
 
+def rocking_oscillators(mechanism: Mechanism, equation: Equation) -> tuple[Oscillator, ...]:
+    """Return the oscillators that histories follow, the deciding one first, with the friction of its side walls.
+
+    Friction resists where the wall opens farther than ever before, so it is memory, which the exact equation has. The
+    linearised one, and a wall on joints that deform, leave it out.
+    """
+    found, toothing = mechanism.variants.of_histories, mechanism.toothing
+    moment = 0.0 if toothing is None else counted_moment(toothing)
+    if toothing is None or moment <= 0.0 or equation == "linearised" or mechanism.flexible:
+        return found
+    return tuple(_with_friction(each, moment, toothing) for each in found)
+
+
+def _with_friction(oscillator: Oscillator, moment: float, toothing: Toothing) -> Oscillator:
+    """Return an oscillator with friction outwards, of a moment at rest [N m]."""
+    outwards = moment * friction_left(toothing, oscillator.positive.rotation)
+    inwards = tuple(np.zeros_like(branch.rotation) for branch in oscillator.branches[1:])
+    memory = oscillator.memory or Memory(replace(oscillator, memory=None))
+    return replace(oscillator, memory=replace(memory, friction=(outwards, *inwards)))
+
+
 def rocking_case(study: Study, mechanism: Mechanism, motions: tuple[ScaledRecord, ...]) -> RockingCase:
     """Return what the histories of a mechanism are run for."""
     name, amplification = mechanism.name, study.amplified[mechanism.name].amplification
     base = tuple(base_motion(amplification, motion.record) for motion in motions)
-    first, *others = mechanism.variants.of_histories
+    first, *others = rocking_oscillators(mechanism, study.equations[name])
     return RockingCase(name, first, study.equations[name], base, mechanism.rebounds, tuple(others))
 
 

@@ -38,7 +38,7 @@ from assess.dynamics.history import (
     trace_with_events,
 )
 from assess.dynamics.packing import Equation
-from assess.dynamics.ties import tie_energy, tied_trace
+from assess.dynamics.ties import memory_energy, tied_trace
 from assess.loads.load import Force, PointMass, Tie
 from assess.mechanisms.chain import Chain, PointPath, move, trace_point
 from assess.mechanisms.mechanism import Mechanism
@@ -48,7 +48,7 @@ from assess.results import Control, HistoryResult
 from assess.short_repr import ShortRepr
 from assess.study.amplification import MechanismAmplification
 from assess.study.controls import control_not_made, make_control
-from assess.study.histories import fastest_vibration, history_severity
+from assess.study.histories import fastest_vibration, history_severity, rocking_oscillators
 from assess.study.level_peaks import TWIN_FACTORS, with_restitution_factor
 from assess.study.study import ScaledRecord
 from records.record import Record, make_record
@@ -101,7 +101,7 @@ def governing_history(
         return None
     return GoverningHistory(
         worst,
-        with_restitution_factor(mechanism.variants.of_histories[worst.variant], worst.rebound),
+        with_restitution_factor(rocking_oscillators(mechanism, equation)[worst.variant], worst.rebound),
         base_motion(amplified.amplification, motions[worst.record].record).record,
         worst.polarity * worst.scale_factor,
         equation,
@@ -149,7 +149,7 @@ def energy_control(mechanism: Mechanism, governing: GoverningHistory | None, *, 
     if governing is None:
         return _free_rocking_control(mechanism, equation=equation)
     motion = sampled_finely(governing.motion, governing.oscillator)
-    path, events, stored, at_rest = _history_with_ties(governing, motion)
+    path, events, stored, at_rest = _history_with_memory(governing, motion)
     if governing.history.overturned:  # its last sample is where it overturned, between two samples of the record
         path = Trace(path.time[:-1], path.rotation[:-1], path.velocity[:-1])
     energies = energy_balance(
@@ -176,14 +176,14 @@ def energy_control(mechanism: Mechanism, governing: GoverningHistory | None, *, 
     )
 
 
-def _history_with_ties(governing: GoverningHistory, motion: Record) -> tuple[Trace, Events, FloatArray, float]:
-    """Return a history, its events, and what ties that stretch take up at its samples [n] and hold at rest [J]."""
+def _history_with_memory(governing: GoverningHistory, motion: Record) -> tuple[Trace, Events, FloatArray, float]:
+    """Return a history, its events, and what ties and friction take up at its samples [n] and hold at rest [J]."""
     memory, scale = governing.oscillator.memory, governing.scale
     if memory is None:
         path, events = trace_with_events(governing.oscillator, motion, scale=scale, equation=governing.equation)
         return path, events, np.zeros(path.time.size), 0.0
-    path, plastic, events = tied_trace(memory, motion, scale=scale, capacity=MOST_EVENTS)
-    return path, events, tie_energy(memory, path, plastic), sum(tie.energy_at_rest for tie in memory.ties)
+    path, left, events = tied_trace(memory, motion, scale=scale, capacity=MOST_EVENTS)
+    return path, events, memory_energy(memory, path, left), sum(tie.energy_at_rest for tie in memory.ties)
 
 
 def branch_energies(mechanism: Mechanism, oscillator: Oscillator, equation: Equation) -> tuple[EnergiesAt, ...]:
@@ -526,7 +526,8 @@ def _coarser_memory(memory: Memory) -> Memory:
         )
         for tie in memory.ties
     )
-    return replace(memory, bare=_coarser_oscillator(memory.bare), ties=ties)
+    friction = tuple(each[at] for each, at in zip(memory.friction, kept, strict=False))
+    return replace(memory, bare=_coarser_oscillator(memory.bare), ties=ties, friction=friction)
 
 
 def _coarser_branch(branch: Branch) -> Branch:

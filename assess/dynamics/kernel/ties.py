@@ -32,7 +32,7 @@ from assess.dynamics.kernel.columns import (
 )
 from assess.dynamics.kernel.events import State, keep_largest
 from assess.dynamics.kernel.exact import exact_advance, exact_step
-from assess.dynamics.kernel.ground import Ground, ground_over, skip_idle, still_ground
+from assess.dynamics.kernel.ground import Ground, ground_at, ground_over, shift, skip_idle, still_ground
 from assess.dynamics.kernel.march import TAIL_PIECE, TAIL_PIECES, make_interval
 from assess.dynamics.kernel.polynomial import Arc
 from assess.kernel import compiled, entry, inlined
@@ -43,6 +43,8 @@ SPRING, YIELD, GONE, LAW = 0, 1, 2, 3
 SLACK, ELASTIC, YIELDING, BROKEN = range(4)
 CUTS = 3
 """Elongations of a tie at which its law changes."""
+NUDGE = 1e-12
+"""Velocity, over that which would carry it to y = 1, that tells a body which has stopped which way it goes."""
 NARROW = 1e-6
 """Width of a segment in y below which a line stands for a cubic, whose bend would be rounding."""
 
@@ -230,11 +232,34 @@ def segment_of(table: FloatArray, first: int, last: int, y: float) -> int:
 
 
 @compiled
-def keep_sample(path: FloatArray, i: int, y: float, v: float, side: int, plastic: FloatArray) -> None:
+def held_for(table: FloatArray, j: int, friction: float, y: float, side: int, a: Ground, h: float) -> tuple[float, int]:
+    """Return for how long, at most h [s], friction holds a body that stopped as it opened, and where it goes then.
+
+    friction : with which it would resist opening beyond y; j : the segment behind y
+    The second number is 1 outwards, -1 inwards, 0 while it is held.
+    """
+    d, s = y - table[j, LEFT], 1.0 - 2.0 * side
+    restoring = ((table[j, R3] * d + table[j, R2]) * d + table[j, R1]) * d + table[j, R0]
+    excitation = ((table[j, B3] * d + table[j, B3 + 1]) * d + table[j, B3 + 2]) * d + table[j, B3 + 3]
+    low, high = restoring / excitation, (restoring + friction) / excitation
+    now, then = -s * a[0], -s * ground_at(a, h)
+    if not low <= now <= high:
+        return 0.0, 1 if now > high else -1
+    if low <= then <= high:
+        return h, 0
+    edge = high if then > high else low
+    return min(max((edge - now) / (then - now), 0.0) * h, h), 1 if then > high else -1
+
+
+@compiled
+def keep_sample(
+    path: FloatArray, i: int, y: float, v: float, side: int, reached: FloatArray, plastic: FloatArray
+) -> None:
     """Keep the state at a sample in the path of `march_with_memory`."""
     path[i, 0], path[i, 1], path[i, 2] = y, v, side
+    path[i, 3], path[i, 4] = reached[0], reached[1]
     for k in range(plastic.shape[0]):
-        path[i, 3 + k] = plastic[k]
+        path[i, 5 + k] = plastic[k]
 
 
 @compiled
@@ -244,8 +269,8 @@ def march_with_memory(flow: Any, origin: Any, memory: Any, branch: FloatArray, g
     """Run one job from rest and fill `found` [8]; return the number of samples passed. As `march` of `make_march`.
 
     flow : of the table as it is now, rewritten here; origin : (table, smooth, span) without ties; memory : (law
-    [2, ties, LAW], plastic [ties], elongation, friction, reached [2], work arrays). path [n or 0, 3 + ties]: y, y',
-    side and plastic elongations at the samples.
+    [2, ties, LAW], plastic [ties], elongation, friction, reached [2], work arrays). path [n or 0, 5 + ties]: y, y',
+    side, the largest y so far of each side and plastic elongations at the samples.
 
     After the record the motion is followed until each side has peaked once more without leaving a trace: no later peak
     is larger, as neither impacts nor ties give energy back. A body that then leans beyond y = 1, held by its ties
@@ -264,6 +289,7 @@ def march_with_memory(flow: Any, origin: Any, memory: Any, branch: FloatArray, g
     last, tail = len(ground) - 1, TAIL_PIECE / max(branch[0, RATE], branch[1, RATE])
     both = 1 | (1 << int(branch[0, PARTNER]))
     samples, peaked, h, time, i, x, traced = last + 1, 0, dt, 0.0, 0, 0.0, path.shape[0] > 0
+    rubs = 0.0  # of a body that has stopped where it opens: the friction that holds it
     a = still_ground(ground)
     while i < last + TAIL_PIECES:
         if rewrite:
@@ -284,12 +310,12 @@ def march_with_memory(flow: Any, origin: Any, memory: Any, branch: FloatArray, g
             if x == 0.0:
                 if side < 0:
                     i = skip_idle(ground, blocks, scale, lowest, highest, i, until)
-                else:
+                elif rubs == 0.0:
                     i, x, y, v = exact_advance(
                         flow, side, y, v, ground, scale, dt, i, x, until, -1.0, branch[side, LIMIT]
                     )
             if traced and i == until:
-                keep_sample(path, i, y, v, side, plastic)
+                keep_sample(path, i, y, v, side, reached, plastic)
             if i == until:
                 continue
             a, time = ground_over(ground, scale, dt, i), i * dt
@@ -297,13 +323,25 @@ def march_with_memory(flow: Any, origin: Any, memory: Any, branch: FloatArray, g
             if side < 0 or peaked == both:
                 break
             a, h, time = still_ground(ground), tail, last * dt + (i - last) * tail
+        if rubs > 0.0:
+            waits, way = held_for(table, segment_of(table, span[side, 0], span[side, 1], y), rubs, y, side,
+                                  shift(a, x), h - x)  # fmt: skip
+            if way == 0 and i >= last:
+                break
+            x, rubs, v = x + waits, (rubs if way == 0 else 0.0), way * NUDGE * branch[side, RATE]
+            if x >= h:
+                i, x = i + 1, 0.0
+                if traced and i <= last:
+                    keep_sample(path, i, y, v, side, reached, plastic)
+            continue
         x, side, y, v, peaked = integrate_interval(
             flow, branch, found, events, LIMIT, peaked, both, side, y, v, time, a, x, h, True
         )
         if side >= 0 and v == 0.0 and y > reached[side]:
             begun = segment_of(base, base_span[side, 0], base_span[side, 1], y)
             rewrite = leave_trace(law[side], plastic, elongation[:, begun], y - base[begun, LEFT])
-            rewrite = rewrite or friction[begun, 3] != 0.0
+            rubs = cubic(friction[begun], y - base[begun, LEFT])
+            rewrite = rewrite or rubs != 0.0
             reached[side] = y
         if rewrite or i < last:
             peaked = 0
@@ -315,7 +353,7 @@ def march_with_memory(flow: Any, origin: Any, memory: Any, branch: FloatArray, g
         if x >= h:
             i, x = i + 1, 0.0
             if traced and i <= last:
-                keep_sample(path, i, y, v, side, plastic)
+                keep_sample(path, i, y, v, side, reached, plastic)
     if side >= 0 and y >= 1.0 and peaked != both:
         found[OVERTURNED] = 1.0
     if found[OVERTURNED] > 0.0:

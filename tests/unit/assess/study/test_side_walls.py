@@ -1,5 +1,6 @@
 """Side walls in a project: what counts by whom, with a source and without, and where the direction changes."""
 
+from collections.abc import Sequence
 from pathlib import Path
 
 import pytest
@@ -25,14 +26,18 @@ def results(
     sources: dict[str, str] | None = None,
     direction=(1, 0, 0),
     length: float = 5.0,
+    methods: Sequence[str] = METHODS,
+    records: dict[str, object] | None = None,
+    a_g: str = "0.13 g",
 ) -> Results:
     text = project_toml(
-        site={"spectrum": {**NTC, "a_g": "0.13 g"}, "limit_state": "SLV"},
+        site={"spectrum": {**NTC, "a_g": a_g}, "limit_state": "SLV"},
         building={"height": 6.0, "storeys": 2, "use_class": "II"},
         materials={"m": {"density": 1900, "disintegration": "excluded"}},
         report={"sources": {"materials.m.disintegration": "measured: survey", **(sources or {})}},
         verdict={"basis": "ntc2018", "procedures": ["ntc2018-linear"]},
-        analysis={"procedures": list(METHODS)},
+        analysis={"procedures": list(methods), "equation": "exact", "scan": False},
+        records=records,
         bodies={"wall": wall(0.5, length, 6.0, material="m")},
         mechanisms={"wall": lines(block(direction=list(direction), sides="one"), side_walls)},
     )
@@ -58,7 +63,7 @@ def test_without_a_source_none_of_their_friction_counts(tmp_path: Path) -> None:
 
 
 def test_with_a_source_the_procedures_of_ntc2018_alone_count_it(tmp_path: Path) -> None:
-    """α0 rises from 0.0833 to 0.2227; d0*, d_SLV, histories and other codes stay."""
+    """α0 rises from 0.0833 to 0.2227; d0*, d_SLV and other codes stay."""
     bare, found = checks_of(results(tmp_path)), results(tmp_path, TOOTHED, sources=SURVEY)
     held = checks_of(found)
     linear, other = held["ntc2018-linear"], bare["ntc2018-linear"]
@@ -76,6 +81,21 @@ def test_with_a_source_the_procedures_of_ntc2018_alone_count_it(tmp_path: Path) 
     assert (found.verdict.outcome, line.outcome_instead) == (Decision.PASS, Decision.FAIL)
     assert {"F", "α_h", "M_F"} <= {each.symbol for each in linear.steps}
     assert "M_F(φ(d_SLV))" in {each.symbol for each in held["ntc2018-nonlinear"].steps}
+
+
+def test_histories_have_it_where_the_wall_opens_farther_than_ever(tmp_path: Path) -> None:
+    """Largest rotations fall, energy is balanced with the work of friction, and a pass says on what it hangs."""
+    suite = {"synthetic": {"count": 3, "duration": "12 s", "seed": 1}, "scale_to": "none"}
+    bare = results(tmp_path, sources=SURVEY, methods=("ntc2018-history",), records=suite, a_g="0.3 g")
+    held = results(tmp_path, TOOTHED, sources=SURVEY, methods=("ntc2018-history",), records=suite, a_g="0.3 g")
+    most = [max(each.max_rotation_ratio for each in found.mechanisms[0].histories) for found in (bare, held)]
+    assert 0.0 < most[1] < 0.8 * most[0]
+    (energy,) = (each for each in held.controls if each.kind == "energy" and each.mechanism == "wall")
+    assert energy.difference < 2e-4  # the motion stops and goes on between two samples
+    assert energy.value > 0.0
+    conditions = {each.key for check in held.mechanisms[0].checks for each in check.conditions}
+    assert "side-walls-hold" in conditions
+    assert "side-walls-hold" not in {each.key for check in bare.mechanisms[0].checks for each in check.conditions}
 
 
 def test_a_source_for_one_of_their_keys_vouches_for_none_of_the_others(tmp_path: Path) -> None:

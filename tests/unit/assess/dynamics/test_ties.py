@@ -12,7 +12,7 @@ import pytest
 from scipy.constants import g
 from scipy.integrate import solve_ivp
 
-from assess.dynamics.history import Jobs, peaks, trace
+from assess.dynamics.history import Jobs, Peaks, peaks, trace
 from assess.dynamics.ties import memory_energy, tied_peaks, tied_trace
 from assess.errors import MechanismError
 from assess.oscillator import Memory, Oscillator, RockingBlock, TieLaw, plain_branch
@@ -278,3 +278,23 @@ def test_friction_of_side_walls_resists_on_new_ground_alone() -> None:
 def test_a_tie_that_shortens_after_it_yields_is_refused() -> None:
     with pytest.raises(MechanismError, match="shortens again"):
         TieLaw(1e6, 1e3, inf, (np.array([0.0, 0.1, 0.05]),), (np.array([1.0, 0.0, -1.0]),))
+
+
+def test_an_elastic_restraint_overturns_walls_that_stand_free() -> None:
+    """It throws them inwards, where nothing holds; one that yields at what the wall weighs on its height does so less."""
+    records = [motion(seed, peak=1.0, samples=1000) for seed in range(100)]
+    jobs = Jobs(np.zeros(100, dtype=np.int64), np.arange(100), np.full(100, 0.25))
+
+    def run(**law: float) -> Peaks:
+        return tied_peaks([wall(**law)], records, jobs).peaks
+
+    free = run()
+    share = {k: run(stiffness=k, strength=1e12) for k in (1e4, 2e4, 5e4, 1e6)}
+    overturned = [int(each.overturned.sum()) for each in (free, *share.values())]
+    assert overturned == pytest.approx([23, 22, 28, 54, 97], abs=2)  # of chaotic motions, elsewhere compiled
+    stood = [int((each.overturned & ~free.overturned).sum()) for each in share.values()]
+    assert stood == pytest.approx([8, 10, 31, 74], abs=2)
+    stiff = share[1e6]
+    assert (stiff.max_rotation[stiff.overturned] < 0.0).all()
+    yielding = run(stiffness=6.6e6, strength=10e3)
+    assert yielding.overturned.sum() < stiff.overturned.sum() / 2

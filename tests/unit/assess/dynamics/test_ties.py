@@ -281,7 +281,7 @@ def test_a_tie_that_shortens_after_it_yields_is_refused() -> None:
 
 
 def test_an_elastic_restraint_overturns_walls_that_stand_free() -> None:
-    """It throws them inwards, where nothing holds; one that yields at what the wall weighs on its height does so less."""
+    """It throws them inwards, where nothing holds; one that yields does so less."""
     records = [motion(seed, peak=1.0, samples=1000) for seed in range(100)]
     jobs = Jobs(np.zeros(100, dtype=np.int64), np.arange(100), np.full(100, 0.25))
 

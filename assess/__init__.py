@@ -41,8 +41,10 @@ if TYPE_CHECKING:
         plot,
         read_building,
         respond,
+        retrofit,
         run,
         write_report,
+        write_retrofit,
     )
     from records.reading import read_record, read_records
     from records.record import Record
@@ -90,12 +92,14 @@ __all__ = [
     "read_record",
     "read_records",
     "respond",
+    "retrofit",
     "run",
     "select_records",
     "single_block",
     "spectrum",
     "two_block",
     "write_report",
+    "write_retrofit",
 ]
 
 _HOMES = {
@@ -129,8 +133,10 @@ _HOMES = {
         "plot",
         "read_building",
         "respond",
+        "retrofit",
         "run",
         "write_report",
+        "write_retrofit",
     ),
     "records.reading": ("read_record", "read_records"),
     "records.record": ("Record",),

@@ -11,6 +11,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
+from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, Literal, overload
 
 from assess.errors import AssessError, OutputError, ProjectError
@@ -28,10 +29,12 @@ if TYPE_CHECKING:
     from assess.dynamics.packing import Equation
     from assess.dynamics.pulses import Envelope
     from assess.model.structure import Structure
+    from assess.outputs.writing import TellMessage
     from assess.portfolio.batch import Portfolio
     from assess.portfolio.projects import KeyColumn, Task
     from assess.portfolio.tasks import Keep
     from assess.project.project_file import Project
+    from assess.project.retrofit import Retrofit
     from assess.results import Results
     from assess.results.fragility import FragilityResults
     from assess.study.block import Block
@@ -363,6 +366,100 @@ def fragility(
     else:
         study = _study_of_blocks(source, records, spectrum, measures=measures, states=states, hazard=hazard)
     return run_fragility(study, jobs=jobs, progress=progress or _ignore_progress)
+
+
+def retrofit(
+    project: Project | str | Path,
+    *,
+    target: str,
+    reach: float,
+    vary: Mapping[str, str | Sequence[float | str]],
+    limit_state: str | None = None,
+    price: Mapping[str, float] = MappingProxyType({}),
+    spacing: float | str = 3.0,
+    search_records: int | None = None,
+    jobs: int = 0,
+    progress: Progress | None = None,
+) -> Retrofit:
+    """Find the least works with which a project reaches a target, proved on records that the search did not see.
+
+    Parameters
+    ----------
+    project : as `load` reads it, or the path of its file
+    target : "index" by which the basis decides, "ratio" of the largest rotation to the one that overturns, or
+        "probability", the share of records that overturn at the upper end of its one-sided interval of 84 %
+    reach : its value: of an index at least, but at most of a demand over capacity; of the others at most
+    vary : ranges by keys of the file, and by `mechanisms.NAME.WORK.PARAMETER` of works: ties (count, area, height,
+        force), ring_beam (mass, area), roof (factor), base (width); a range is "100..800 mm^2", "100..800 mm^2 by 50"
+        or a list of values
+    limit_state : in place of that of [verdict]
+    price : by "steel" for each kg, "tie" for each, and varied key for each unit of change; steel counts without any
+    spacing : between anchors, at most [m], or with its unit
+    search_records : about how many records are searched on; every second event where None
+    jobs : threads, 0 for all cores; the results do not depend on it
+    progress : is called with (stage, done, total)
+
+    Returns
+    -------
+    `results.best` is the least layout, None where none is proved; `results.table()` has all; `write_retrofit` writes
+    them with the project that has the works
+
+    Raises
+    ------
+    AssessError, RecordError or SpectrumError : something the user can mend; the text is the line of the command line
+    """
+    from assess.project.project_file import Project
+    from assess.project.retrofit import RetrofitQuestion, find_retrofit
+
+    loaded = project if isinstance(project, Project) else load(project)
+    _check_jobs(jobs, progress)
+    question = RetrofitQuestion(target, reach, vary, limit_state, price, spacing, search_records)  # type: ignore[arg-type]
+    return find_retrofit(loaded, question, jobs=jobs, progress=progress or _ignore_progress)
+
+
+def write_retrofit(
+    found: Retrofit,
+    folder: str | Path,
+    *,
+    jobs: int = 0,
+    tell: TellMessage | None = None,
+    progress: Progress | None = None,
+) -> Path:
+    """Write what a search for works found: the project with the least, report, tables and figures.
+
+    Parameters
+    ----------
+    found : by `retrofit`
+    folder : to write into; files of others are never touched
+    jobs : processes, 0 for as many as there are cores
+    tell : is called with a message on what is recovered in the folder
+    progress : is called with (stage, done, total)
+
+    Returns
+    -------
+    The path of project.toml, or of the report where no layout is proved
+
+    Raises
+    ------
+    OutputError : the folder cannot be written, or holds files that may not be replaced
+    """
+    from assess.outputs.manifest import RETROFIT
+    from assess.outputs.writing import output_folder
+    from assess.project.project_file import FILE_NAME
+    from reports.assessment import write_document
+    from reports.retrofit import FILES, retrofit_report
+
+    _check_jobs(jobs, progress)
+    place, show = Path(folder), progress or _ignore_progress
+    expected = (FILE_NAME, *FILES)
+    with output_folder(
+        place, command="assess retrofit", owner=RETROFIT, expected=expected, tell=tell or (lambda _: None)
+    ) as stage:
+        if found.tables is not None:
+            (stage / FILE_NAME).write_text(found.project_text(place), encoding="utf-8", newline="\n")
+        report = retrofit_report(found.results)
+        pdf = write_document(report, stage, name=FILES[0], jobs=jobs, progress=lambda step: show(step, 0, 1))
+        return place / (pdf.relative_to(stage) if found.tables is None else FILE_NAME)
 
 
 def plot(thing: Any) -> Figure:

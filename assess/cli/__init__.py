@@ -1,8 +1,8 @@
 """The command line: one file per command, without logic. `main` is the entry point. It reduces every error to
 one line, and what else is wrong with the input to a line each.
 
-Exit codes: 0 success; of `run` 1 for a fail and 3 for an incomplete verdict; 2 the input is wrong; 70 a bug in the
-program; 128 plus the number of the signal that ended it.
+Exit codes: 0 success; of `run` 1 for a fail and 3 for an incomplete verdict; of `retrofit` 1 where no layout
+is proved; 2 the input is wrong; 70 a bug in the program; 128 plus the number of the signal that ended it.
 """
 
 from __future__ import annotations

@@ -332,4 +332,16 @@ RECORD_TEXTS: Mapping[str, str] = {
     "by-rayleigh": "Rayleigh's method on {slices} slices of its bodies: {assumptions}",
     "by-first-mode": "first mode at {frequency} ({frequency_from}), h_e = {effective} ({effective_from}), damping "
     "{damping}, linear mode shape: at h = {height} participation factor times mode shape h/h_e = {shape}",
+    # works that are searched
+    "retrofit-not-built": "cannot be built: {error}",
+    "retrofit-pretension": "its pretension of {force} is above half of what yields the bar, {most}",
+    "retrofit-spacing": "its anchors are {spacing} apart, more than {most}",
+    "retrofit-tie-lacks": "this tie does not count up to collapse without {keys}, so works on it may show no effect",
+    "retrofit-anchors": "cones of neighbouring anchors, the pressing of the far wall and the plates are not searched: "
+    "check them for the layout that is built",
+    "retrofit-spacing-allowed": "anchors up to {spacing} apart were allowed: check the wall between them",
+    "retrofit-direction": "with the works another direction is the weakest: state it and search again",
+    "retrofit-others": "these mechanisms, which the works do not change, stay short of the target: {mechanisms}",
+    "retrofit-unsourced": "the layout reaches the target only with values that no source vouches for; give one for "
+    "{keys}",
 }

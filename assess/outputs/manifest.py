@@ -17,7 +17,7 @@ MANIFEST = ".assess-manifest.json"
 RESULTS, ENVELOPES, FRAGILITY = "results.json", "envelopes.json", "fragility.json"
 VERIFICATION = "verification.json"
 
-RECORDS, PORTFOLIO = "records", "portfolio"
+RECORDS, PORTFOLIO, RETROFIT = "records", "portfolio", "retrofit"
 """The sets of files, named after their results: each command replaces and removes files of its own set only."""
 
 REPORT = ("report.pdf", "report.html", "tables.xlsx")

@@ -246,6 +246,42 @@ def cases_of(content: sections.Content, *, project: Project, files: ProjectFiles
     return Cases(known.solids, study_of_case)
 
 
+@dataclass(frozen=True)
+class BuiltProject:
+    """A project whose files are read once, and whose mechanisms can be built again of other tables.
+
+    study : what its verdict depends on; solids : its bodies by name, None without geometry
+    study_at : builds the study of mechanisms by their names, of other content of the project
+    """
+
+    project: Project
+    study: Study
+    solids: Mapping[str, Solid | None]
+    study_at: Callable[[sections.Content, tuple[str, ...]], Study]
+
+
+def build_with_cases(project: Project) -> BuiltProject:
+    """Build what the verdict of a project depends on, and what builds its mechanisms with other values.
+
+    Direction and sides that the project leaves open stay what they are with its own values.
+
+    Raises
+    ------
+    AssessError, SpectrumError or RecordError : as `build`
+    """
+    with locate_errors(str(project.path)):
+        study, files, _ = _deciding_study(project)
+        refuse_changes(files.states)
+    fixed = Variants(project, files.solids, partial(cases_of, project=project, files=files))
+    directed = fixed.with_directions(study.mechanisms).project
+
+    def study_at(content: sections.Content, names: tuple[str, ...]) -> Study:
+        known = _files_of_case(content, directed, files)
+        return _study_of_mechanisms(content, known, names=names, built_by=mechanism_as_given)
+
+    return BuiltProject(directed, study, files.solids, study_at)
+
+
 def levels_of(given: tuple[float, ...] | None, spectrum: Spectrum | None) -> tuple[float, ...]:
     """Return the levels given and the site's own PGA, at which the verdict is found, in rising order [m/s2]."""
     if spectrum is None:
@@ -510,7 +546,7 @@ def _solid_in_case(
     solids: Mapping[str, Solid | None],
 ) -> Solid | None:
     """Return the solid of a body that a case changes; a mesh of another density only is not put together again."""
-    body, known = case.bodies[name], solids[name]
+    body, known = case.bodies[name], solids.get(name)
     if known is None or body != whole.bodies[name] or not isinstance(body, sections.MeshBody):
         return solid_of(name, body, case.materials, models)
     before, after = (density_of(body, content.materials) for content in (whole, case))
@@ -520,7 +556,11 @@ def _solid_in_case(
 def _same_body(name: str, case: sections.Content, whole: sections.Content) -> bool:
     """Whether a body and its material are those of the whole project."""
     material = getattr(case.bodies[name], "material", "")
-    return case.bodies[name] == whole.bodies[name] and case.materials.get(material) == whole.materials.get(material)
+    return (
+        name in whole.bodies
+        and case.bodies[name] == whole.bodies[name]
+        and case.materials.get(material) == whole.materials.get(material)
+    )
 
 
 def _same_mechanisms(

@@ -46,7 +46,7 @@ def scripts(environment: dict[str, str]) -> dict[str, str]:
 
 
 OFFERED = {
-    "assess re": ["report", "records"],
+    "assess re": ["retrofit", "report", "records"],
     "assess records s": ["spectra", "select", "scale"],
     "assess run --j": ["--jobs"],
     "assess run --qu": ["--quiet"],

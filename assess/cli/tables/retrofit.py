@@ -1,0 +1,100 @@
+"""What `assess retrofit` prints: the target, how many layouts were examined and proved, the least, and the front."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Sequence
+from math import isfinite
+
+from assess.cli.tables import messages_text, text_table
+from assess.messages.message import count_noun
+from assess.results.retrofit import Layout, RetrofitResults
+from reports.render.table_text import csv_lines
+
+MOST_SHOWN = 12
+MEASURES = {
+    "index": "index",
+    "ratio": "largest rotation over that which overturns",
+    "probability": "upper end (84 %) of the share of records that overturn",
+}
+
+
+def retrofit_text(results: RetrofitResults) -> str:
+    """Write what was asked and found, and the layouts than which none takes less for as much."""
+    target, shown = results.target, results.best or results.nearest
+    where = f", {results.limit_state}" * bool(results.limit_state)
+    lines = [
+        f"target: {MEASURES[target.kind]} {'>=' if target.rising else '<='} {target.reach:g}{where}",
+        f"{count_noun(sum(each.reached is not None for each in results.layouts), 'layout')} examined"
+        f"{f' on {len(results.search_records)} records' * bool(results.search_records)}, "
+        f"{sum(each.refused is not None for each in results.layouts)} refused, {results.candidates} reach it; "
+        f"{results.tried} put to the proof{f' on {len(results.proof_records)} others' * bool(results.proof_records)}",
+    ]
+    if results.best is None:
+        lines.append("none is proved to reach the target" + ("" if shown is None else "; the nearest:"))
+    else:
+        lines.append("least that is proved:")
+    if shown is not None:
+        pairs = zip(results.varied, shown.values, strict=True)
+        lines += [f"  {each.key} = {value:.6g} {each.unit}".rstrip() for each, value in pairs]
+        lines.append(f"  {_amount(results, shown)}; reaches {_reached(shown)}{_worst(results)}")
+    text = "".join(f"{line}\n" for line in lines)
+    if results.front:
+        text += "none takes less for as much:\n" + text_table(*_rows(results, results.front[:MOST_SHOWN]))
+    return text + messages_text(results.warnings)
+
+
+def retrofit_csv(results: RetrofitResults) -> str:
+    """Write every layout as CSV at full precision."""
+    table = results.table().astype(object)
+    rows = table.where(table.notna(), "").values.tolist()
+    return csv_lines([list(table.columns), *rows])
+
+
+def retrofit_json(results: RetrofitResults) -> str:
+    """Write what was found and every layout as JSON; null for what is not known, and for a ratio beyond overturning."""
+    table = results.table()
+    rows = [
+        {key: None if isinstance(value, float) and not isfinite(value) else value for key, value in row.items()}
+        for row in table.to_dict(orient="records")
+    ]
+    best = None if results.best is None else rows[results.layouts.index(results.best)]
+    found = {
+        "target": results.target.kind,
+        "reach": results.target.reach,
+        "limit_state": results.limit_state,
+        "proved": best is not None,
+        "best": best,
+        "tried": results.tried,
+        "candidates": results.candidates,
+        "search_records": results.search_records,
+        "proof_records": results.proof_records,
+        "layouts": rows,
+    }
+    return json.dumps(found, indent=2, ensure_ascii=False) + "\n"
+
+
+def _rows(results: RetrofitResults, layouts: Sequence[Layout]) -> tuple[list[str], list[list[str]]]:
+    keys = [f"{each.key} [{each.unit}]" if each.unit else each.key for each in results.varied]
+    header = ["cost" if results.priced else "steel [kg]", results.target.kind, *keys]
+    return header, [
+        [f"{each.objective:.5g}", _reached(each), *(f"{value:.6g}" for value in each.values)] for each in layouts
+    ]
+
+
+def _amount(results: RetrofitResults, layout: Layout) -> str:
+    return f"{f'cost {layout.objective:.6g}, ' * results.priced}{layout.steel:.4g} kg of steel"
+
+
+def _reached(layout: Layout) -> str:
+    value = None if layout.reached is None else layout.reached.value
+    return "not known" if value is None else f"{value:.4g}" if isfinite(value) else "overturns"
+
+
+def _worst(results: RetrofitResults) -> str:
+    """Say what the best reaches in its proof, the worst of all tolerances."""
+    values = [each.reached.value for each in results.proofs if each.reached.value is not None]
+    if results.best is None or not values:
+        return ""
+    worst = min(values) if results.target.rising else max(values)
+    return f" in the search and {worst:.4g} at the worst of the proof"

@@ -1,0 +1,178 @@
+"""The least works that reach a target, as data: what was varied, every layout that was examined, and the proof."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from math import inf, isinf
+from typing import TYPE_CHECKING, Any, Literal
+
+from assess.messages.message import Message
+from assess.short_repr import ShortRepr
+
+if TYPE_CHECKING:
+    from pandas import DataFrame
+
+TargetKind = Literal["index", "ratio", "probability"]
+Place = tuple[int, ...]
+"""A layout by the number of its value on each axis, from 0."""
+
+
+@dataclass(frozen=True)
+class Reached:
+    """What a layout reaches.
+
+    value : in the measure of the target; None where it is not known, inf for a ratio where a record overturns
+    overturned : records that overturn a mechanism
+    """
+
+    value: float | None
+    overturned: int = 0
+
+
+@dataclass(frozen=True)
+class Layout:
+    """Works of certain sizes.
+
+    place : in the grid; values : in the units of the axes
+    steel : of the ties [kg]; objective : what is to be least, steel [kg] or cost
+    refused : why it is no layout to be built; reached : None where it was refused
+    """
+
+    place: Place
+    values: tuple[float, ...]
+    steel: float
+    objective: float
+    refused: Message | None = None
+    reached: Reached | None = None
+
+
+@dataclass(frozen=True)
+class Target:
+    """What works are to reach: index, largest ratio of a history to the overturning rotation, or probability.
+
+    rising : whether more of it is better
+    """
+
+    kind: TargetKind
+    reach: float
+    rising: bool
+
+    def holds(self, reached: Reached) -> bool:
+        """Return whether a value reaches it; what is not known does not."""
+        if reached.value is None:
+            return False
+        return reached.value >= self.reach if self.rising else reached.value <= self.reach
+
+    def may_hold(self, reached: Reached) -> bool:
+        """Return whether it is worth a proof: a few records of which none overturns cannot show a small share."""
+        return self.holds(reached) or (self.kind == "probability" and not reached.overturned)
+
+    def beyond(self, layout: Layout) -> float:
+        """Return what a layout reaches, the less the better; inf where it is not known."""
+        value = None if layout.reached is None else layout.reached.value
+        if value is None or isinf(value):
+            return inf
+        return -value if self.rising else value
+
+
+@dataclass(frozen=True)
+class Tolerance:
+    """Factors on what is built: areas, lengths, heights above the hinge and yield stresses of ties [-]."""
+
+    area: float = 1.0
+    length: float = 1.0
+    height: float = 1.0
+    yield_stress: float = 1.0
+
+
+@dataclass(frozen=True)
+class Proof:
+    """What a layout reaches on records that the search did not see, with one tolerance of its ties."""
+
+    tolerance: Tolerance
+    reached: Reached
+    holds: bool
+
+
+@dataclass(frozen=True)
+class VariedKey:
+    """What was varied: a key or a declared work, its unit, "" for none, and its value in the file, if it has one."""
+
+    key: str
+    unit: str
+    present: float | None
+
+
+@dataclass(frozen=True, repr=False)
+class RetrofitResults(ShortRepr):
+    """What a search for the least works found.
+
+    title, language, units : of the project
+    mechanisms : that the works change; limit_state : "" where none is chosen; index : the name of the measure, or ""
+    pga_g : of the action of the histories [g]; None for an index
+    layouts : that were examined or refused, in the order of the grid; whole : whether they are the whole grid
+    best : the least that is proved; None where none is; nearest : the best of those examined
+    proofs : of `best`, else of the last that was tried, up to its failure
+    tried : how many were put to the proof; candidates : how many reached the target in the search
+    search_records, proof_records : their names
+    """
+
+    title: str
+    language: str
+    units: str
+    mechanisms: tuple[str, ...]
+    target: Target
+    limit_state: str
+    index: str
+    pga_g: float | None
+    varied: tuple[VariedKey, ...]
+    priced: bool
+    layouts: tuple[Layout, ...]
+    whole: bool
+    best: Layout | None
+    nearest: Layout | None
+    proofs: tuple[Proof, ...]
+    tried: int
+    candidates: int
+    search_records: tuple[str, ...] = ()
+    proof_records: tuple[str, ...] = ()
+    warnings: tuple[Message, ...] = ()
+
+    @property
+    def front(self) -> tuple[Layout, ...]:
+        """The layouts than which none has less steel or cost and reaches as much, rising in it."""
+        return pareto_front(self.layouts, self.target)
+
+    def table(self) -> DataFrame:
+        """Return a row for each layout: its values, steel, cost, what it reaches, and why it was refused."""
+        import pandas as pd
+
+        return pd.DataFrame([self._row(each) for each in self.layouts])
+
+    def _row(self, layout: Layout) -> dict[str, Any]:
+        keys = [f"{each.key} [{each.unit}]" if each.unit else each.key for each in self.varied]
+        reached = layout.reached or Reached(None)
+        return {
+            **dict(zip(keys, layout.values, strict=True)),
+            "steel_kg": layout.steel,
+            **({"cost": layout.objective} if self.priced else {}),
+            self.target.kind: reached.value,
+            "overturned": reached.overturned,
+            "refused": "" if layout.refused is None else layout.refused.text,
+        }
+
+
+def pareto_front(layouts: Sequence[Layout], target: Target) -> tuple[Layout, ...]:
+    """Return the layouts than which none has less of the objective and reaches as much, rising in the objective.
+
+    Parameters
+    ----------
+    layouts : examined or refused, which are left out
+    target : whose measure counts
+    """
+    front: list[Layout] = []
+    for each in sorted(layouts, key=lambda each: (each.objective, target.beyond(each))):
+        if target.beyond(each) < (target.beyond(front[-1]) if front else inf):
+            front.append(each)
+    return tuple(front)

@@ -1,0 +1,393 @@
+"""The least works that make a building reach a target, found on a part of the records and proved on the rest.
+
+A layout is proved where it reaches the target on records that the search did not see, each with its twins, and again
+with area, length, height and yield stress of its ties 10 % more and less, together and alone. The share of records that
+overturn is known no better than their number allows, so what counts is the upper end of its one-sided interval of 84 %
+(Clopper and Pearson 1934): 0 of 50 records is 0.036, 1 of 50 is 0.064. A record overturns if it or one of its twins
+does. Ratios are those of the largest rotation to the one that overturns the mechanism without its ties.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, replace
+from itertools import product
+from math import inf
+from typing import Protocol
+
+import numpy as np
+
+from assess.codes.bases import IndexKind
+from assess.codes.procedures import uses_histories
+from assess.dynamics.history import Jobs, make_solver
+from assess.dynamics.packing import Equation
+from assess.errors import AssessError, ProjectError
+from assess.messages.message import message
+from assess.oscillator import Memory, Oscillator, TieLaw
+from assess.results.retrofit import Layout, Place, Proof, Reached, Target, Tolerance
+from assess.study import level_peaks
+from assess.study.assessment import building_states, on_building
+from assess.study.histories import rocking_case
+from assess.study.level_peaks import (
+    RockingCase,
+    rotation_of_ratio_one,
+    run_variants,
+    with_restitution_factor,
+)
+from assess.study.retrofit_search import FULL, merit, search_grid
+from assess.study.run import find_state_verdict
+from assess.study.study import Progress, ScaledRecord, Study, no_progress
+from records.record import Record
+from spectra.arrays import FloatArray
+
+CONFIDENCE = 0.84
+TENTH = 0.10
+MOST_TRIES = 50
+BATCH = 50  # layouts whose histories are packed together
+
+
+AS_DRAWN = Tolerance()
+
+
+def tolerances() -> tuple[Tolerance, ...]:
+    """Return the ties as drawn, then all corners of the tolerances, both extremes first, then each alone."""
+    ends = (1.0 - TENTH, 1.0 + TENTH)
+    corners = [Tolerance(*each) for each in product(ends, repeat=4)]
+    alone = [replace(AS_DRAWN, **{key: end}) for key in ("area", "length", "height", "yield_stress") for end in ends]
+    return (AS_DRAWN, corners[0], corners[-1], *corners[1:-1], *alone)
+
+
+class Designs(Protocol):
+    """Layouts of works on a project.
+
+    sizes : number of values on each axis; has_ties : whether tolerances of ties change anything
+    """
+
+    @property
+    def sizes(self) -> tuple[int, ...]: ...
+
+    @property
+    def has_ties(self) -> bool: ...
+
+    def layout(self, place: Place) -> Layout:
+        """Return a layout that is not examined yet, or is refused."""
+
+    def study(self, place: Place, tolerance: Tolerance) -> Study:
+        """Return the study of the mechanisms that the works change."""
+
+
+Measure = Callable[[Sequence[Study]], Sequence[Reached]]
+
+
+@dataclass(frozen=True)
+class Found:
+    """What a search found.
+
+    layouts : that were examined or refused, in the order of the grid
+    best : the least that is proved; None where none is
+    nearest : the best of those examined; proofs : of `best`, else of the last that was tried, up to its failure
+    tried : how many were put to the proof; candidates : how many reached the target on the records of the search
+    """
+
+    layouts: tuple[Layout, ...]
+    best: Layout | None
+    nearest: Layout | None
+    proofs: tuple[Proof, ...]
+    tried: int
+    candidates: int
+
+
+def find_least(
+    designs: Designs,
+    target: Target,
+    *,
+    search: Measure,
+    glance: Measure,
+    prove: Measure,
+    progress: Progress = no_progress,
+    full: int = FULL,
+) -> Found:
+    """Return the least layout that reaches a target and is proved.
+
+    Parameters
+    ----------
+    designs : the layouts
+    target : to be reached
+    search : measures studies on the records of the search
+    glance, prove : measure them on all others, as they are and with twins
+    progress : called as layouts are examined
+    full : layouts up to which the whole grid is examined
+    """
+    seen = 0
+
+    def examine(places: Sequence[Place]) -> list[Layout]:
+        nonlocal seen
+        layouts = [designs.layout(place) for place in places]
+        found: list[Layout] = []
+        for first in range(0, len(layouts), BATCH):
+            progress("layouts", seen, seen + len(layouts) - first)
+            batch = layouts[first : first + BATCH]
+            found += _examined(batch, designs, search)
+            seen += len(batch)
+        return found
+
+    known = search_grid(designs.sizes, examine, target, full=full)
+    ranked = sorted(known.values(), key=lambda each: merit(each, target))
+    candidates = [each for each in ranked if each.reached is not None and target.may_hold(each.reached)]
+    proofs: tuple[Proof, ...] = ()
+    for tried, layout in enumerate(candidates[:MOST_TRIES], start=1):
+        progress("proof", tried - 1, min(len(candidates), MOST_TRIES))
+        proofs = prove_layout(designs, layout.place, target, glance=glance, prove=prove)
+        if all(each.holds for each in proofs):
+            return Found(_in_order(known), layout, layout, proofs, tried, len(candidates))
+    nearest = next((each for each in ranked if each.reached is not None), None)
+    return Found(_in_order(known), None, nearest, proofs, min(len(candidates), MOST_TRIES), len(candidates))
+
+
+def prove_layout(
+    designs: Designs, place: Place, target: Target, *, glance: Measure, prove: Measure
+) -> tuple[Proof, ...]:
+    """Return what a layout reaches with every tolerance, up to the first with which it does not reach the target.
+
+    Parameters
+    ----------
+    designs, target : as for `find_least`
+    place : of the layout
+    glance, prove : on records that the search did not see, as they are and with twins
+    """
+    every = tolerances() if designs.has_ties else (AS_DRAWN,)
+    found: list[Proof] = []
+    for group, measure in ((every[:3], glance), (every[:3], prove), (every[3:], prove)):
+        try:
+            studies = [designs.study(place, each) for each in group]
+        except AssessError:  # with a tolerance it cannot be built
+            return (*found, Proof(group[-1], Reached(None), False))
+        new = [
+            Proof(each, reached, target.holds(reached)) for each, reached in zip(group, measure(studies), strict=True)
+        ]
+        if failed := next((each for each in new if not each.holds), None):
+            return (*found, failed)
+        found = [*found, *new] if measure is prove else found
+    return tuple(found)
+
+
+def upper_share(overturned: int, number: int, *, confidence: float = CONFIDENCE) -> float:
+    """Return the upper end of the one-sided interval of a share (Clopper and Pearson, Biometrika 26, 1934) [-].
+
+    Parameters
+    ----------
+    overturned : how many of a number, all alike and independent
+    number : of records
+    confidence : of the interval [-]
+    """
+    if overturned >= number:
+        return 1.0
+    from scipy.special import betaincinv
+
+    return float(betaincinv(overturned + 1.0, number - overturned, confidence))
+
+
+def measure_index(studies: Sequence[Study]) -> list[Reached]:
+    """Return the index by which the basis decides, the worst of the mechanisms of each study."""
+    return [Reached(_index_of(study)) for study in studies]
+
+
+def measure_histories(
+    target: Target, motions: Sequence[ScaledRecord], *, pga: float, site_pga: float, twins: bool, threads: int
+) -> Measure:
+    """Return what measures studies by histories: the largest ratio, or the upper end of the share that overturns.
+
+    Parameters
+    ----------
+    target : "ratio" or "probability"
+    motions : records with their factors
+    pga : of the action [m/s2]; site_pga : that the factors refer to [m/s2]
+    twins : whether each record is run with its twins
+    threads : 0 for all cores
+    """
+
+    def measure(studies: Sequence[Study]) -> list[Reached]:
+        ratios = record_ratios(studies, motions, share=pga / site_pga, twins=twins, threads=threads)
+        found = []
+        for each in ratios.max(axis=2, initial=0.0):
+            overturned = int(np.isinf(each).sum())
+            value = upper_share(overturned, each.size) if target.kind == "probability" else float(each.max())
+            found.append(Reached(value, overturned))
+        return found
+
+    return measure
+
+
+def record_ratios(
+    studies: Sequence[Study], motions: Sequence[ScaledRecord], *, share: float, twins: bool, threads: int
+) -> FloatArray:
+    """Return the largest rotation over the one that overturns, inf where it does [studies, records, runs] [-].
+
+    Of several mechanisms, states of the building, rebounds, polarities and actions not shown to last the worst counts.
+    The histories of all studies are packed into one call of the solver, by equation.
+
+    Parameters
+    ----------
+    studies : with the mechanisms that rock
+    motions : records with their factors
+    share : of the PGA that these refer to [-]
+    twins : whether each record is run with its twins
+    threads : 0 for all cores
+    """
+    runs = level_peaks.TWIN_FACTORS if twins else np.ones(1)
+    worst = np.zeros((len(studies), len(motions), runs.size))
+    scales = share * np.array([motion.scaling.factor for motion in motions])[:, None] * runs
+    packs: dict[tuple[Equation, bool], _Pack] = {}
+    for number, study in enumerate(studies):
+        for case in _cases_of(study, motions):
+            held = any(each.memory is not None for each in (case.oscillator, *case.others))
+            packs.setdefault((case.equation, held), _Pack()).add(number, case)
+    for (equation, _), pack in packs.items():
+        pack.solve(worst, scales, equation=equation, threads=threads)
+    return worst
+
+
+class _Pack:
+    """Oscillators and ground motions of one call of the solver, and the jobs of each."""
+
+    def __init__(self) -> None:
+        self.oscillators: list[Oscillator] = []
+        self.ratio_one: list[tuple[float, float]] = []
+        self.records: dict[int, tuple[int, Record]] = {}
+        self.variants: list[tuple[int, int, float, tuple[int, ...]]] = []
+
+    def add(self, study: int, case: RockingCase) -> None:
+        """Add the oscillators of a case, and a row for each variant: study, oscillator, polarity, ground motions."""
+        ground = tuple(
+            self.records.setdefault(id(each.record), (len(self.records), each.record))[0] for each in case.base
+        )
+        polarity, numbers = run_variants(case)
+        first, every = len(self.oscillators), (case.oscillator, *case.others)
+        self.variants += [
+            (study, first + int(number), float(sign), ground) for sign, number in zip(polarity, numbers, strict=True)
+        ]
+        ends = [
+            [rotation_of_ratio_one(branch, case.equation) for branch in (each.branches[0], each.branches[-1])]
+            for each in every
+        ]
+        for each, own in zip(every, ends, strict=True):
+            factors = (own[0] / ends[0][0], own[1] / ends[0][1])
+            self.oscillators += [_merged(with_restitution_factor(each, rebound)) for rebound in case.rebounds]
+            self.ratio_one += [factors] * len(case.rebounds)
+
+    def solve(self, worst: FloatArray, scales: FloatArray, *, equation: Equation, threads: int) -> None:
+        """Raise `worst` [studies, records, runs] by the histories of all variants; scales : [records, runs]."""
+        study, oscillator, sign = (np.array(column) for column in list(zip(*self.variants, strict=True))[:3])
+        ground = np.array([variant[3] for variant in self.variants])
+        shape = (study.size, *scales.shape)
+        jobs = Jobs(
+            np.broadcast_to(oscillator[:, None, None], shape).ravel(),
+            np.broadcast_to(ground[:, :, None], shape).ravel(),
+            (sign[:, None, None] * scales).ravel(),
+        )
+        records = [record for _, record in self.records.values()]
+        peaks = make_solver(self.oscillators, records, equation=equation, threads=threads)(jobs)
+        factor = np.array(self.ratio_one)[jobs.oscillator, (peaks.max_rotation < 0.0).astype(np.int64)]
+        ratio = np.where(peaks.overturned, inf, peaks.max_ratio * factor)
+        np.maximum.at(worst, study, ratio.reshape(shape))
+
+
+def _cases_of(study: Study, motions: Sequence[ScaledRecord]) -> Iterator[RockingCase]:
+    """Yield what the histories of each mechanism are run for, in every state of the building."""
+    basis = study.question.basis
+    methods = () if basis is None else basis.methods
+    asked = replace(study, procedures=tuple(name for name in methods if uses_histories(name)))
+    for mechanism in study.mechanisms:
+        states = building_states(asked, mechanism.name)
+        for state in states:
+            there = on_building(asked, mechanism.name, state, among=states)
+            yield rocking_case(there, mechanism, tuple(motions))
+
+
+def _merged(oscillator: Oscillator) -> Oscillator:
+    """Return an oscillator on which ties that are always pulled alike are one, which takes less time and pulls as much.
+
+    Those are ties at one height and angle, with one strain at yield and at rupture.
+    """
+    memory = oscillator.memory
+    if memory is None or len(memory.ties) < 2:
+        return oscillator
+    kept: list[TieLaw] = []
+    for tie in memory.ties:
+        place = next((number for number, other in enumerate(kept) if _alike(tie, other)), None)
+        if place is None:
+            kept.append(tie)
+        else:
+            one = kept[place]
+            kept[place] = replace(one, stiffness=one.stiffness + tie.stiffness, strength=one.strength + tie.strength)
+    return replace(oscillator, memory=Memory(memory.bare, tuple(kept), memory.friction))
+
+
+def _alike(one: TieLaw, other: TieLaw) -> bool:
+    first, second = ((each.strength / each.stiffness, each.gone) for each in (one, other))
+    if not np.allclose(first, second, rtol=1e-12, atol=0.0):
+        return False
+    sides = zip((*one.elongation, *one.rate), (*other.elongation, *other.rate), strict=True)
+    return all(np.allclose(a, b, rtol=1e-9, atol=1e-12) for a, b in sides)
+
+
+def split_by_event(motions: Sequence[ScaledRecord], number: int | None = None) -> tuple[list[int], list[int]]:
+    """Return which records the search sees, and which prove what it finds: every second event, or a number of records.
+
+    Records of one event are on one side.
+
+    Parameters
+    ----------
+    motions : the suite; a record without an event is one of its own
+    number : of records for the search, about; every second event where None
+
+    Raises
+    ------
+    ProjectError : there are fewer than two events, or none would be left on one side
+    """
+    events: dict[str, list[int]] = {}
+    for place, motion in enumerate(motions):
+        events.setdefault(motion.record.event.casefold() or f"\0{place}", []).append(place)
+    groups = list(events.values())
+    chosen = range(0, len(groups), 2)
+    if number is not None:
+        wanted = min(max(1, round(number * len(groups) / max(1, len(motions)))), len(groups))
+        chosen = np.unique(np.linspace(0, len(groups) - 1, wanted).round().astype(int)).tolist()
+    seen = sorted(place for group in chosen for place in groups[group]) if groups else []
+    left = [place for place in range(len(motions)) if place not in set(seen)]
+    if not seen or not left:
+        raise ProjectError(
+            f"records: {len(motions)} of {len(groups)} events: a part of them is to find a layout, and the rest to "
+            "prove it; give records of more events, or another number of records for the search"
+        )
+    return seen, left
+
+
+def _index_of(study: Study) -> float | None:
+    """Return the worst index of the mechanisms of a study; None where one is not known."""
+    indices = [answer.index for each in find_state_verdict(study).mechanisms for answer in each.answers]
+    known = [index for index in indices if index is not None]
+    if not known or len(known) < len(indices):
+        return None
+    least = known[0].name != IndexKind.DEMAND_CAPACITY
+    return min(each.value for each in known) if least else max(each.value for each in known)
+
+
+def _examined(layouts: Sequence[Layout], designs: Designs, measure: Measure) -> list[Layout]:
+    """Return layouts with what they reach; one that cannot be built is refused."""
+    studies: dict[Place, Study] = {}
+    found: dict[Place, Layout] = {each.place: each for each in layouts}
+    for each in layouts:
+        if each.refused is None:
+            try:
+                studies[each.place] = designs.study(each.place, AS_DRAWN)
+            except AssessError as error:
+                found[each.place] = replace(each, refused=message("retrofit-not-built", {"error": str(error)}))
+    if studies:
+        for place, reached in zip(studies, measure(list(studies.values())), strict=True):
+            found[place] = replace(found[place], reached=reached)
+    return [found[each.place] for each in layouts]
+
+
+def _in_order(known: dict[Place, Layout]) -> tuple[Layout, ...]:
+    return tuple(known[place] for place in sorted(known))

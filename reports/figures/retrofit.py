@@ -1,0 +1,46 @@
+"""What works reach over what they take: every layout that was examined, the front, the target, and the least proved."""
+
+from __future__ import annotations
+
+from math import isfinite
+
+from matplotlib.figure import Figure
+
+from assess.results.retrofit import Layout, RetrofitResults, TargetKind
+from reports.figures.style import FAIL, INK, MUTED, PASS, legend_below, report_style, sheet
+from reports.language.locale import Locale
+from reports.language.texts import Phrase, say
+
+MEASURES: dict[TargetKind, Phrase] = {
+    "index": say("Index"),
+    "ratio": say("Largest rotation over that which overturns"),
+    "probability": say("Probability of overturning, upper end of 84 %"),
+}
+COST, STEEL = say("Cost"), say("Steel of ties")
+HEIGHT = 3.0  # in
+
+
+def draw_front(results: RetrofitResults, locale: Locale) -> Figure:
+    """Draw what layouts reach [-] over their steel [kg] or cost; those with which a record overturns are left out."""
+    known = [each for each in results.layouts if isfinite(results.target.beyond(each))]
+    size = 1.0 if results.priced else locale.table_unit("mass").size
+
+    def points(layouts: list[Layout] | tuple[Layout, ...]) -> tuple[list[float], list[float]]:
+        values = [each.reached.value for each in layouts if each.reached is not None and each.reached.value is not None]
+        return [each.objective / size for each in layouts], values
+
+    with report_style():
+        figure = sheet(HEIGHT, locale)
+        axes = figure.subplots()
+        axes.plot(*points(known), "o", color=MUTED, markersize=2.5, label=locale.text(say("examined")))
+        front = [each for each in results.front if each in known]
+        axes.plot(
+            *points(front), "-o", color=INK, markersize=3.5, label=locale.text(say("none takes less for as much"))
+        )
+        if results.best is not None:
+            axes.plot(*points([results.best]), "*", color=PASS, markersize=10, label=locale.text(say("least, proved")))
+        axes.axhline(results.target.reach, color=FAIL, linestyle="--", label=locale.text(say("target")))
+        axes.set_xlabel(locale.text(COST) if results.priced else locale.heading(STEEL, "mass"))
+        axes.set_ylabel(locale.text(MEASURES[results.target.kind]))
+        legend_below(figure, columns=4)
+        return figure

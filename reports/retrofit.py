@@ -1,0 +1,191 @@
+"""The report of `assess retrofit`: the least works, what others reach, every layout, and how the least was proved."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from functools import partial
+from math import isinf
+from typing import Literal, cast
+
+from assess.results.provenance import describe_program
+from assess.results.retrofit import Layout, Proof, Reached, RetrofitResults
+from reports.document import (
+    Banner,
+    BulletList,
+    Cell,
+    Column,
+    Document,
+    Facts,
+    Field,
+    Figure,
+    Prose,
+    Section,
+    Table,
+    tabulate,
+)
+from reports.figures.retrofit import COST, MEASURES, STEEL, draw_front
+from reports.language.locale import Locale, System
+from reports.language.texts import Text, Verbatim, count, names, quantity, say, say_count
+
+FILES = ("retrofit.pdf", "retrofit.html", "tables.xlsx")
+METHOD = (
+    say(
+        "Layouts are searched on one part of the records and proved on the rest, of other earthquakes, each with eight "
+        "twins that differ by less than any instrument resolves. The proof is repeated with area, length, height and "
+        "yield stress of the ties a tenth more and less, in all combinations and each alone."
+    ),
+    say(
+        "What works reach need not rise with them: soft ties can overturn a wall that stands free, and a thicker bar "
+        "may tear its anchor where a thinner one yields. So nothing is inferred between the layouts that were examined."
+    ),
+    say(
+        "A share of records is taken at the upper end of its one-sided interval of 84 % (Clopper and Pearson 1934): 0 "
+        "of 50 records is 0.036, 1 of 50 is 0.064. A record overturns if it or one of its twins does."
+    ),
+    say(
+        "Refused, whatever they reach: pretension above half of what yields the bar, and anchors farther apart than "
+        "allowed. Steel is 7850 kg/m³ times area times length of all ties of the mechanisms that the works change."
+    ),
+)
+
+
+def retrofit_report(results: RetrofitResults) -> Document:
+    """Return the report of a search for the least works.
+
+    Parameters
+    ----------
+    results : of the search
+    """
+    program = describe_program()
+    system: System = "US" if results.units == "US" else "SI"
+    title = Verbatim(results.title) if results.title else say("Least works")
+    return Document(
+        title=title,
+        subject=say("Least works on masonry by rocking dynamics"),
+        author="",
+        program=f"{program.name} {program.version}",
+        paper="A4",
+        facts=(),
+        sections=(
+            Section(say("Least works"), 0, tuple(_first_page(results))),
+            Section(say("Proof"), 0, tuple(_proof(results))),
+            Section(say("All layouts"), 0, (_table("layouts", say("Every layout"), results, results.layouts),)),
+            Section(say("Method"), 0, (Prose(METHOD),)),
+        ),
+        locale=Locale(results.language, system),
+    )
+
+
+def _first_page(results: RetrofitResults) -> Iterator[Banner | Facts | BulletList | Table | Figure]:
+    """Yield outcome, facts, warnings, the front as figure and table."""
+    proved = results.best is not None
+    reached = say("These works reach the target; run the project with them for its verdict.")
+    headline = reached if proved else say("No layout was proved to reach the target.")
+    outcome: Literal["pass", "fail"] = "pass" if proved else "fail"
+    yield Banner(outcome, headline)
+    yield Facts(tuple(_facts(results)))
+    if results.warnings:
+        yield BulletList(results.warnings)
+    caption = say("What the layouts reach over what they take, with those than which none takes less for as much.")
+    yield Figure("front", caption, partial(draw_front, results))
+    yield _table("front", say("Layouts than which none takes less for as much"), results, results.front)
+
+
+def _facts(results: RetrofitResults) -> Iterator[tuple[Text, Text]]:
+    """Yield what was asked, examined and found."""
+    sign = "≥" if results.target.rising else "≤"
+    yield (
+        say("Target"),
+        say(
+            "{measure} {sign} {reach}",
+            measure=MEASURES[results.target.kind],
+            sign=Verbatim(sign),
+            reach=quantity(results.target.reach),
+        ),
+    )
+    if results.index:
+        yield say("Measure"), Verbatim(results.index)
+    if results.limit_state:
+        yield say("Limit state"), Verbatim(results.limit_state)
+    if results.pga_g is not None:
+        yield say("PGA"), quantity(results.pga_g, "ground acceleration")
+    yield say("Mechanisms"), names(results.mechanisms)
+    yield say("Layouts examined"), count(len([each for each in results.layouts if each.reached is not None]))
+    yield say("Reached the target in the search"), count(results.candidates)
+    yield say("Put to the proof"), count(results.tried)
+    if results.search_records:
+        yield (
+            say("Records"),
+            say(
+                "{seen} in the search, {left} in the proof",
+                seen=count(len(results.search_records)),
+                left=count(len(results.proof_records)),
+            ),
+        )
+    shown = results.best or results.nearest
+    if shown is not None:
+        yield (say("Least") if results.best else say("Nearest")), _amount(results, shown)
+        for varied, value in zip(results.varied, shown.values, strict=True):
+            yield Verbatim(varied.key), Verbatim(f"{value:.6g} {varied.unit}".rstrip())
+
+
+def _amount(results: RetrofitResults, layout: Layout) -> Text:
+    steel = quantity(layout.steel, "mass", 3)
+    if not results.priced:
+        return say("{steel} of steel", steel=steel)
+    return say("cost {cost}, {steel} of steel", cost=quantity(layout.objective, figures=6), steel=steel)
+
+
+def _proof(results: RetrofitResults) -> Iterator[Prose | Table]:
+    """Yield how many layouts were tried, and what the last of them reaches with every tolerance."""
+    sentence = say_count(
+        "{number} layout was put to the proof.", "{number} layouts were put to the proof.", number=results.tried
+    )
+    yield Prose((sentence,))
+    if results.proofs:
+        keys = (say("Area"), say("Length"), say("Height"), say("Yield stress"))
+        fields: list[Field[Proof]] = [(Column(say("Outcome")), _holds)]
+        for key, name in zip(keys, ("area", "length", "height", "yield_stress"), strict=True):
+            fields.append((Column(key, "ratio", 3), cast(Callable[[Proof], Cell], partial(_factor, name))))
+        fields.append((Column(MEASURES[results.target.kind], "ratio", 3), lambda proof: _value(proof.reached.value)))
+        fields.append((Column(say("Records that overturn")), lambda proof: proof.reached.overturned))
+        yield tabulate("proof", say("The last layout put to the proof, by factors on its ties"), fields, results.proofs)
+
+
+def _holds(proof: Proof) -> Cell:
+    return say("holds") if proof.holds else say("falls short")
+
+
+def _factor(name: str, proof: Proof) -> Cell:
+    return float(getattr(proof.tolerance, name))
+
+
+def _table(name: str, caption: Text, results: RetrofitResults, layouts: tuple[Layout, ...]) -> Table:
+    """Return the table of layouts."""
+    fields: list[Field[Layout]] = []
+    for place, varied in enumerate(results.varied):
+        heading = Verbatim(f"{varied.key} [{varied.unit}]" if varied.unit else varied.key)
+        fields.append((Column(heading, figures=6), cast(Callable[[Layout], Cell], partial(_typed, place))))
+    fields.append((Column(STEEL, "mass", 4), lambda layout: _value(layout.steel)))
+    if results.priced:
+        fields.append((Column(COST, "ratio", 6), lambda layout: _value(layout.objective)))
+    fields.append((Column(MEASURES[results.target.kind], "ratio", 4), lambda layout: _value(_reached(layout).value)))
+    fields.append((Column(say("Records that overturn")), lambda layout: _reached(layout).overturned))
+    if any(layout.refused for layout in layouts):
+        fields.append((Column(say("Refused")), lambda layout: layout.refused))
+    return tabulate(name, caption, fields, layouts, small=len(layouts) > 30)
+
+
+def _typed(place: int, layout: Layout) -> Cell:
+    return layout.values[place]
+
+
+def _reached(layout: Layout) -> Reached:
+    return layout.reached or Reached(None)
+
+
+def _value(number: float | None) -> Cell:
+    """Return a number; a dash for one that is not known, words for a record that overturns."""
+    if number is None or number != number:
+        return None
+    return say("overturns") if isinf(number) else number

@@ -284,7 +284,7 @@ def _check_branch(branch: Branch, *, following: Branch) -> None:
     _require_positive(float(branch.unstable), "overturning rotation", "rad")
     _require_positive(float(np.min(branch.inertia)), "least inertia", "kg m2")
     _require_positive(float(branch.excitation[0]), "excitation at rest", "kg m")
-    if branch.restoring[0] < 0.0:
+    if branch.restoring[0] < 0.0 and branch.overturning_flexible is None:  # on joints it may rest beside
         raise MechanismError(
             f"a branch has restoring moment {branch.restoring[0]:.6g} N m at rest, so it is already falling; "
             "look at its loads and hinges"

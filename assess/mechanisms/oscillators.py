@@ -31,6 +31,7 @@ from assess.mechanisms.branch_table import (
 )
 from assess.mechanisms.chain import Chain, ChainPair, move, trace_point, virtual_work
 from assess.mechanisms.flexible_oscillator import flexible_moments, flexible_oscillator, same_stages
+from assess.mechanisms.tied_oscillator import oscillator_on_joints
 from assess.oscillator import Branch, Memory, Oscillator, TieLaw
 
 CLEARLY = 1.0 + 1e-6  # two rotations that differ by less are one
@@ -270,10 +271,7 @@ def _make_oscillator(pair: ChainPair, front: Stages, back: Stages) -> Oscillator
     stretching = dict.fromkeys(tie.name for side in (front, back) for tie in side[0].chain.actions if _stretches(tie))
     if stretching:
         if pair.has_joints:
-            raise MechanismError(
-                f'mechanism "{pair.name}": ties that stretch are followed on rigid joints; give the tie a constant '
-                'force, or write model = "rigid"'
-            )
+            return oscillator_on_joints(pair, front, back)
         made = _rigid_oscillator(pair, front, back)
         return _capped(replace(made, memory=_memory(pair, front, back, list(stretching))))
     made = flexible_oscillator(pair, front, back) if pair.has_joints else _rigid_oscillator(pair, front, back)

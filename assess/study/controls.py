@@ -20,7 +20,7 @@ The outcome of a control of any kind is compared with its tolerance here: made, 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -98,7 +98,11 @@ def multiplier_control(mechanism: Mechanism, oscillator: Oscillator) -> Control:
     Relative to the multiplier by moments; without tolerance where joints deform or crush.
     """
     if mechanism.flexible:
-        sides = list(zip(mechanism.chains, oscillator.branches, strict=False))
+        alone = (
+            replace(chain, loads=tuple(each for each in chain.loads if not (isinstance(each, Tie) and each.stretches)))
+            for chain in mechanism.chains
+        )
+        sides = list(zip(alone, oscillator.bare.branches, strict=False))
         return _multiplier_on_joints(mechanism, *min(sides, key=lambda each: linear_multiplier(each[1])))
     of_branches = [
         make_control(

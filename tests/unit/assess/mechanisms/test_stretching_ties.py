@@ -10,8 +10,7 @@ import pytest
 from scipy.constants import g
 
 import assess
-from assess.errors import AssessError, MechanismError
-from assess.interfaces.contact import Interface
+from assess.errors import AssessError
 from assess.loads.load import Tie
 from assess.mechanisms.branch_table import rigid_branch
 from assess.mechanisms.chain import Chain, RigidBlock
@@ -119,15 +118,6 @@ def test_keys_that_do_not_go_together(changes: dict[str, Any], words: str) -> No
     wall = assess.box(thickness=THICKNESS, length=4.0, height=HEIGHT, density=2000.0)
     with pytest.raises(AssessError, match=words):
         assess.single_block(wall, direction=[1, 0, 0], loads=[assess.TieLoad(**given)])
-
-
-def test_on_joints_that_deform_it_is_refused() -> None:
-    wall = assess.box(thickness=THICKNESS, length=4.0, height=HEIGHT, density=2000.0)
-    load = assess.TieLoad(force=10e3, at=[0, 0, 5.5], anchor=[-10, 0, 5.5], **BAR)
-    soft = Interface(model="flexible", stiffness=1e9, strength=2e6)
-    block = assess.single_block(wall, direction=[1, 0, 0], loads=[load], interface=soft)
-    with pytest.raises(MechanismError, match="rigid joints"):
-        block.rocking  # noqa: B018
 
 
 @pytest.mark.parametrize(

@@ -40,6 +40,11 @@ def title_in_either_state(results: Results, name: str) -> Verbatim:
     return Verbatim(found.label if found is not None and found.label else name)
 
 
+def tie_number(place: int) -> str:
+    """Return the number of a tie of the building by its place from 1: "T1"."""
+    return f"T{place}"
+
+
 def _every_mechanism(results: Results) -> tuple[MechanismResult | FallingMechanism, ...]:
     return (*results.mechanisms, *results.falling)
 

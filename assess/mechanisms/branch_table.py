@@ -268,6 +268,19 @@ def load_displacement(chain: Chain, load: ForceOrTie, rotation: float) -> float:
     return float(_displacement(path)[1])
 
 
+def tie_elongation(chain: Chain, tie: Tie, rotation: float) -> float:
+    """Return the elongation of a tie from rest [m], negative where it shortens.
+
+    Parameters
+    ----------
+    chain : the chain that carries it
+    tie : the tie
+    rotation : of the leading block [rad]
+    """
+    path = trace_point(move(chain, np.array([0.0, rotation])), block=tie.block, at=tie.at)
+    return float(_elongation(tie, path)[1])
+
+
 def _first_downward_crossing(
     values: FloatArray, rotation: FloatArray, value_at: Callable[[float, int], float]
 ) -> float | None:

@@ -242,7 +242,7 @@ TEXTS: Mapping[str, str] = {
     "compared-with-index-before": "no threshold is stated (NTC 8.4.1, 8.4.2): the increase from an index of {before} "
     "is for the engineer to judge",
     "before-incomplete": "the index before the works: a mechanism of {file} has no answer by a method that decides; "
-    "complete that project and run it again",
+    "complete that project, of no works, and run it again",
     "gone-since-before": "{mechanisms} of the state before the works: not examined here, so that the index may rise "
     "for want of the weakest; examine them, or name the source that shows them to be gone",
     "gone-by-source": "a pass is valid only if {mechanisms} of the state before the works are gone, as a source says",

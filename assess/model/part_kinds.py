@@ -177,7 +177,13 @@ LEAST_WALL, LEAST_VOLUME = 1.0, 0.1  # m, half of it across, and m3: what is sma
 
 
 def is_tie(element: Element, shape: Shape) -> bool:
-    """Return whether a body is a tie: of its class or name, or a thin long bar."""
+    """Return whether a body is a tie: of its class or name, or a thin long bar.
+
+    Parameters
+    ----------
+    element : as the file names it
+    shape : of the body
+    """
     if class_of(element) == "IfcTendon":
         return True
     bar = shape.kind == "bar" and shape.length >= TIE_LENGTH

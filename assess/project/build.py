@@ -66,6 +66,7 @@ from assess.project.site_and_structure import (
     ground_mechanism,
     ground_of,
     hazard_over_periods,
+    is_drawn_tie,
     models_of,
     site_in,
     solid_of,
@@ -438,6 +439,7 @@ def _study_of_mechanisms(
     own = files.spectrum
     chains = (each for each in content.mechanisms.values() if isinstance(each, sections.ChainSection))
     in_blocks = {body for each in chains for block in each.blocks for body in block}
+    beside = {name: solid for name, solid in files.solids.items() if solid is not None and name not in in_blocks}
     question = question_of(
         content, site_pga=own.pga if own else 0.0, scale=own.factor if own else 1.0, before=files.before
     )
@@ -466,7 +468,12 @@ def _study_of_mechanisms(
         options=options_of(content),
         mechanisms=tuple(each.mechanism for each in built.values()),
         scenes={each.mechanism.name: each.scene for each in built.values() if each.scene is not None},
-        beside=tuple(solid for name, solid in files.solids.items() if solid is not None and name not in in_blocks),
+        beside=tuple(beside.values()),
+        drawn_ties=frozenset(
+            solid.name
+            for name, solid in beside.items()
+            if is_drawn_tie(name, content.bodies[name], solid, files.models)
+        ),
         amplified={name: amplify(amplification_method_of(chosen[name]), one) for name, one in in_place.items()},
         equations={name: _equation_of(section, content) for name, section in chosen.items()},
         inputs=(),

@@ -12,7 +12,6 @@ import numpy as np
 
 from assess.errors import OutputError, ProjectError
 from assess.geometry.formats.mesh_file import Element
-from assess.geometry.mesh import MeshesBySelection
 from assess.geometry.solid import scale_density
 from assess.loads.load import BodyLoad
 from assess.mechanisms.kinds import Definition
@@ -20,16 +19,15 @@ from assess.mechanisms.mechanism import BlockMechanism, CutAngle, CutPlane
 from assess.model.candidates import Candidate, Candidates, OpenEntry
 from assess.model.moving_parts import BuildingType
 from assess.model.part_bodies import DrawnBody, DrawnModel
-from assess.model.part_kinds import TIE_WORDS
 from assess.model.structure import Structure
 from assess.model.structure_reading import structure_of_models
 from assess.outputs.writing import replace_file
 from assess.project.build import build_to_decide
 from assess.project.drawn_project import is_stated, mechanism_lines, unexamined_entries
 from assess.project.project_file import Project, load_tree, parse_toml
-from assess.project.sections import BodySection, Content, MeshBody
+from assess.project.sections import Content
 from assess.project.sections.content import checklist
-from assess.project.site_and_structure import bodies_of, definitions_of, models_of, solid_of
+from assess.project.site_and_structure import bodies_of, definitions_of, element_of, models_of, solid_of
 from assess.study.ranking import median_overturning_pga
 from assess.study.run import find_outcome
 from assess.study.study import Study
@@ -117,7 +115,7 @@ def find_mechanisms(project: Project) -> FoundMechanisms:
         if name in roles:
             element = Element(kinds=(CLASS_OF_ROLE[roles[name]],), density=density)
         else:
-            element = replace(_class_of(content.bodies[name], models), density=density)
+            element = replace(element_of(content.bodies[name], models), density=density)
         drawn.append(DrawnBody(name, scale_density(body.solid, 1.0 / density), element, project.path.name))
     structure = structure_of_models([DrawnModel(tuple(drawn), (), ())], files=[project.path.name])
     candidates = structure.mechanisms()
@@ -133,16 +131,6 @@ def _unnamed_entries(content: Content, candidates: Candidates, *, stated: Collec
     open_entries = unexamined_entries(candidates, content.report.building_type, stated=stated)
     unnamed = {item.key for item in checklist(content.report, content.mechanisms) if not item.spoken_for}
     return {entry: why for entry, why in open_entries.items() if entry in unnamed}
-
-
-def _class_of(body: BodySection, models: MeshesBySelection) -> Element:
-    """Return what the model says of the element that a body is: its class, and whether it is called a tie."""
-    meshes = models[body.mesh, body.element].meshes if isinstance(body, MeshBody) else ()
-    if len(meshes) != 1:
-        return Element()
-    found = meshes[0].element
-    names = tuple(name for name in found.names if TIE_WORDS.search(name))
-    return Element(names=names, kinds=found.kinds, within=found.within, predefined=found.predefined)
 
 
 def _in_file(candidates: Candidates, definitions: Mapping[str, Definition], structure: Structure) -> dict[str, str]:

@@ -18,12 +18,15 @@ from pydantic import ValidationError
 from assess.codes.context import SiteHazard
 from assess.errors import Faults, ProjectError, locate_errors
 from assess.geometry import mesh
+from assess.geometry.formats.mesh_file import Element
 from assess.geometry.mesh import MeshesBySelection, read_selected_meshes
 from assess.geometry.solid import Solid, Solids, box, profile
 from assess.mechanisms.kinds import Definition
 from assess.mechanisms.mechanism import BlockMechanism, Mechanism
 from assess.messages.message import Message
 from assess.model.bodies import Bodies, Body, Material, PointValues
+from assess.model.part_kinds import TIE_WORDS, is_tie
+from assess.model.part_shapes import shape_of
 from assess.project import sections
 from assess.project.keys import error_line
 from assess.project.project_file import bare_number_messages, load
@@ -60,6 +63,36 @@ def _with_evidence(definition: Any, name: str, content: sections.Content) -> Any
         for place, load in enumerate(definition.loads)
     )
     return replace(definition, loads=tuple(lasting))
+
+
+def element_of(body: sections.BodySection, models: MeshesBySelection) -> Element:
+    """Return what the model says of the element that a body is: its class, and whether it is called a tie.
+
+    Parameters
+    ----------
+    body : of the project
+    models : what the bodies take from model files
+    """
+    meshes = models[body.mesh, body.element].meshes if isinstance(body, sections.MeshBody) else ()
+    if len(meshes) != 1:
+        return Element()
+    found = meshes[0].element
+    names = tuple(name for name in found.names if TIE_WORDS.search(name))
+    return Element(names=names, kinds=found.kinds, within=found.within, predefined=found.predefined)
+
+
+def is_drawn_tie(name: str, body: sections.BodySection, solid: Solid, models: MeshesBySelection) -> bool:
+    """Return whether a body of a project is a tie: by the class or name in its model, or as a thin long bar.
+
+    Parameters
+    ----------
+    name : of the body
+    body : as the project has it
+    solid : its geometry
+    models : what the bodies take from model files
+    """
+    element = element_of(body, models)
+    return is_tie(replace(element, names=(name, *element.names)), shape_of(solid))
 
 
 def models_of(

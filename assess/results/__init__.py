@@ -22,6 +22,7 @@ from assess.results.mechanism import (
     Drawing,
     DrawnLoad,
     EnvelopeResult,
+    HeldByTie,
     HingeAxis,
     HingeForceResult,
     HistoryResult,
@@ -34,6 +35,8 @@ from assess.results.mechanism import (
     NamedPoint,
     OscillatorResult,
     SuiteResult,
+    TieOutcome,
+    TieResult,
     View,
 )
 from assess.results.provenance import (
@@ -101,6 +104,7 @@ __all__ = [
     "EquivalentPeriods",
     "Floats",
     "GroundMotionResult",
+    "HeldByTie",
     "HingeAxis",
     "HingeForceResult",
     "HistoryResult",
@@ -133,5 +137,7 @@ __all__ = [
     "SpectrumResult",
     "SuiteResult",
     "SweepResult",
+    "TieOutcome",
+    "TieResult",
     "View",
 ]

@@ -201,10 +201,55 @@ class View(ShortRepr):
 
 @dataclass(frozen=True, repr=False)
 class BodyEdges(ShortRepr):
-    """A body of which no mechanism moves any part: its sharp edges in space, each by its two ends [m]."""
+    """A body of which no mechanism moves any part: its sharp edges in space, each by its two ends [m].
+
+    kind : "tie" for a bar that is drawn; empty for all else
+    """
 
     name: str
     edges: tuple[tuple[Place, Place], ...]
+    kind: Literal["tie", ""] = ""
+
+
+TieOutcome = Literal["elastic", "yields", "holds", "slack", "gone", "not counted", "not known"]
+"""What becomes of a tie at the rotation demanded: one of given force "holds"; "not counted" is not shown to last."""
+
+
+@dataclass(frozen=True, repr=False)
+class HeldByTie(ShortRepr):
+    """What becomes of a tie in a mechanism that it holds, at the rotation that the deciding method demands.
+
+    load : its name among the loads of the mechanism
+    elongation_m : from rest, plastic_m : of it for good; None where the rotation is not known or nothing stretches
+    """
+
+    mechanism: str
+    load: str
+    outcome: TieOutcome
+    elongation_m: float | None = None
+    plastic_m: float | None = None
+
+
+@dataclass(frozen=True, repr=False)
+class TieResult(ShortRepr):
+    """A tie of the building: its ends in space [m], at what it holds and at its anchor.
+
+    held : the mechanisms that it holds; empty for one that is drawn and that no mechanism counts
+    body : the bar of the project that it lies along; empty where none is drawn
+    """
+
+    ends: tuple[Place, Place]
+    held: tuple[HeldByTie, ...]
+    body: str = ""
+
+    @property
+    def outcome(self) -> TieOutcome:
+        """The worst of what becomes of it in the mechanisms that it holds."""
+        outcomes = {each.outcome for each in self.held} or {"not counted"}
+        return next(each for each in WORST_FIRST if each in outcomes)
+
+
+WORST_FIRST: tuple[TieOutcome, ...] = ("gone", "yields", "not known", "elastic", "holds", "slack", "not counted")
 
 
 @dataclass(frozen=True, repr=False)

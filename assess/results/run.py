@@ -9,7 +9,7 @@ from assess.codes.check import Outcome, Role
 from assess.codes.verdict import Decision, Verdict
 from assess.messages.message import Message, Term
 from assess.results.before import CapacitiesResult
-from assess.results.mechanism import BodyEdges, CriticalResult, MechanismResult
+from assess.results.mechanism import BodyEdges, CriticalResult, MechanismResult, TieResult
 from assess.results.provenance import NO_MATTER, Floats, Input, Program, ReportMatter, ResolvedValue
 from assess.results.verification import AnnexResult
 from assess.short_repr import ShortRepr, html_table
@@ -27,6 +27,7 @@ class Results(ShortRepr):
     uncertainty : None where the project gives no uncertain numbers, and in results of older versions
     verification : the annex of verification that the run names; None where there is none
     beside : the bodies of the project that belong to no mechanism, such as floors and roofs, for drawing
+    ties : of the building, each once
     before : the state of the building before the works, of the results that the project names; None where it names none
     """
 
@@ -52,6 +53,7 @@ class Results(ShortRepr):
     falling: tuple[FallingMechanism, ...] = ()
     beside: tuple[BodyEdges, ...] = ()
     before: CapacitiesResult | None = None
+    ties: tuple[TieResult, ...] = ()
 
     def _repr_html_(self) -> str:
         rows = [] if self.verdict is None else self.verdict.mechanisms

@@ -28,6 +28,7 @@ from assess.study.assessment import assess_mechanisms, building_states, check_me
 from assess.study.checks import decide, mark_result
 from assess.study.controls import control_warnings, equilibrium_controls, multiplier_control
 from assess.study.drawing import edges_in_space
+from assess.study.drawn_ties import left_out_beside, ties_in_space
 from assess.study.envelopes import (
     coarse_record_messages,
     critical_result,
@@ -121,7 +122,8 @@ def run_study(study: Study, *, jobs: int = 0, progress: Progress = no_progress) 
     found = _run_state(replaced, require_spectrum(replaced), other_motions, jobs=jobs, progress=progress, solved=solved)
     assert found.verdict is not None
     verdict = merge_states(typed.verdict, require_sources(found.verdict, overrides), overrides.lines)
-    return replace(found, project=typed.project, inputs=typed.inputs, stamp=typed.stamp, verdict=verdict)
+    ties = left_out_beside(found.ties, typed.ties)
+    return replace(found, project=typed.project, inputs=typed.inputs, stamp=typed.stamp, verdict=verdict, ties=ties)
 
 
 def _replaced(study: Study, overrides: Overrides) -> tuple[Study | None, Overrides]:
@@ -179,6 +181,12 @@ def _run_state(
     records = tuple(record_result(motion, spectrum, nga=nga_numbers.get(motion.record.id)) for motion in motions)
     controls = _controls_of(study, controlling, motions, results, jobs=jobs)
     program = describe_program()
+    beside = tuple(
+        replace(edges_in_space(solid), kind="tie" if solid.name in study.drawn_ties else "") for solid in study.beside
+    )
+    ties = ties_in_space(
+        study.resolved, _mechanisms_by_name(study, controlling), results, beside, pga_g=question.action.pga_g
+    )
     return Results(
         schema_version=SCHEMA_VERSION,
         program=program,
@@ -199,8 +207,9 @@ def _run_state(
         sweeps=sweep_results(sweeps, controlling),
         verdict=verdict,
         falling=study.falling,
-        beside=tuple(map(edges_in_space, study.beside)),
+        beside=beside,
         before=study.before,
+        ties=ties,
         ground_motion=ground_motion(study, spectrum, motions),
         sensitivity=sensitivities(study, spectrum, motions, results, jobs=jobs, progress=progress),
         stamp=stamp("run", program, study.inputs),
@@ -209,6 +218,12 @@ def _run_state(
         verification=study.annex,
         uncertainty=uncertainty(study, spectrum, motions, results, jobs=jobs, progress=progress),
     )
+
+
+def _mechanisms_by_name(study: Study, controlling: Mapping[str, MechanismSweep]) -> Mapping[str, Mechanism]:
+    """Return each mechanism, a swept one as its controlling case has it."""
+    swept = (each for sweep in controlling.values() for each in sweep.controlling_case.study.mechanisms)
+    return {each.name: each for each in (*study.mechanisms, *swept)}
 
 
 NO_HISTORIES = RockingHistories((), ())

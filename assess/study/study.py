@@ -118,6 +118,7 @@ class Study:
     falling : mechanisms that fall at rest under their own loads, which are not among `mechanisms`
     replaceables : its values that something stands for where no source vouches for them
     replaced : returns the study in which these are replaced
+    drawn_ties : which of `beside` are ties, by name
     before : the state of the building before the works; None where the project names no results of it
     """
 
@@ -163,6 +164,7 @@ class Study:
     beside: tuple[Solid, ...] = ()
     replaceables: tuple[Replaceable, ...] = ()
     replaced: Callable[[Sequence[Replaceable]], Study] | None = None
+    drawn_ties: frozenset[str] = frozenset()
     before: CapacitiesResult | None = None
 
 

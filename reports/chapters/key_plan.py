@@ -2,18 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from functools import partial
 
 from assess.codes.checklists import CHECKLISTS, item_name
-from assess.results import ChecklistItem, Results
+from assess.results import ChecklistItem, Results, TieOutcome
 from assess.results.provenance import Revision
 from reports.chapters.cells import DEMAND_CAPACITY
 from reports.chapters.front_matter import photograph
-from reports.document import Block, Cell, Column, Field, Figure, Prose, Section, Table, tabulate
+from reports.document import Block, Cell, Column, Field, Figure, Prose, Section, Table, nonempty, tabulate
 from reports.figures import key_plan
 from reports.figures.key_plan import BuildingScene
-from reports.language.texts import Date, Term, Text, Verbatim, count, listing, say, say_count
-from reports.mechanisms import mechanism_list
+from reports.language.texts import Date, Phrase, Term, Text, Verbatim, count, listing, say, say_count
+from reports.mechanisms import mechanism_list, tie_number
 
 
 def sections(results: Results, building: BuildingScene | None) -> list[Section]:
@@ -21,7 +22,7 @@ def sections(results: Results, building: BuildingScene | None) -> list[Section]:
 
     building : the bodies of all mechanisms, None where none has geometry
     """
-    blocks = (*plan(results, building), *_checklist_blocks(results))
+    blocks = (*plan(results, building), *nonempty(ties_table(results)), *_checklist_blocks(results))
     return [
         Section(say("Key plan and list of mechanisms"), 0, blocks, starts_page=True),
         *_revisions(results),
@@ -43,6 +44,48 @@ def plan(results: Results, building: BuildingScene | None) -> list[Block]:
         figure,
         Prose((say("Given by parameters, without geometry, and not drawn: {mechanisms}.", mechanisms=mechanisms),)),
     ]
+
+
+TIE_OUTCOMES: Mapping[TieOutcome, Phrase] = {
+    "elastic": say("elastic"),
+    "holds": say("holds"),
+    "yields": say("yields"),
+    "gone": say("gone"),
+    "slack": say("slack"),
+    "not counted": say("not counted"),
+    "not known": say("not known"),
+}
+NUMBER = Column(say("Tie"), share=0.07)
+
+
+def ties_table(results: Results) -> Table:
+    """Tabulate the ties of the building, a row for each mechanism that one holds; no rows without ties."""
+    caption = say(
+        "Ties, and what becomes of them at the rotation that the deciding method demands at the site’s own action."
+    )
+    columns = (
+        NUMBER,
+        Column(say("Holds")),
+        Column(say("As")),
+        Column(say("At the demand")),
+        Column(say("Elongation"), "length", 3),
+        Column(say("of it for good"), "length", 3),
+    )
+    rows: list[tuple[Cell, ...]] = []
+    for place, tie in enumerate(results.ties, start=1):
+        number, drawn = Verbatim(tie_number(place)), Verbatim(tie.body) if tie.body else None
+        rows += [
+            (
+                number,
+                mechanism_list(results, [each.mechanism]),
+                Verbatim(each.load),
+                TIE_OUTCOMES[each.outcome],
+                each.elongation_m,
+                each.plastic_m,
+            )
+            for each in tie.held
+        ] or [(number, None, drawn, TIE_OUTCOMES["not counted"], None, None)]
+    return Table("ties", caption, columns, tuple(rows), small=True)
 
 
 def checklist_table(results: Results) -> Table:

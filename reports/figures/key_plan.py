@@ -21,7 +21,7 @@ from matplotlib.patches import Patch
 
 from assess.codes.verdict import Decision, worst_outcome
 from assess.geometry.surface import simplify
-from assess.results import MechanismResult, Results, View
+from assess.results import MechanismResult, Results, TieOutcome, View
 from reports.document import SpatialModel, Wire
 from reports.figures.projection import (
     Appearance,
@@ -43,7 +43,7 @@ from reports.figures.sketch import direction_arrow, rounded_points, scene_model
 from reports.figures.style import FIXED, HALF, INK, VERDICT, WIDTH, Label, report_style, write_tags
 from reports.language.locale import Locale
 from reports.language.texts import Paragraph, Phrase, Text, say
-from reports.mechanisms import mechanism_number
+from reports.mechanisms import mechanism_number, tie_number
 from spectra.arrays import BoolArray, FloatArray, IntArray
 
 KEY_PLAN_SIZE = PictureSize(wide=WIDTH, tall=3.6, left=0.8, around=0.2)
@@ -52,6 +52,25 @@ LEGEND_HEIGHT = 0.24  # height [in]
 HINGE_COLOUR = "#101820"
 BESIDE = "#3b6ea5"  # of the edges of bodies of no mechanism
 CRACK_DASHES = (0, (2, 1.5))
+TIE_COLOURS: Mapping[TieOutcome, str] = {
+    "elastic": "#00694c",
+    "holds": "#00694c",
+    "yields": "#b06a00",
+    "gone": "#b3380e",
+    "slack": "#6b4c9a",
+    "not counted": "#6b7680",
+    "not known": "#6b7680",
+}
+TIE_WORDS: Mapping[TieOutcome, Phrase] = {
+    "elastic": say("tie, elastic at the demand"),
+    "holds": say("tie, of given force, holds at the demand"),
+    "yields": say("tie, yields at the demand"),
+    "gone": say("tie, gone at the demand"),
+    "slack": say("tie, slack at the demand"),
+    "not counted": say("tie, not counted"),
+    "not known": say("tie, not known"),
+}
+MOST_NAMED_TIES = 12  # of more, names would cover the picture
 
 HATCHINGS: Mapping[WallOutcome, Hatching] = {
     "fail": Hatching(3.2, radians(45), "#8a2a0c"),
@@ -66,7 +85,8 @@ VERDICT_WORDS: Mapping[WallOutcome, Phrase] = {
 
 def draw_key_plan(building: BuildingScene, locale: Locale) -> Figure:
     """Draw all bodies."""
-    points = np.concatenate([_scene_points(building, building.moving_parts), building.beside.reshape(-1, 3)])
+    ends = [tie.ends for tie in building.ties]
+    points = np.concatenate([_scene_points(building, building.moving_parts), building.beside.reshape(-1, 3), *ends])
     camera = fit_camera(building.direction, points, KEY_PLAN_SIZE)
     with report_style():
         figure, axes = scene_sheet(camera, WIDTH, locale, below=LEGEND_HEIGHT)
@@ -81,6 +101,10 @@ def draw_key_plan(building: BuildingScene, locale: Locale) -> Figure:
             seen = visible_middle(occluders.faces[owner == place], occluders)
             x, y, _ = (camera.project(part.middle) if seen is None else seen).tolist()
             tags.append(Label(part.title, (x, y)))
+        for tie in building.ties:
+            _draw_tie(axes, tie, camera)
+            x, y, _ = camera.project(tie.ends[:1])[0].tolist()
+            tags += [Label(tie.title, (x, y))] if len(building.ties) <= MOST_NAMED_TIES else []
         write_tags(axes, tags)
         _legend(figure, axes, building, locale)
         return figure
@@ -99,6 +123,10 @@ def key_plan_caption(building: BuildingScene) -> Text:
     ]
     if len(building.beside):
         shows.append(say("Blue lines: the edges of bodies that belong to no mechanism, such as floors."))
+    if building.ties:
+        shows.append(
+            say("Ties in the colour of what becomes of them at the action; one that holds several mechanisms is one.")
+        )
     if building.apart:
         shows.append(say("The bodies are drawn apart: the project gives them no common position."))
     return Paragraph(tuple(shows))
@@ -113,6 +141,7 @@ def model_of_key_plan(building: BuildingScene) -> SpatialModel:
     wires = (
         *(wire for part in building.moving_parts for wire in _wires_of_part(part)),
         *(Wire(rounded_points(edge), BESIDE) for edge in building.beside),
+        *(Wire(rounded_points(tie.ends), TIE_COLOURS[tie.outcome], tie.title) for tie in building.ties),
     )
     return scene_model(building.surface, building.owner, colours, wires, SHARP_ANGLE, building.direction)
 
@@ -172,6 +201,15 @@ class MovingPart:
 
 
 @dataclass(frozen=True)
+class DrawnTie:
+    """A tie in space: its ends [2, 3] [m], what becomes of it, and its number."""
+
+    title: str
+    ends: FloatArray
+    outcome: TieOutcome
+
+
+@dataclass(frozen=True)
 class BuildingScene:
     """All bodies.
 
@@ -179,7 +217,8 @@ class BuildingScene:
     group : of bodies that each triangle [m] belongs to
     apart : whether bodies that the project places one in the other are drawn side by side
     direction : horizontal, of motion, towards which the picture looks best [3]
-    beside : edges of bodies of no mechanism, by their two ends [k, 2, 3] [m]; none where bodies are drawn apart
+    beside : edges of bodies of no mechanism, by their two ends [k, 2, 3] [m]; none where bodies are drawn apart, and
+        none of drawn ties, which are among `ties`
     """
 
     surface: TriangleSurface
@@ -189,6 +228,7 @@ class BuildingScene:
     apart: bool
     direction: FloatArray
     beside: FloatArray
+    ties: tuple[DrawnTie, ...] = ()
 
     @property
     def mechanisms(self) -> frozenset[str]:
@@ -218,10 +258,16 @@ def building_of(results: Results) -> BuildingScene | None:
             moving_parts.append(_moving_part(results, alike, number, triangles, step))
         owners.append(owner)
     group = np.repeat(np.arange(len(groups)), [len(owner) for owner in owners])
-    edges = [] if apart else [edge for body in results.beside for edge in body.edges]
+    edges = [] if apart else [edge for body in results.beside if not body.kind for edge in body.edges]
     beside = np.array(edges, dtype=np.float64).reshape(-1, 2, 3)
-    joined = _join_surfaces(surfaces, steps)
-    return BuildingScene(joined, np.concatenate(owners), group, tuple(moving_parts), apart, direction, beside)
+    joined, owner = _join_surfaces(surfaces, steps), np.concatenate(owners)
+    ties = () if apart else tuple(_drawn_ties(results))
+    return BuildingScene(joined, owner, group, tuple(moving_parts), apart, direction, beside, ties)
+
+
+def _drawn_ties(results: Results) -> Iterator[DrawnTie]:
+    for place, tie in enumerate(results.ties, start=1):
+        yield DrawnTie(tie_number(place), np.array(tie.ends), tie.outcome)
 
 
 def building_of_mechanism(building: BuildingScene, place: int) -> BuildingScene:
@@ -361,6 +407,17 @@ def _draw_lines(axes: Axes, part: MovingPart, camera: Camera, occluders: Occlude
         _draw_line(axes, camera.project(line), occluders, through, colour=HINGE_COLOUR, width=1.8, dash="-")
 
 
+def _draw_tie(axes: Axes, tie: DrawnTie, camera: Camera) -> None:
+    """Draw a tie through what hides it, with a plate at what it holds; one that does not count is dashed."""
+    ink, ends = TIE_COLOURS[tie.outcome], camera.project(tie.ends)
+    axes.plot(*ends[:, :2].T, color=ink, linewidth=1.2, linestyle=_tie_dash(tie.outcome), zorder=5)
+    axes.plot(*ends[:1, :2].T, color=ink, marker="s", markersize=2.6, zorder=5)
+
+
+def _tie_dash(outcome: TieOutcome) -> Any:
+    return (0, (3, 2)) if outcome in ("not counted", "not known") else "-"
+
+
 def _draw_line(
     axes: Axes, line: FloatArray, occluders: Occluders, through: bool, *, colour: str, width: float, dash: Any
 ) -> None:
@@ -383,6 +440,9 @@ def _legend(figure: Figure, axes: Axes, building: BuildingScene, locale: Locale)
         lines += axes.plot([], [], color=BESIDE, linewidth=0.6, label=locale.text(say("body of no mechanism")))
     if any(part.cracks for part in building.moving_parts):
         lines += axes.plot([], [], color=INK, linewidth=0.7, linestyle=CRACK_DASHES, label=locale.text(say("crack")))
+    for outcome in dict.fromkeys(tie.outcome for tie in building.ties):
+        word = locale.text(TIE_WORDS[outcome])
+        lines += axes.plot([], [], color=TIE_COLOURS[outcome], linewidth=1.2, linestyle=_tie_dash(outcome), label=word)
     figure.legend(handles=[*patches, *lines], loc="lower center", ncols=6, borderaxespad=0.1)
 
 

@@ -1,0 +1,208 @@
+"""The ties of a building in space, each once, with what becomes of it in every mechanism that it holds.
+
+A tie is of the building: loads of several mechanisms that have the same ends, or lie along the same drawn bar, are one.
+What becomes of it is read at the rotation that the deciding method demands at the site's own action: of histories the
+largest of all records.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from math import isclose
+from typing import Any
+
+import numpy as np
+
+from assess.codes.procedures import uses_histories
+from assess.loads.load import Tie
+from assess.mechanisms.branch_table import tie_elongation
+from assess.mechanisms.mechanism import Mechanism
+from assess.oscillator import BranchName
+from assess.results import (
+    BodyEdges,
+    HeldByTie,
+    LoadResult,
+    MechanismResult,
+    Place,
+    ResolvedValue,
+    TieOutcome,
+    TieResult,
+)
+from assess.results.before import governing_check
+from spectra.arrays import FloatArray
+
+SAME_PLACE = 0.05  # m: ends no farther apart are one
+ALONG_BAR = 0.3  # m: a load whose end lies no farther from a drawn bar is of that bar
+PARALLEL = 0.98  # cosine, of a load and the bar that it is of
+DRAWN_LENGTH = 1.0  # m: of a tie of which the direction alone is given
+TIE_BODY = "tie"
+
+
+def ties_in_space(
+    resolved: Mapping[str, ResolvedValue],
+    mechanisms: Mapping[str, Mechanism],
+    results: Sequence[MechanismResult],
+    beside: Sequence[BodyEdges],
+    *,
+    pga_g: float,
+) -> tuple[TieResult, ...]:
+    """Return the ties that loads state and that bodies draw, each once.
+
+    Parameters
+    ----------
+    resolved : values of the project, with the loads of its mechanisms
+    mechanisms : by name; results : what was found of them
+    beside : bodies of no mechanism, ties among them
+    pga_g : of the site's own action [g]
+    """
+    bars = {body.name: _axis(body) for body in beside if body.kind == TIE_BODY and body.edges}
+    found: list[TieResult] = []
+    for result in results:
+        for ends, held in _stated_ties(result, mechanisms[result.name], resolved, pga_g=pga_g):
+            bar = next((name for name, axis in bars.items() if _lies_along(ends, axis)), "")
+            same = next((k for k, each in enumerate(found) if _is_same(each, ends, bar)), None)
+            if same is None:
+                found.append(TieResult(_rounded(ends), (held,), bar))
+            else:
+                found[same] = replace(found[same], held=(*found[same].held, held))
+    taken = {each.body for each in found}
+    return (*found, *(TieResult(_rounded(axis), (), name) for name, axis in bars.items() if name not in taken))
+
+
+def left_out_beside(counted: Sequence[TieResult], typed: Sequence[TieResult]) -> tuple[TieResult, ...]:
+    """Return the ties of a state in which some have no source, with those of the project as typed that count nowhere.
+
+    Parameters
+    ----------
+    counted : of the state that decides; typed : of the project as typed
+    """
+    missing = (each for each in typed if not any(_is_same(one, np.array(each.ends), each.body) for one in counted))
+    return (*counted, *(replace(each, held=tuple(map(_uncounted, each.held))) for each in missing))
+
+
+def _uncounted(held: HeldByTie) -> HeldByTie:
+    return replace(held, outcome="not counted", elongation_m=None, plastic_m=None)
+
+
+def _stated_ties(
+    result: MechanismResult, mechanism: Mechanism, resolved: Mapping[str, ResolvedValue], *, pga_g: float
+) -> Iterator[tuple[FloatArray, HeldByTie]]:
+    """Yield the ends [2, 3] of each tie among the loads of a mechanism, with what becomes of it."""
+    stated = resolved.get(f"mechanisms.{result.name}.loads")
+    rotation, branch = _demanded(result, pga_g=pga_g)
+    for number, load in enumerate(() if stated is None else stated.value or (), start=1):
+        used = next((each for each in result.loads if each.name == f"tie {number}"), None)
+        if load.get("kind") != TIE_BODY or used is None or (ends := _ends(load, result)) is None:
+            continue
+        state = _state_of(mechanism, used, rotation, branch)
+        yield ends, HeldByTie(result.name, used.name, state.outcome, state.elongation, state.plastic)
+
+
+def _demanded(result: MechanismResult, *, pga_g: float) -> tuple[float | None, BranchName]:
+    """Return the rotation that the deciding method demands [rad], None where it is not known, and its branch."""
+    check = governing_check(result.checks, pga_g=pga_g)
+    if check is None:
+        return None, "positive"
+    if uses_histories(check.procedure):
+        own = [each for each in result.histories if isclose(each.level_pga_g, pga_g, rel_tol=1e-9)]
+        if not own or any(each.max_rotation_rad is None for each in own):
+            return None, "positive"
+        worst = max(own, key=lambda each: abs(each.max_rotation_rad or 0.0))
+        return abs(worst.max_rotation_rad or 0.0), worst.branch
+    if check.rotation_ratio is None:
+        return None, "positive"
+    back = check.branch == "negative"
+    side = result.oscillator_negative if back else result.oscillator
+    deciding = result.deciding_overturning_rad
+    over = None if side is None else side.overturning_rad if deciding is None else deciding[back]
+    return None if over is None else min(check.rotation_ratio, 1.0) * over, "negative" if back else "positive"
+
+
+@dataclass(frozen=True)
+class _State:
+    outcome: TieOutcome
+    elongation: float | None = None
+    plastic: float | None = None
+
+
+def _state_of(mechanism: Mechanism, used: LoadResult, rotation: float | None, branch: BranchName) -> _State:
+    """Return what becomes of a tie as the mechanism turns so far: elongation from rest, and what is left of it [m]."""
+    if used.lasting == "not shown":
+        return _State("not counted")
+    if rotation is None:
+        return _State("not known")
+    chain = mechanism.negative if branch == "negative" else mechanism.positive
+    actions = () if chain is None else chain.actions
+    tie = next((each for each in actions if each.name == used.name and isinstance(each, Tie)), None)
+    if chain is None or tie is None:
+        return _State("slack")
+    e = tie_elongation(chain, tie, rotation)
+    if tie.stiffness is None:
+        if used.end_rad is not None and rotation >= used.end_rad:
+            return _State("gone", e)
+        return _State("slack" if e < 0.0 and not tie.both else "holds", e)
+    if tie.elongation is not None and e >= tie.elongation:
+        return _State("gone", e)
+    pull = tie.tension + tie.stiffness * e
+    if pull >= tie.most:
+        return _State("yields", e, e - (tie.most - tie.tension) / tie.stiffness)
+    return _State("slack" if pull <= 0.0 else "elastic", e, 0.0)
+
+
+def _ends(load: Mapping[str, Any], result: MechanismResult) -> FloatArray | None:
+    """Return the ends of a tie in space [2, 3] [m]; None where the project gives no place in space."""
+    if result.direction is None:
+        return None
+    at = _in_space(load["at"], result)
+    if at is None:
+        return None
+    if load.get("anchor") is not None:
+        far = _in_space(load["anchor"], result)
+        return None if far is None else np.array([at, far])
+    way = np.asarray(load["direction"], dtype=np.float64)
+    if way.size == 2:
+        way = way[0] * np.asarray(result.direction) + np.array([0.0, 0.0, way[1]])
+    return np.array([at, at + way / np.linalg.norm(way) * (load.get("length") or DRAWN_LENGTH)])
+
+
+def _in_space(place: Sequence[float], result: MechanismResult) -> FloatArray | None:
+    """Return a place of the project in space [3]; one in the plane of motion is drawn in the middle of the bodies."""
+    if len(place) == 3:
+        return np.asarray(place, dtype=np.float64)
+    if result.view is None or not result.view.vertices or result.direction is None:
+        return None
+    towards = np.asarray(result.direction)
+    across = np.array([-towards[1], towards[0], 0.0])
+    sideways = np.array(result.view.vertices) @ across
+    middle = (float(sideways.min()) + float(sideways.max())) / 2.0
+    return np.asarray(place[0] * towards + middle * across + np.array([0.0, 0.0, place[1]]))
+
+
+def _axis(body: BodyEdges) -> FloatArray:
+    """Return the ends [2, 3] [m] of the long axis of a bar: the middles of its corners at either end."""
+    points = np.array(body.edges).reshape(-1, 3)
+    middle = points.mean(axis=0)
+    along = (points - middle) @ np.linalg.svd(points - middle, full_matrices=False)[2][0]
+    half = (along.min() + along.max()) / 2.0
+    return np.array([points[along < half].mean(axis=0), points[along >= half].mean(axis=0)])
+
+
+def _lies_along(ends: FloatArray, axis: FloatArray) -> bool:
+    """Return whether a tie lies along a drawn bar: it is parallel, and begins beside it."""
+    way, bar = ends[1] - ends[0], axis[1] - axis[0]
+    length = float(np.linalg.norm(bar))
+    cosine = abs(float(way @ bar)) / (float(np.linalg.norm(way)) * length)
+    share = float(np.clip((ends[0] - axis[0]) @ bar / length**2, 0.0, 1.0))
+    return cosine >= PARALLEL and float(np.linalg.norm(ends[0] - axis[0] - share * bar)) <= ALONG_BAR
+
+
+def _is_same(tie: TieResult, ends: FloatArray, body: str) -> bool:
+    if body and tie.body == body:
+        return True
+    return bool(np.linalg.norm(np.array(tie.ends) - ends, axis=1).max() <= SAME_PLACE)
+
+
+def _rounded(ends: FloatArray) -> tuple[Place, Place]:
+    first, second = (tuple(float(each) for each in np.round(end, 4) + 0.0) for end in ends)
+    return (first[0], first[1], first[2]), (second[0], second[1], second[2])

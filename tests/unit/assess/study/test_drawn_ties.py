@@ -1,0 +1,97 @@
+"""Ties of a building in space: each once, with what becomes of it, against the geometry of the façade by hand."""
+
+from __future__ import annotations
+
+from functools import cache
+from math import cos, hypot, sin
+
+import pytest
+
+import assess
+from assess.results import Results
+from assess.results.before import governing_check
+from assess.results.json import dumps, loads
+from tests.support.facade import variant, with_ties
+
+AREA, MODULUS, YIELD, LENGTH, PRETENSION = 314e-6, 210e9, 235e6, 9.0, 10e3
+AT = 6.2  # m above the hinge, in whose face the ties are
+SOURCES = [f'"mechanisms.{name}.loads[{n}]" = "measured: test"\n' for name in ("upper",) for n in (1, 2)]
+BARS = """
+[bodies.bar]
+material = "stone"
+box = { thickness = 0.02, length = 9.0, height = 0.02, base = [-2.0, 4.25, 6.19] }
+
+[bodies.old-bar]
+material = "stone"
+box = { thickness = 0.03, length = 9.0, height = 0.03, base = [0.0, 4.25, 3.0] }
+
+[mechanisms.gable]"""
+
+
+@cache
+def brittle() -> Results:
+    """The façade with anchorages of 40 kN, its ties on the upper part too, a bar along one, and one that is none."""
+    tie = (
+        '{{ kind = "tie", force = "10 kN", at = [{x}, -0.25, 6.2], anchor = [{x}, 8.75, 6.2], area = "314 mm^2", '
+        'young_modulus = "210 GPa", yield_stress = "235 MPa", length = "9 m", fracture_strain = 0.10, '
+        'strength = "40 kN" }},\n'
+    )
+    upper = (
+        '\n[mechanisms.upper]\nkind = "single-block"\nblocks = ["facade"]\ndirection = [0, -1, 0]\nsides = "one"\n'
+        f'cut = "3.0 m"\nloads = [\n{tie.format(x=-2.0)}{tie.format(x=2.01)}]\n\n[report]\n'
+    )
+    words = {
+        'strength = "95 kN"': 'strength = "40 kN"',
+        "\n[mechanisms.gable]": BARS,
+        "\n[report]\n": upper,
+        "[report.sources]\n": "[report.sources]\n" + "".join(SOURCES),
+        'before = "project-results/results.json"': "index_before = 0.5",
+    }
+    return assess.run(variant("brittle", **words)).results
+
+
+def elongation(rotation: float) -> float:
+    """Of a level tie of LENGTH that holds the face AT above its edge [m]."""
+    return hypot(LENGTH + AT * sin(rotation), AT * (1.0 - cos(rotation))) - LENGTH
+
+
+def test_what_a_tie_has_stretched_and_yielded_at_the_demand_is_that_of_geometry():
+    results = with_ties()
+    facade = results.mechanisms[0]
+    check = governing_check(facade.checks, pga_g=results.verdict.action.pga_g)
+    over = (facade.deciding_overturning_rad or (facade.oscillator.overturning_rad,))[0]
+    e = elongation(check.rotation_ratio * over)
+    first, second = results.ties
+    (held,) = first.held
+    assert held.elongation_m == pytest.approx(e, rel=1e-9)
+    assert held.plastic_m == pytest.approx(e - (AREA * YIELD - PRETENSION) * LENGTH / (MODULUS * AREA), rel=1e-9)
+    assert (first.outcome, held.mechanism, held.load) == ("yields", "facade", "tie 1")
+    assert first.ends == ((-2.0, -0.25, 6.2), (-2.0, 8.75, 6.2))
+    assert second.ends[0][0] == 2.0
+
+
+def test_a_tie_that_holds_two_mechanisms_is_one_tie():
+    """Two centimetres apart are one place; a drawn bar along it is the same tie too."""
+    first, second, lone = brittle().ties
+    assert [each.mechanism for each in first.held] == ["facade", "upper"]
+    assert [each.mechanism for each in second.held] == ["facade", "upper"]
+    assert (first.body, second.body) == ("bar", "")
+    assert (lone.body, lone.held, lone.outcome) == ("old-bar", (), "not counted")
+
+
+def test_an_anchorage_that_tears_out_leaves_no_tie():
+    facade, _ = brittle().ties[0].held
+    assert facade.elongation_m > (40e3 - PRETENSION) * LENGTH / (MODULUS * AREA)
+    assert (facade.outcome, brittle().ties[0].outcome) == ("gone", "gone")
+
+
+def test_ties_without_a_source_are_drawn_and_do_not_count():
+    words = {"[report.sources]": '[report.sources]\n"verdict.before" = "measured: none"'}
+    text = {f'"mechanisms.facade.loads[{n}]"': f'#"mechanisms.facade.loads[{n}]"' for n in (1, 2)}
+    results = assess.run(variant("unsourced", **words, **text)).results
+    assert [each.outcome for each in results.ties] == ["not counted", "not counted"]
+    assert [each.ends for each in results.ties] == [each.ends for each in with_ties().ties]
+
+
+def test_ties_are_read_back_as_they_were_written():
+    assert loads(dumps(brittle())).ties == brittle().ties

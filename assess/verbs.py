@@ -446,9 +446,14 @@ def write_retrofit(
     from assess.outputs.manifest import RETROFIT
     from assess.outputs.writing import output_folder
     from assess.project.project_file import FILE_NAME
+    from assess.project.retrofit import Retrofit as Known
     from reports.assessment import write_document
     from reports.retrofit import FILES, retrofit_report
 
+    if not isinstance(found, Known):
+        raise OutputError(f"found: {type(found).__name__} given; give what assess.retrofit returns")
+    if not isinstance(folder, str | Path) or "\0" in str(folder):
+        raise OutputError(f"folder = {folder!r:.60}: give the path of a folder")
     _check_jobs(jobs, progress)
     place, show = Path(folder), progress or _ignore_progress
     expected = (FILE_NAME, *FILES)

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import glob
 import os
-from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from math import nan, prod
@@ -30,7 +29,7 @@ from assess.project.project_file import Project, load_tree, parse_toml
 from assess.project.section import ProjectSection
 from assess.project.toml_text import with_changes
 from assess.project.units import to_si
-from assess.project.works import Axis, Subject, Tables, at_height, axis_of, in_order, subject_of
+from assess.project.works import Axis, Subject, Tables, at_height, axis_of, in_order, subject_of, ties_by_level
 from assess.results.retrofit import Layout, Place, Reached, RetrofitResults, Target, TargetKind, Tolerance, VariedKey
 from assess.study.retrofit import (
     AS_DRAWN,
@@ -52,7 +51,6 @@ STEEL = 7850.0  # kg/m3
 MOST_PRETENSION = 0.5  # of the yield force
 FARTHEST = 3.0  # m, between anchors
 MOST_LAYOUTS = 100_000
-SAME_LEVEL = 0.1  # m
 TARGETS: tuple[TargetKind, ...] = ("index", "ratio", "probability")
 PER_STEEL, PER_TIE = "steel", "tie"
 
@@ -282,9 +280,9 @@ class _Designs:
 
     def _refusals(self, content: sections.Content) -> Iterator[Message]:
         """Yield why a layout may not be built."""
-        levels: dict[str, Counter[int]] = {}
-        for name, _, tie in _ties(content, self.mechanisms):
-            levels.setdefault(name, Counter())[round(tie.at[-1] / SAME_LEVEL)] += 1
+        elevations: dict[str, dict[int, float]] = {}
+        for name, place, tie in _ties(content, self.mechanisms):
+            elevations.setdefault(name, {})[place] = tie.at[-1]
             if tie.area is None or tie.yield_stress is None:
                 continue
             most = MOST_PRETENSION * tie.area * tie.yield_stress
@@ -293,8 +291,8 @@ class _Designs:
                     "retrofit-pretension", {"force": Quantity(tie.force, "force"), "most": Quantity(most, "force")}
                 )
         designed = {name for axis in self.axes if axis.of_steel for name in axis.mechanisms}
-        for name in designed.intersection(levels, self._subjects):
-            apart = self._subjects[name].length / max(levels[name].values())
+        for name in designed.intersection(elevations, self._subjects):
+            apart = self._subjects[name].length / max(map(len, ties_by_level(elevations[name])))
             if apart > self.farthest * (1.0 + 1e-9):
                 yield message(
                     "retrofit-spacing",
@@ -318,8 +316,9 @@ def _designs(built: BuiltProject, question: RetrofitQuestion) -> _Designs:
     for axis in axes:
         if not axis.mechanisms:
             raise ProjectError(f"vary {value_text(axis.key)}: no mechanism depends on it; name another key")
-        steel = axis.of_steel and any(tie.area and tie.length for _, _, tie in _ties(content, axis.mechanisms))
-        if not steel and axis.key not in question.price:
+        shown = axis.of_steel and any(tie.area and tie.length for _, _, tie in _ties(content, axis.mechanisms))
+        shown |= axis.key.endswith(".ties.count") and PER_TIE in question.price
+        if not shown and axis.key not in question.price:
             raise ProjectError(
                 f"vary {value_text(axis.key)}: it shows in no steel, so nothing says how much of it is least; give its "
                 f"price for each {axis.unit or 'unit'} of change, price {axis.key} = NUMBER"

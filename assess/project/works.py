@@ -31,6 +31,7 @@ Tables = Mapping[str, Any]
 _WORK = re.compile(r"mechanisms\.(.+)\.([a-z_]+)\.([a-z_]+)")
 _KIND = re.compile(rf"(mechanisms\..+\.loads)\.({'|'.join(LOADS)})\.(.+)")
 ALLOWED = ("mechanisms", "bodies", "materials")
+SAME_LEVEL = 0.1  # m
 STEEPNESS = 2.0  # height over width of masonry that widens a base: a load spreads in it at 27 degrees from the vertical
 
 
@@ -206,7 +207,7 @@ def _with_loads(
         own = f"mechanisms.{subject.name}.loads.{place}"
         for key, text in [(count_from_0(given), text) for given, text in sources.items()]:
             if key == own or key.startswith(f"{own}."):
-                sources[f"mechanisms.{subject.name}.loads.{copy}{key.removeprefix(own)}"] = text
+                sources[f"mechanisms.{subject.name}.loads[{copy + 1}]{key.removeprefix(own)}"] = text
     return {**changed, "report": {**report, "sources": sources}} if sources else changed
 
 
@@ -246,19 +247,49 @@ def _raise_ties(tables: Tables, subject: Subject, height: float) -> Tables:
     return _with_loads(tables, subject, loads)
 
 
-def _multiply_ties(tables: Tables, subject: Subject, count: float) -> Tables:
-    """Put a number of equal ties in the place of each, in the middle of equal parts of the length of the wall."""
+def _spread_ties(tables: Tables, subject: Subject, count: float) -> Tables:
+    """Put a number of ties at each level where the file has some, in the middle of equal parts of the wall's length.
+
+    Those of the file are moved there; what they lack of the number are copies of the first.
+    """
     loads, number = _loads(tables, subject), round(count)
     middle = float((subject.corners @ subject.across).min()) + subject.length / 2.0
+    stations = [middle + subject.length * ((each + 0.5) / number - 0.5) for each in range(number)]
     copied: dict[int, int] = {}
-    for place in subject.ties:
-        in_space = len(subject.loads[place].at) == 3
-        start = float(np.asarray(subject.loads[place].at) @ subject.across) if in_space else 0.0
-        shifts = [middle + subject.length * ((each + 0.5) / number - 0.5) - start for each in range(number)]
-        copies = [_shifted(loads[place], shift * subject.across) if in_space else loads[place] for shift in shifts]
-        copied |= dict.fromkeys(range(len(loads), len(loads) + number - 1), place)
-        loads = [*loads[:place], copies[0], *loads[place + 1 :], *copies[1:]]
+    for level in ties_by_level({place: si_value(loads[place]["at"][-1], KINDS["length"]) for place in subject.ties}):
+        if len(level) > number:
+            raise ProjectError(
+                f"mechanisms.{subject.name}.loads: has {len(level)} ties at one level, more than the {number} of a "
+                "layout; write a count from these on, or remove some"
+            )
+        copied |= dict.fromkeys(range(len(loads), len(loads) + number - len(level)), level[0])
+        places = [*level, *range(len(loads), len(loads) + number - len(level))]
+        loads += [deepcopy(loads[level[0]]) for _ in places[len(level) :]]
+        for place, station in zip(places, stations, strict=True):
+            loads[place] = _at_station(loads[place], subject, station)
     return _with_loads(tables, subject, loads, copied)
+
+
+def ties_by_level(elevations: Mapping[int, float]) -> list[list[int]]:
+    """Return places of ties in groups at one level, to SAME_LEVEL.
+
+    elevations : of each place [m]
+    """
+    levels: list[list[int]] = []
+    for place in sorted(elevations, key=lambda place: elevations[place]):
+        if levels and elevations[place] - elevations[levels[-1][0]] <= SAME_LEVEL:
+            levels[-1].append(place)
+        else:
+            levels.append([place])
+    return [sorted(level) for level in levels]
+
+
+def _at_station(tie: Mapping[str, Any], subject: Subject, station: float) -> dict[str, Any]:
+    """Return the table of a tie moved along the wall [m], with its anchor; one in the plane of motion stays."""
+    if len(tie["at"]) != 3:
+        return dict(tie)
+    now = float(np.array([si_value(each, KINDS["length"]) for each in tie["at"]]) @ subject.across)
+    return _shifted(tie, (station - now) * subject.across)
 
 
 def _shifted(tie: Mapping[str, Any], shift: FloatArray) -> dict[str, Any]:
@@ -352,7 +383,7 @@ WORKS: Mapping[tuple[str, str], Work] = {
     ("ties", "force"): Work("force", "pretension of each tie", partial(_set_of_ties, "force"), of_ties=True),
     ("ties", "height"): Work("length", "elevation of all ties, with their anchors", _raise_ties, of_ties=True),
     ("ties", "count"): Work(
-        "ratio", "equal ties over the length in the place of each", _multiply_ties, of_ties=True, whole=True
+        "ratio", "ties at each level where the file has some", _spread_ties, of_ties=True, whole=True
     ),
     ("ring_beam", "mass"): Work("mass", "mass of a beam along the top of the wall", _add_top_mass),
     ("ring_beam", "area"): Work("area", "section of the tie that it gives at the top", _add_top_tie, of_ties=True),

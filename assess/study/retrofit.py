@@ -43,6 +43,7 @@ from spectra.arrays import FloatArray
 CONFIDENCE = 0.84
 TENTH = 0.10
 MOST_TRIES = 50
+TOGETHER = 4  # tolerances that are run in one call
 BATCH = 50  # layouts whose histories are packed together
 
 
@@ -135,17 +136,19 @@ def find_least(
     ranked = sorted(known.values(), key=lambda each: merit(each, target))
     candidates = [each for each in ranked if each.reached is not None and target.may_hold(each.reached)]
     proofs: tuple[Proof, ...] = ()
+    order = list(tolerances() if designs.has_ties else (AS_DRAWN,))
     for tried, layout in enumerate(candidates[:MOST_TRIES], start=1):
         progress("proof", tried - 1, min(len(candidates), MOST_TRIES))
-        proofs = prove_layout(designs, layout.place, target, glance=glance, prove=prove)
+        proofs = prove_layout(designs, layout.place, target, order, glance=glance, prove=prove)
         if all(each.holds for each in proofs):
             return Found(_in_order(known), layout, layout, proofs, tried, len(candidates))
+        order.sort(key=lambda each: each != proofs[-1].tolerance)  # it may well be the one that fails the next
     nearest = next((each for each in ranked if each.reached is not None), None)
     return Found(_in_order(known), None, nearest, proofs, min(len(candidates), MOST_TRIES), len(candidates))
 
 
 def prove_layout(
-    designs: Designs, place: Place, target: Target, *, glance: Measure, prove: Measure
+    designs: Designs, place: Place, target: Target, order: Sequence[Tolerance], *, glance: Measure, prove: Measure
 ) -> tuple[Proof, ...]:
     """Return what a layout reaches with every tolerance, up to the first with which it does not reach the target.
 
@@ -153,11 +156,13 @@ def prove_layout(
     ----------
     designs, target : as for `find_least`
     place : of the layout
+    order : the tolerances, those that may fail it first
     glance, prove : on records that the search did not see, as they are and with twins
     """
-    every = tolerances() if designs.has_ties else (AS_DRAWN,)
+    first, *others = (order[at : at + TOGETHER] for at in range(0, len(order), TOGETHER))
+    looks = [(first, glance), (first, prove), *((group, glance) for group in others)]
     found: list[Proof] = []
-    for group, measure in ((every[:3], glance), (every[:3], prove), (every[3:], prove)):
+    for group, measure in (*looks, *((group, prove) for group in others)):
         try:
             studies = [designs.study(place, each) for each in group]
         except AssessError:  # with a tolerance it cannot be built
@@ -168,7 +173,8 @@ def prove_layout(
         if failed := next((each for each in new if not each.holds), None):
             return (*found, failed)
         found = [*found, *new] if measure is prove else found
-    return tuple(found)
+    every = tolerances()
+    return tuple(sorted(found, key=lambda proof: every.index(proof.tolerance)))
 
 
 def upper_share(overturned: int, number: int, *, confidence: float = CONFIDENCE) -> float:

@@ -28,6 +28,7 @@ BUILDING_TEXTS: Mapping[str, str] = {
     "left-out-railing": "a railing",
     "left-out-finish": "a finish: plaster, insulation or cladding",
     "left-out-stairs": "stairs or a ramp, which no part is for",
+    "left-out-lettering": "lettering",
     "left-out-terrain": "terrain",
     "left-out-foundation": "a foundation",
     "left-out-services": "services",

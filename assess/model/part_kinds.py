@@ -77,6 +77,7 @@ THINGS: Mapping[str, re.Pattern[str]] = {
     "joinery": re.compile(
         r"\bwindow|finestr|\bfenster|fen[êe]tre|\bdoor|\bporta\b|\bt[üu]r\b|\bporte\b|glazing", re.IGNORECASE
     ),
+    "lettering": re.compile(r"model text|\btext\b|\blettering|\bscritt[ae]\b|beschriftung|modelltext", re.IGNORECASE),
     "terrain": re.compile(
         r"terrain|topograph|\bterreno|gel[äa]nde|\bsite\b|\bground\b(?!.*(floor|wall|storey))|\btrees?\b|\balber",
         re.IGNORECASE,

@@ -114,6 +114,9 @@ def _mesh_path(name: str) -> str:
     return f"{MESHES}/{name}.ply"
 
 
+LISTED = 4  # parts of a model in which nothing stands
+
+
 def _building(structure: Structure) -> Iterator[str]:
     tops = [part.top for part in structure.parts if part.kind not in (*COVERINGS, "chimney", "pinnacle", "tie")]
     yield "[building]"
@@ -470,6 +473,12 @@ def write_project(
         raise ProjectError(f"{models[-1]}: another model has its name, and both are copied into {folder}; rename one")
     with new_folder(folder, command="assess new") as made:
         structure = read_structure(models, unit=None if unit is None else length_of_unit(unit), up=up)
+        if all(part.kind in (*COVERINGS, "tie") for part in structure.parts):
+            found = ", ".join(f"{part.name} ({part.kind})" for part in structure.parts[:LISTED])
+            raise GeometryError(
+                f"{models[0]}: nothing in it stands, as a wall, a pier, an arch or a tower does: of "
+                f"{len(structure.parts)} parts it has {found}; give the model of the masonry"
+            )
         candidates = _mechanisms_of(structure, models[0], up)
         drawn = draw_project(structure, candidates, title=models[0].stem, unit=unit, up=up)
         for path, solid in drawn.meshes.items():

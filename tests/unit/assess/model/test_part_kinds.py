@@ -237,6 +237,7 @@ def test_names_of_meshes_tell_what_is_no_masonry(tmp_path):
         "Intonaco": prism((-4.0, 2.9, 4.0, 2.98), 0.0, 4.0),
         "Tavolo": prism((0.0, 0.0, 1.0, 2.0), 0.0, 0.8),
         "Terrain": prism((-20.0, -20.0, 20.0, 20.0), -0.5, 0.5),
+        "Model Text:600mm Arial:352582": prism((14.0, 0.0, 14.2, 2.0), 0.0, 1.0),
         "Stone pile": prism((10.0, 0.0, 12.0, 2.0), 0.0, 2.0),
     }
     structure = read(tmp_path, {**BELOW, "Window wall": prism((-4.0, -2.3, -3.4, 2.3), 0.0, 4.0), **things})

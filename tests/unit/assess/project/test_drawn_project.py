@@ -43,6 +43,14 @@ def test_a_project_states_what_was_found(drawn) -> None:
     assert {"front-1-overturning-of-storeys", "gable-gable", "chimney-chimney", "front-2-bending"} <= set(found)
 
 
+def test_floors_alone_are_no_building(tmp_path) -> None:
+    parts = [part_of(f"Slab {z}", block((0, 9), (0, 7), (z, z + 0.3)), "floor", normal=(0, 1)) for z in (0, 3)]
+    (tmp_path / "slabs.obj").write_text(obj_of(parts))
+    with pytest.raises(GeometryError, match=r"nothing in it stands, .* of 2 parts it has Slab_0 \(floor\), Slab_3"):
+        write_project([tmp_path / "slabs.obj"], tmp_path / "new")
+    assert not (tmp_path / "new").exists()
+
+
 def test_what_reading_the_model_warned_of_stands_at_the_top(drawn) -> None:
     folder, structure, _ = drawn
     head = (folder / "project.toml").read_text(encoding="utf-8").split("title =")[0]
@@ -93,7 +101,7 @@ def test_corners_and_wedges_are_stated_and_tick_the_list(drawn) -> None:
     assert examined["corner"] == ("corner",)
     (one,) = (each for each in candidates if each.name == "front-1-corner")
     stated = content.mechanisms["front-1-corner"]
-    assert [wedge.walls for wedge in stated.wedges] == [("front-1", "front-2"), ("left-1", "left-2")]
+    assert [wedge.walls for wedge in stated.wedges] == [("front-1", "front-2"), ("left-1", "left-2", "gable")]
     assert [wedge.angle for wedge in stated.wedges] == pytest.approx(
         [wedge.angle for wedge in one.definition.wedges], abs=1e-6
     )

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from math import isclose
 from pathlib import Path
@@ -64,9 +64,23 @@ def read_before(content: sections.Content, question: Question, spectrum: Spectru
     path = relative_path(file, folder)
     told: list[Message] = []
     try:
-        results = open_results(file, tell=told.append).results
+        found = open_results(file, tell=told.append)
+        with found.blame_changes():
+            return _checked(found.results, path, told, content, question, spectrum, folder)
     except ResultsError as error:
         raise ProjectError(f"{KEY}: {error}") from None
+
+
+def _checked(
+    results: Results,
+    path: str,
+    told: Sequence[Message],
+    content: sections.Content,
+    question: Question,
+    spectrum: Spectrum,
+    folder: Path,
+) -> Before:
+    """Return the state that results are of, as `read_before` does; told: on reading them."""
     if any(each.key == "results-changed" for each in told):
         raise ProjectError(f"{KEY}: {path}: changed since it was written; run the project of the state before again")
     shown = state_of(results, path=path)

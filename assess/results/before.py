@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from assess.codes.calculation_sheet import Bound
 from assess.codes.check import Check
+from assess.codes.procedures import uses_histories
 from assess.codes.verdict import Decision, Index, MechanismVerdict, Verdict, least_index
 from assess.short_repr import ShortRepr
 
@@ -43,6 +44,7 @@ class CapacitiesResult(ShortRepr):
 
     path : of the results that it is from; empty for those that hold it; stamp : of them
     index : of the building; weakest : the mechanism that holds up to the lowest action, empty where none is known
+    suite : each record by its id with its scale factor [-], where histories decide; else empty
     """
 
     path: str
@@ -52,6 +54,7 @@ class CapacitiesResult(ShortRepr):
     index: Index | None
     weakest: str
     mechanisms: tuple[CapacityResult, ...]
+    suite: tuple[tuple[str, float], ...] = ()
 
     def of(self, mechanism: str) -> CapacityResult | None:
         """Return what a mechanism holds; None for one that this state does not have."""
@@ -84,6 +87,9 @@ def state_of(results: Results, *, path: str = "") -> CapacitiesResult | None:
         index=verdict.index,
         weakest="" if weakest is None else weakest.mechanism,
         mechanisms=found,
+        suite=tuple((each.id, each.scale_factor) for each in results.records)
+        if any(uses_histories(each.procedure) for each in found)
+        else (),
     )
 
 

@@ -85,6 +85,8 @@ def findings(results: Results, before: CapacitiesResult, after: CapacitiesResult
     gone = [each.mechanism for each in before.mechanisms if after.of(each.mechanism) is None]
     if gone:
         yield say("Examined before the works alone: {mechanisms}.", mechanisms=_titles(results, gone))
+    if before.suite and after.suite and before.suite != after.suite:
+        yield say("Histories decide in both states, by other records or scale factors: the spectrum alone is the same.")
 
 
 def _facts(results: Results, before: CapacitiesResult, after: CapacitiesResult) -> Iterator[tuple[Text, Text]]:

@@ -311,10 +311,15 @@ def _basis_facts(results: Results, verdict: Verdict) -> Iterator[tuple[Text, Tex
 def _measures(results: Results, verdict: Verdict) -> Iterator[tuple[Text, Text]]:
     """Yield target, index and least margin, as far as they are known."""
     target, index, least = cells.target_text(verdict), cells.building_index_text(verdict), cells.least_margin(verdict)
+    works = cells.works_text(results)
     if target is not None:
-        yield say("Target"), _with_works(results, target)
+        yield say("Target"), target if works is None else say("{target} ({works})", target=target, works=works)
+    elif works is not None:
+        yield say("Target"), say("none known ({works})", works=works)
     if index is not None:
         yield say("Index of the building"), say("{index}; local mechanisms only", index=index)
+    if results.before is not None and results.before.index is not None:
+        yield say("Index before the works"), say("at most {index}", index=cells.index_text(results.before.index))
     if least is not None:
         margin = cells.margin_text(least, verdict.action) or NOTHING
         title = numbered_title(results, least.mechanism)
@@ -340,11 +345,6 @@ def _spectrum_text(spectrum: SpectrumResult) -> Text:
     return listing(
         [Term(spectrum.clause), *(Phrase(words, {"value": with_figures(value, 3)}) for words, value in known)], ""
     )
-
-
-def _with_works(results: Results, target: Text) -> Text:
-    works = cells.works_text(results)
-    return target if works is None else say("{target} ({works})", target=target, works=works)
 
 
 def _remarks(results: Results) -> Iterator[Message]:

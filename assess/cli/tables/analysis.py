@@ -88,7 +88,7 @@ def run_text(results: Results, *, verbose: bool = False) -> str:
         *_missing(found),
     ]
     return (
-        "".join(map(_wrap, _verdict(found, results.report)))
+        "".join(map(_wrap, (*_verdict(found, results.report), *_before(results))))
         + _answers_table(found, pairs)
         + "".join(map(_wrap, lines))
         + "".join(f"{line}\n" for line in _toml(found, results))
@@ -247,6 +247,15 @@ def _verdict(found: Verdict, report: ReportMatter) -> Iterator[str]:
     yield f"basis: {found.edition or 'none'}; {states}; site's own action: {action_text(found.action)}"
     if index := building_index_text(found):
         yield f"index: {index}, target {target_text(found) or 'not known'}; local mechanisms only{_unexamined(report)}"
+
+
+def _before(results: Results) -> Iterator[str]:
+    """Yield what the building held before the works, and which mechanism was the weakest."""
+    before = results.before
+    if before is not None:
+        index = "" if before.index is None else f", at most {named_index_text(before.index)}"
+        weakest = f"; weakest: {on_one_line(escape_text(before.weakest), 40)}" if before.weakest else ""
+        yield f"before: {before.outcome.value}{index}{weakest}"
 
 
 def _unexamined(report: ReportMatter) -> str:

@@ -16,6 +16,7 @@ from assess.project.project_file import load
 from assess.results.before import state_of
 from assess.results.json import dumps, loads
 from assess.study.run import find_outcome
+from tests.support.command import ended
 from tests.support.facade import folder, variant, with_ties
 
 BEFORE = 'before = "project-results/results.json"'
@@ -109,6 +110,22 @@ def test_results_named_at_the_door_win_over_those_of_the_file(tmp_path):
     project = assess.load(variant("elsewhere", **{BEFORE: ""}), before=other)
     assert project.content.verdict.before == other
     assert question_of(project.path, before=other).before.index == pytest.approx(with_ties().before.index.value)
+
+
+def test_the_command_line_names_the_state_before(capsys, tmp_path):
+    project = variant("by-option", **{BEFORE: ""})
+    results = folder() / "project-results" / RESULTS
+    assert ended("run", project, "--before", results, "--no-report", "-o", tmp_path / "out") == 0
+    assert "before: fail, at most zeta_E 0.809; weakest: facade" in capsys.readouterr().out
+    assert ended("run", project, "--before", tmp_path / "none.json", "-o", tmp_path / "out2") == 2
+
+
+def test_results_whose_parts_do_not_fit_are_refused(tmp_path):
+    tree = json.loads((folder() / "project-results" / RESULTS).read_text(encoding="utf-8"))
+    tree["project"]["site.spectrum.hazard"]["value"] = 5
+    (tmp_path / "odd.json").write_text(json.dumps(tree), encoding="utf-8")
+    with pytest.raises(ProjectError, match=r"verdict\.before.*do not fit together"):
+        question_of(folder() / "with-ties.toml", before=tmp_path / "odd.json")
 
 
 def test_results_that_were_changed_since_they_were_written_are_refused(tmp_path):

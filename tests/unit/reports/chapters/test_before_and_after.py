@@ -62,6 +62,18 @@ def test_new_and_gone_mechanisms_and_indices_that_fall_are_named():
     assert [ENGLISH.text(row[2]) for row in rows if not isinstance(row[2], OutcomeCell)] == ["not examined"] * 2
 
 
+def test_histories_of_both_states_by_other_records_are_told():
+    results = with_ties()
+    before = replace(results.before, suite=(("a", 1.0),))
+    history = [
+        replace(check, procedure="ntc2018-history") if check.role == "deciding" else check
+        for check in results.mechanisms[0].checks
+    ]
+    after = replace(results, mechanisms=(replace(results.mechanisms[0], checks=tuple(history)), results.mechanisms[1]))
+    assert "by other records or scale factors" in words(replace(after, before=before))
+    assert "by other records" not in words(replace(results, before=before))
+
+
 @pytest.mark.parametrize(
     ("years", "bound", "shown"),
     [

@@ -1,16 +1,16 @@
-"""The report of `assess retrofit`: the least works, what others reach, every layout, and how the least was proved."""
+"""The report of `assess retrofit`: the least works, what others reach, and how the least was proved."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from functools import partial
 from math import isinf
-from typing import Literal, cast
+from typing import cast
 
 from assess.results.provenance import describe_program
 from assess.results.retrofit import Layout, Proof, Reached, RetrofitResults
+from reports.chapters.cells import OUTCOMES
 from reports.document import (
-    Banner,
     BulletList,
     Cell,
     Column,
@@ -69,20 +69,19 @@ def retrofit_report(results: RetrofitResults) -> Document:
         sections=(
             Section(say("Least works"), 0, tuple(_first_page(results))),
             Section(say("Proof"), 0, tuple(_proof(results))),
-            Section(say("All layouts"), 0, (_table("layouts", say("Every layout"), results, results.layouts),)),
             Section(say("Method"), 0, (Prose(METHOD),)),
         ),
+        data=(_table("layouts", say("Every layout"), results, results.layouts),),
         locale=Locale(results.language, system),
     )
 
 
-def _first_page(results: RetrofitResults) -> Iterator[Banner | Facts | BulletList | Table | Figure]:
-    """Yield outcome, facts, warnings, the front as figure and table."""
+def _first_page(results: RetrofitResults) -> Iterator[Prose | Facts | BulletList | Table | Figure]:
+    """Yield what came of it, facts, warnings, the front as figure and table."""
     proved = results.best is not None
     reached = say("These works reach the target; run the project with them for its verdict.")
     headline = reached if proved else say("No layout was proved to reach the target.")
-    outcome: Literal["pass", "fail"] = "pass" if proved else "fail"
-    yield Banner(outcome, headline)
+    yield Prose((headline,))
     yield Facts(tuple(_facts(results)))
     if results.warnings:
         yield BulletList(results.warnings)
@@ -111,6 +110,7 @@ def _facts(results: RetrofitResults) -> Iterator[tuple[Text, Text]]:
         yield say("PGA"), quantity(results.pga_g, "ground acceleration")
     yield say("Mechanisms"), names(results.mechanisms)
     yield say("Layouts examined"), count(len([each for each in results.layouts if each.reached is not None]))
+    yield say("Layouts refused"), count(len([each for each in results.layouts if each.refused is not None]))
     yield say("Reached the target in the search"), count(results.candidates)
     yield say("Put to the proof"), count(results.tried)
     if results.search_records:
@@ -122,6 +122,8 @@ def _facts(results: RetrofitResults) -> Iterator[tuple[Text, Text]]:
                 left=count(len(results.proof_records)),
             ),
         )
+    if results.verdict:
+        yield say("Verdict with these works"), OUTCOMES[results.verdict]
     shown = results.best or results.nearest
     if shown is not None:
         yield (say("Least") if results.best else say("Nearest")), _amount(results, shown)
@@ -148,7 +150,8 @@ def _proof(results: RetrofitResults) -> Iterator[Prose | Table]:
         for key, name in zip(keys, ("area", "length", "height", "yield_stress"), strict=True):
             fields.append((Column(key, "ratio", 3), cast(Callable[[Proof], Cell], partial(_factor, name))))
         fields.append((Column(MEASURES[results.target.kind], "ratio", 3), lambda proof: _value(proof.reached.value)))
-        fields.append((Column(say("Records that overturn")), lambda proof: proof.reached.overturned))
+        if results.proof_records:
+            fields.append((Column(say("Records that overturn")), lambda proof: proof.reached.overturned))
         yield tabulate("proof", say("The last layout put to the proof, by factors on its ties"), fields, results.proofs)
 
 
@@ -163,17 +166,21 @@ def _factor(name: str, proof: Proof) -> Cell:
 def _table(name: str, caption: Text, results: RetrofitResults, layouts: tuple[Layout, ...]) -> Table:
     """Return the table of layouts."""
     fields: list[Field[Layout]] = []
+    common = f"mechanisms.{results.mechanisms[0]}."
+    shared = all(varied.key.startswith(common) for varied in results.varied)
     for place, varied in enumerate(results.varied):
-        heading = Verbatim(f"{varied.key} [{varied.unit}]" if varied.unit else varied.key)
+        key = varied.key.removeprefix(common) if shared else varied.key
+        heading = Verbatim(f"{key} [{varied.unit}]" if varied.unit else key)
         fields.append((Column(heading, figures=6), cast(Callable[[Layout], Cell], partial(_typed, place))))
     fields.append((Column(STEEL, "mass", 4), lambda layout: _value(layout.steel)))
     if results.priced:
         fields.append((Column(COST, "ratio", 6), lambda layout: _value(layout.objective)))
     fields.append((Column(MEASURES[results.target.kind], "ratio", 4), lambda layout: _value(_reached(layout).value)))
-    fields.append((Column(say("Records that overturn")), lambda layout: _reached(layout).overturned))
+    if results.search_records:
+        fields.append((Column(say("Records that overturn")), lambda layout: _reached(layout).overturned))
     if any(layout.refused for layout in layouts):
         fields.append((Column(say("Refused")), lambda layout: layout.refused))
-    return tabulate(name, caption, fields, layouts, small=len(layouts) > 30)
+    return tabulate(name, caption, fields, layouts)
 
 
 def _typed(place: int, layout: Layout) -> Cell:

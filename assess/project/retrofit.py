@@ -16,7 +16,7 @@ from typing import Any
 
 from assess.amplification import ModalFilter
 from assess.codes.procedures import uses_histories
-from assess.codes.question import find_limit_states, methods_of
+from assess.codes.question import find_limit_states, methods_of, missing_action
 from assess.codes.verdict import Verdict
 from assess.errors import AssessError, ProjectError
 from assess.loads.load import TieLoad
@@ -153,9 +153,11 @@ def find_retrofit(project: Project, question: RetrofitQuestion, *, jobs: int, pr
     found = find_least(designs, target, search=search, glance=glance, prove=prove, progress=progress)
     warnings = [*designs.messages(), *_conditions(designs)]
     written: Tables | None = None
+    outcome = ""
     if found.best is not None:
         written = designs.apply(tables, found.best.place)
-        found, more = _as_written(found, load_tree(dict(written), project.path, sha256=""), designs, target, jobs=jobs)
+        reread = load_tree(dict(written), project.path, sha256="")
+        found, outcome, more = _as_written(found, reread, designs, target, jobs=jobs)
         warnings += more
     states, _ = find_limit_states(study.question)
     basis = study.question.basis
@@ -180,6 +182,7 @@ def find_retrofit(project: Project, question: RetrofitQuestion, *, jobs: int, pr
         candidates=found.candidates,
         search_records=tuple(each.record.id for each in seen),
         proof_records=tuple(each.record.id for each in rest),
+        verdict=outcome,
         warnings=tuple(warnings),
     )
     return Retrofit(results, project, written if found.best is not None else None)
@@ -367,7 +370,7 @@ def _rises(study: Study, kind: TargetKind) -> bool:
         raise ProjectError('verdict.basis: missing; an index needs one, such as basis = "asce43-05"')
     _, missing = find_limit_states(study.question)
     if missing:
-        raise ProjectError(f"{missing[0].key}: missing; {missing[0].text}")
+        raise ProjectError(f"{missing[0].key}: {missing[0].text}")
     if by_histories := [name for name in methods_of(study.question) if uses_histories(name)]:
         raise ProjectError(
             f"target index: it is found by {by_histories[0]}, and could not be proved on records that the search "
@@ -394,7 +397,10 @@ def _ground_motions(
             f"reach = {question.reach:g}: of {len(left)} records that prove it none may overturn and the upper end is "
             f"{upper_share(0, len(left)):.3f}, above it; give more records, or fewer to the search"
         )
-    states, _ = find_limit_states(study.question)
+    states, missing = find_limit_states(study.question)
+    lacking = [*missing, *filter(None, (missing_action(each, study.question.action) for each in states[:1]))]
+    if lacking:
+        raise ProjectError(f"{lacking[0].key}: {lacking[0].text}")
     at_states = {} if study.hazard is None else study.hazard.spectra
     own = next((at_states[each.name] for each in states if each.name in at_states), spectrum)
     return tuple(motions[k] for k in seen), tuple(motions[k] for k in left), own.pga, spectrum.pga
@@ -410,8 +416,8 @@ def _conditions(designs: _Designs) -> Iterator[Message]:
 
 def _as_written(
     found: Found, project: Project, designs: _Designs, target: Target, *, jobs: int
-) -> tuple[Found, list[Message]]:
-    """Return what was found, and what the project with the best works shows besides; not proved where it falls short.
+) -> tuple[Found, str, list[Message]]:
+    """Return what was found, and verdict and messages of the project with the best works; none where it falls short.
 
     Values that no source vouches for are replaced there, as in a run.
     """
@@ -422,7 +428,7 @@ def _as_written(
         if each.name in designs.mechanisms and before.get(each.name) != each.direction:
             messages.append(warning("retrofit-direction", f"mechanisms.{each.name}.direction"))
     if target.kind != "index":
-        return found, messages
+        return found, "", messages
     verdict = find_outcome(study, jobs=jobs or 1)
     short = [each for each in _indices(verdict).items() if not target.holds(Reached(each[1]))]
     if others := [name for name, _ in short if name not in designs.mechanisms]:
@@ -430,8 +436,8 @@ def _as_written(
     if any(name in designs.mechanisms for name, _ in short):
         lacking = [each.key for each in verdict.overrides if not each.source]
         messages.append(warning("retrofit-unsourced", "report.sources", keys=", ".join(lacking) or "report.sources"))
-        return replace(found, best=None), messages
-    return found, messages
+        return replace(found, best=None), verdict.outcome.value, messages
+    return found, verdict.outcome.value, messages
 
 
 def _indices(verdict: Verdict) -> dict[str, float | None]:

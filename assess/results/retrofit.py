@@ -116,6 +116,7 @@ class RetrofitResults(ShortRepr):
     proofs : of `best`, else of the last that was tried, up to its failure
     tried : how many were put to the proof; candidates : how many reached the target in the search
     search_records, proof_records : their names
+    verdict : of the project with the best works: "pass", "fail" or "incomplete"; "" where it was not asked
     """
 
     title: str
@@ -137,6 +138,7 @@ class RetrofitResults(ShortRepr):
     candidates: int
     search_records: tuple[str, ...] = ()
     proof_records: tuple[str, ...] = ()
+    verdict: str = ""
     warnings: tuple[Message, ...] = ()
 
     @property

@@ -160,7 +160,9 @@ def prove_layout(
     glance, prove : on records that the search did not see, as they are and with twins
     """
     first, *others = (order[at : at + TOGETHER] for at in range(0, len(order), TOGETHER))
-    looks = [(first, glance), (first, prove), *((group, glance) for group in others)]
+    looks = [(first, prove)]
+    if glance is not prove:
+        looks = [(first, glance), (first, prove), *((group, glance) for group in others)]
     found: list[Proof] = []
     for group, measure in (*looks, *((group, prove) for group in others)):
         try:

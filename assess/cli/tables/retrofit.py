@@ -38,6 +38,8 @@ def retrofit_text(results: RetrofitResults) -> str:
         pairs = zip(results.varied, shown.values, strict=True)
         lines += [f"  {each.key} = {value:.6g} {each.unit}".rstrip() for each, value in pairs]
         lines.append(f"  {_amount(results, shown)}; reaches {_reached(shown)}{_worst(results)}")
+    if results.verdict:
+        lines.append(f"  verdict of the project with these works: {results.verdict}")
     text = "".join(f"{line}\n" for line in lines)
     if results.front:
         text += "none takes less for as much:\n" + text_table(*_rows(results, results.front[:MOST_SHOWN]))
@@ -65,6 +67,7 @@ def retrofit_json(results: RetrofitResults) -> str:
         "limit_state": results.limit_state,
         "proved": best is not None,
         "best": best,
+        "verdict": results.verdict,
         "tried": results.tried,
         "candidates": results.candidates,
         "search_records": results.search_records,

@@ -20,6 +20,7 @@ def test_it_prints_the_least_and_writes_the_project(tmp_path: Path, capsys: pyte
     assert ended("retrofit", path, *ASKED, "-o", out, "--jobs", 1) == 0
     shown = capsys.readouterr().out
     assert "least that is proved:\n  mechanisms.facade.ties.area = " in shown
+    assert "verdict of the project with these works: pass" in shown
     assert shown.endswith(f"{out / 'project.toml'}\n")
     assert ended("check", out) == 0
     assert ended("retrofit", path, *ASKED, "-o", out, "--jobs", 1) == 0  # its own files may be replaced

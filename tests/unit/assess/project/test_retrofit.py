@@ -19,7 +19,7 @@ from assess.project.works import WORKS, subject_of
 from assess.results.retrofit import Tolerance
 from assess.study.histories import rocking_case
 from assess.study.level_peaks import level_solver, suites_of
-from assess.study.retrofit import record_ratios
+from assess.study.retrofit import record_ratios, tolerances
 from assess.study.suites import motions_of
 from tests.support.motions import write_noise
 from tests.support.projects import replace_once
@@ -119,6 +119,7 @@ def test_the_project_with_the_works_reaches_the_target(tmp_path: Path) -> None:
     assert results.best.steel == pytest.approx(7850.0 * results.best.values[0] * 1e-6 * results.best.values[1] * 10.0)
     least = min(each.steel for each in results.layouts if each.reached and results.target.holds(each.reached))
     assert results.best.steel == least
+    assert [proof.tolerance for proof in results.proofs] == list(tolerances())
     written = assess.write_retrofit(found, tmp_path / "out", jobs=1)
     text = written.read_text(encoding="utf-8")
     assert "# d20, one for all" in text
@@ -205,6 +206,19 @@ def test_a_target_beyond_all_layouts_is_not_reached(tmp_path: Path) -> None:
     written = assess.write_retrofit(found, tmp_path / "out", jobs=1)
     assert written == tmp_path / "out" / "retrofit.pdf"
     assert not (tmp_path / "out" / "project.toml").exists()
+
+
+def test_least_cost_may_be_other_works_than_least_steel(tmp_path: Path) -> None:
+    """Where a tie with its plates costs more than its bar, fewer and thicker ones are cheaper."""
+    path = facade(tmp_path)
+    asked: dict[str, Any] = {"target": "index", "reach": 1.0, "vary": {AREA: "100, 140, 190 mm^2", COUNT: "3..6"}}
+    steel, cost = (assess.retrofit(path, **asked, price=price).results for price in ({}, {"steel": 4.0, "tie": 300.0}))
+    assert steel.best is not None
+    assert cost.best is not None
+    assert cost.best.objective == pytest.approx(4.0 * cost.best.steel + 300.0 * cost.best.values[1])
+    assert cost.best.objective <= 4.0 * steel.best.steel + 300.0 * steel.best.values[1]
+    reached = [each for each in cost.layouts if each.reached and cost.target.holds(each.reached)]
+    assert cost.best.objective == min(each.objective for each in reached)
 
 
 def test_a_tie_without_a_source_is_named(tmp_path: Path) -> None:
@@ -296,6 +310,7 @@ def test_no_tie_is_raised_above_the_wall(tmp_path: Path) -> None:
         ({"price": {"gold": 1.0}}, "write a price"),
         ({"spacing": "3 kg"}, "spacing"),
         ({"limit_state": "XXX"}, "limit_state"),
+        ({"target": "ratio", "limit_state": "SLC"}, "site.limit_state: .*SLC"),
     ],
 )
 def test_what_is_wrong_is_said(tmp_path: Path, given: dict[str, Any], error: str) -> None:

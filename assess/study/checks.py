@@ -21,6 +21,7 @@ import numpy as np
 
 from assess.amplification import BaseMotion, FirstMode, ModalFilter
 from assess.codes.asce43_05 import ASCE43_05_SPECTRUM, OF_CIRCOLARE
+from assess.codes.calculation_sheet import Bound
 from assess.codes.check import Check, Outcome, Reason, reason_message
 from assess.codes.context import Building, Context, Gravity, Transfer, Wall, WallSupport
 from assess.codes.procedures import apply_procedure, with_options
@@ -35,6 +36,8 @@ from assess.mechanisms.mechanism import Mechanism, height_of_support, limits, mu
 from assess.messages.message import Message, Quantity, Severity, Value, message
 from assess.oscillator import BranchName, Oscillator
 from assess.results import MechanismResult
+from assess.results.fragility import HazardResult
+from assess.risk.hazard import HazardCurve
 from assess.study.amplification import NOT_AMPLIFIED, MechanismAmplification
 from assess.study.histories import RockingHistories
 from assess.study.mechanism_results import unsupported_messages
@@ -154,6 +157,33 @@ def mark_result(decided: Verdict, question: Question, result: MechanismResult) -
     """Return the mechanism with the checks that decide marked as such."""
     mechanism_verdict = next(each for each in decided.mechanisms if each.mechanism == result.name)
     return replace(result, checks=mark_deciding(result.checks, mechanism_verdict, question.basis, question.action))
+
+
+OWN_HAZARD = "site.spectrum.hazard"  # key of that of an Italian site
+
+
+def with_return_periods(result: MechanismResult, hazard: HazardResult | None) -> MechanismResult:
+    """Return a mechanism with the return period of each capacity that the hazard of the site gives in PGA.
+
+    That of an Italian site over return periods is with its checks already. Beyond the rows it is a bound.
+
+    Parameters
+    ----------
+    result : the mechanism
+    hazard : of the site; None where it is not known
+    """
+    if hazard is None or (hazard.measure.key, hazard.measure.at) != ("pga", "ground") or hazard.source == OWN_HAZARD:
+        return result
+    curve = HazardCurve(np.array(hazard.intensity), np.array(hazard.annual_rate))
+
+    def dated(check: Check) -> Check:
+        pga = check.capacity_pga_g
+        if pga is None or pga <= 0.0 or check.return_period_years is not None:
+            return check
+        bound: Bound = "<=" if pga < hazard.intensity[0] else ">=" if pga > hazard.intensity[-1] else ""
+        return replace(check, return_period_years=1.0 / float(curve.rate_at(pga)), return_period_bound=bound)
+
+    return replace(result, checks=tuple(map(dated, result.checks)))
 
 
 NEAR_SUPPORT = 0.9  # of the height of the supports: motion amplified only below it counts as that of the ground

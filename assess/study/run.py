@@ -25,7 +25,7 @@ from assess.results.provenance import describe_program, stamp
 from assess.short_repr import ShortRepr
 from assess.study.amplification import MechanismAmplification
 from assess.study.assessment import assess_mechanisms, building_states, check_mechanism, on_building, rules_of_histories
-from assess.study.checks import decide, mark_result
+from assess.study.checks import decide, mark_result, with_return_periods
 from assess.study.controls import control_warnings, equilibrium_controls, multiplier_control
 from assess.study.drawing import edges_in_space
 from assess.study.drawn_ties import left_out_beside, ties_in_space
@@ -174,7 +174,8 @@ def _run_state(
     )
     question = _deciding_question(study, controlling)
     verdict = _decide_with_tolerance(study, question, spectrum, results)
-    results = tuple(mark_result(verdict, question, result) for result in results)
+    hazard = study.fragility.hazard
+    results = tuple(with_return_periods(mark_result(verdict, question, each), hazard) for each in results)
     cases = envelope_cases(study, controlling)
     envelopes = map_envelopes(cases, study.pulses, jobs=jobs, progress=progress)
     nga_numbers = dict(study.fitting.nga)

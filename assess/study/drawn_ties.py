@@ -142,12 +142,13 @@ def _state_of(mechanism: Mechanism, used: LoadResult, rotation: float | None, br
         if used.end_rad is not None and rotation >= used.end_rad:
             return _State("gone", e)
         return _State("slack" if e < 0.0 and not tie.both else "holds", e)
-    if tie.elongation is not None and e >= tie.elongation:
+    end = tie.elongation or 0.0
+    if e >= end:
         return _State("gone", e)
-    pull = tie.tension + tie.stiffness * e
-    if pull >= tie.most:
-        return _State("yields", e, e - (tie.most - tie.tension) / tie.stiffness)
-    return _State("slack" if pull <= 0.0 else "elastic", e, 0.0)
+    elastic = end - (tie.length or 0.0) * (tie.fracture_strain or 0.0) if tie.ductile else end
+    if e > elastic:
+        return _State("yields", e, e - elastic)
+    return _State("slack" if float(tie.pull_at(np.array([e]))[0]) <= 0.0 else "elastic", e, 0.0)
 
 
 def _ends(load: Mapping[str, Any], result: MechanismResult) -> FloatArray | None:

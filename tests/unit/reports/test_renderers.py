@@ -39,6 +39,7 @@ DATA = {
     "assess.results.provenance",
     "assess.results.fragility",
     "assess.results.run",
+    "assess.results.retrofit",
     "assess.results.verification",
     "assess.codes.bases",
     "assess.codes.check",

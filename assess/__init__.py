@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from assess.codes.context import building
     from assess.interfaces.contact import Interface
     from assess.interfaces.section import Shape
+    from assess.loads.anchorage import Plate
     from assess.loads.load import BodyLoad, ForceLoad, MassLoad, OverburdenLoad, TieLoad
     from assess.mechanisms.four_hinge import RadialJoints
     from assess.mechanisms.mechanism import CutAngle, CutPlane
@@ -63,6 +64,7 @@ __all__ = [
     "MassLoad",
     "Material",
     "OverburdenLoad",
+    "Plate",
     "RadialJoints",
     "Record",
     "Run",
@@ -106,6 +108,7 @@ _HOMES = {
     "assess.codes.context": ("building",),
     "assess.interfaces.contact": ("Interface",),
     "assess.interfaces.section": ("Shape",),
+    "assess.loads.anchorage": ("Plate",),
     "assess.loads.load": ("BodyLoad", "ForceLoad", "MassLoad", "OverburdenLoad", "TieLoad"),
     "assess.mechanisms.four_hinge": ("RadialJoints",),
     "assess.mechanisms.mechanism": ("CutAngle", "CutPlane"),

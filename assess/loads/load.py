@@ -27,6 +27,7 @@ from assess.declaration import (
     Length,
     Name,
     NotAKey,
+    NotNegativeLength,
     Number,
     PositiveAreaMass,
     PositiveForce,
@@ -38,6 +39,7 @@ from assess.declaration import (
     StatedPlace,
 )
 from assess.geometry.contact import CONTACT_TOLERANCE
+from assess.loads.anchorage import STATED_ALONE, Anchorage, Plate
 from assess.messages.message import Message, Term
 from spectra.arrays import FloatArray
 from spectra.gravity import g
@@ -154,21 +156,25 @@ class TieLoad:
     """A tie: of constant pretension, slack on the branch where it shortens; or, with `area`, a bar that stretches.
 
     A constant one counts up to collapse only with until = "collapse", strength, length, fracture_strain and a source. A
-    bar pulls with its pretension and young_modulus area / length for each metre that it lengthens, up to area
-    yield_stress; it yields, goes slack when the wall comes back, and breaks at fracture_strain. `strength` is then that
-    of its anchorage: below 1.25 times the yield force the bar does not yield first, and the tie is gone where it is
-    reached.
+    bar pulls with its pretension, or from its slack on, and young_modulus area / length for each metre that it
+    lengthens, up to area yield_stress; it yields, goes slack when the wall comes back, and breaks at fracture_strain.
+    `strength` is then that of its anchorage: below 1.25 times the yield force the bar does not yield first, and the tie
+    is gone where it is reached.
     """
 
     kind: ClassVar[Literal["tie"]] = "tie"
     term: ClassVar[Term] = Term("a tie of given force")
     varied: ClassVar[VariedKey] = ("force", "tie_force")
-    force: Annotated[
-        PositiveForce, UNCERTAIN, Evidence("measured", "up", "the wall without the tie", safe=Safe.WITHOUT)
-    ]
-    """pretension, like "30 kN\""""
     at: Annotated[StatedPlace, WHERE_DRAWN]
     """where it holds the block: [x, y, z], or [distance along the direction, elevation]"""
+    force: Annotated[
+        PositiveForce | None, UNCERTAIN, Evidence("measured", "up", "the wall without the tie", safe=Safe.WITHOUT)
+    ] = None
+    """pretension, like "30 kN"; only a tie that stretches may have none"""
+    slack: Annotated[NotNegativeLength, Evidence("measured", "down", "as stated: without it the tie pulls at once")] = (
+        0.0
+    )
+    """of a tie that stretches: how far its ends move apart before it pulls, like "5 mm"; 0 if absent"""
     direction: Annotated[StatedDirection | None, ITS_WAY] = None
     """the way it pulls: [x, y, z], or [along the direction, up]; or give anchor"""
     anchor: Annotated[StatedPlace | None, ITS_WAY] = None
@@ -183,7 +189,7 @@ class TieLoad:
     ] = None
     """least of bar, plate, masonry and far wall; it never pulls with more. With `area`: of all but the bar"""
     area: Annotated[
-        BarArea | None, UNCERTAIN, Evidence("measured", "up", "the wall without the tie", safe=Safe.ABSENT)
+        BarArea | None, UNCERTAIN, Evidence("measured", "up", "the wall without the tie", safe=Safe.WITHOUT)
     ] = None
     """of the bar's section, like "314 mm^2"; the tie then stretches, by young_modulus and yield_stress, to an anchor"""
     young_modulus: Annotated[
@@ -202,8 +208,13 @@ class TieLoad:
         BarStrain | None, Evidence("measured", "up", "absent: it does not last to collapse", safe=Safe.ABSENT)
     ] = None
     """of the bar; it breaks where it has lengthened by more than this times its length"""
+    plate: Annotated[Plate | None, Evidence("measured", "up", STATED_ALONE, safe=Safe.ABSENT)] = None
+    """of a tie that stretches, on the outer face of the wall: its anchorage is then computed, and its `strength` is the
+    least of that and of what is stated"""
     block: Annotated[BlockNumber, ITS_BLOCK] = 0
     """which block it acts on, from 0 at the base"""
+    others: Annotated[tuple[TieLoad, ...], NotAKey()] = ()
+    """ties with plates of other mechanisms on the same bodies, whose cones may meet its own"""
     evidence: Annotated[str, NotAKey()] = ""
     """where it is shown that it lasts as `until` says; empty where it is not"""
 
@@ -218,6 +229,11 @@ class TieLoad:
             yield "length", f"its ends lie {apart:.4g} m apart, over which it stretches; measure it again"
         bar = {key: getattr(self, key) for key in ("area", "young_modulus", "yield_stress")}
         if all(value is None for value in bar.values()):
+            if self.force is None:
+                yield "force", "missing; a tie that does not stretch pulls with its pretension"
+            for key in ("slack", "plate"):
+                if getattr(self, key):
+                    yield key, "of a tie that stretches; give area, young_modulus and yield_stress too, or remove it"
             return
         for key, value in {**bar, "length": self.length, "fracture_strain": self.fracture_strain}.items():
             if value is None:
@@ -225,6 +241,10 @@ class TieLoad:
                     key,
                     "missing; a tie that stretches needs area, young_modulus, yield_stress, length, fracture_strain",
                 )
+        if self.plate is not None:
+            for key in ("at", "anchor"):
+                if len(getattr(self, key) or (0, 0, 0)) != 3:
+                    yield key, "beside a plate it must be [x, y, z], by which it lies on its wall"
         if self.anchor is None:
             yield "anchor", "missing; a tie that stretches does so towards its fixed end"
         if self.until is not None:
@@ -232,7 +252,9 @@ class TieLoad:
         if apart and self.length is not None and self.length * LONGER < apart:
             yield "length", f"its ends lie {apart:.4g} m apart, and a tie that stretches does so over all of them"
         most = min((self.area or inf) * (self.yield_stress or inf), self.strength or inf)
-        if self.force > most:
+        if self.force is not None and self.slack:
+            yield "slack", "a slack tie has no pretension; remove slack, or force"
+        if self.force is not None and self.force > most:
             yield "force", f"a pretension above what bar and anchorage bear, {most / 1e3:.4g} kN"
 
 
@@ -461,9 +483,11 @@ class Tie:
     """A tie of constant pretension `pull` [N] along `direction` (a unit vector), or always towards `anchor`.
 
     It is slack on the branch where it shortens, unless `both`. One with a stiffness k [N/m] and the force [N] at which
-    its bar yields pulls with pull + k e, e its elongation from rest, between zero and that force.
+    its bar yields pulls with pull + k (e - slack), e its elongation from rest, between zero and that force.
+    slack : by which its ends move apart before it pulls [m]; it then has no pretension
     strength : least of bar, plate, masonry and far wall [N], above which it never pulls; of one that stretches, of all
         but the bar
+    anchorage : its plate in its place, of which that is the strength; None where the strength is stated alone
     length, fracture_strain : of the bar [m], [-]; it ends where it has lengthened by more than their product
     evidence : where it is shown that it lasts as `until` says; empty where it is not
     """
@@ -483,6 +507,8 @@ class Tie:
     evidence: str = ""
     stiffness: float | None = None
     yield_force: float | None = None
+    slack: float = 0.0
+    anchorage: Anchorage | None = None
 
     @property
     def source(self) -> str:
@@ -516,8 +542,12 @@ class Tie:
             return None
         if self.stiffness is None:
             return self.length * self.fracture_strain
-        elastic = (self.most - self.tension) / self.stiffness
-        return elastic + self.length * self.fracture_strain if self.ductile else elastic
+        return self.elastic_elongation + self.length * self.fracture_strain * self.ductile
+
+    @property
+    def elastic_elongation(self) -> float:
+        """The elongation from rest at which a tie that stretches pulls with the most that it can [m]."""
+        return self.slack + (self.most - self.tension) / (self.stiffness or inf)
 
     def pull_at(self, elongation: FloatArray) -> FloatArray:
         """Return the force of a tie that stretches as it first does [n] [N], before it breaks.
@@ -526,12 +556,14 @@ class Tie:
         ----------
         elongation : from rest, negative where it shortens [n] [m]
         """
-        return np.clip(self.tension + (self.stiffness or 0.0) * elongation, 0.0, self.most)
+        return np.clip(self.tension + (self.stiffness or 0.0) * (elongation - self.slack), 0.0, self.most)
 
     @property
     def missing(self) -> tuple[str, ...]:
         """The keys of the project file that are missing before it counts as lasting to collapse."""
         keys = ("strength",) if self.stretches else ("until", "strength", "length", "fracture_strain")
+        if self.anchorage is not None:
+            return (*self.anchorage.missing, *_missing_keys({"source": self.evidence}))
         return _missing_keys({**{key: getattr(self, key) for key in keys}, "source": self.evidence})
 
 
@@ -543,10 +575,10 @@ def pull_at_rest(tie: Tie) -> Point:
     """Return the force (x, z) [N] of a taut tie at rest."""
     if tie.anchor is None:
         along, up = tie.direction or (0.0, 0.0)
-        return (tie.tension * along, tie.tension * up)
+        return (tie.tension * along + 0.0, tie.tension * up + 0.0)
     to_x, to_z = tie.anchor[0] - tie.at[0], tie.anchor[1] - tie.at[1]
     length = hypot(to_x, to_z)
-    return (tie.tension * to_x / length, tie.tension * to_z / length)
+    return (tie.tension * to_x / length + 0.0, tie.tension * to_z / length + 0.0)
 
 
 def lasts(action: ForceOrTie) -> bool:

@@ -159,12 +159,13 @@ def single_stage(chain: Chain) -> Stages:
 
 
 def _kinks(chain: Chain) -> list[float]:
-    """Return the rotations at which the bars of ties begin to yield, or are slack [rad]."""
+    """Return the rotations at which the bars of ties begin to pull, to yield, or are slack [rad]."""
     found: set[float] = set()
     for tie in chain.actions:
         if isinstance(tie, Tie) and tie.stiffness is not None:
-            for sign, amount in ((1.0, tie.most - tie.tension), (-1.0, tie.tension)):
-                found.add(rotation_reaching(chain, tie, amount / tie.stiffness, partial(_signed_elongation, tie, sign)))
+            marks = ((1.0, tie.slack), (1.0, tie.elastic_elongation), (-1.0, tie.tension / tie.stiffness))
+            for sign, amount in marks:
+                found.add(rotation_reaching(chain, tie, amount, partial(_signed_elongation, tie, sign)))
     return sorted(each for each in found if 0.0 < each < inf)
 
 

@@ -325,7 +325,7 @@ def _law(name: str, sides: Sequence[tuple[Chain, Branch]]) -> TieLaw:
     ]
     tie = next(each for each in ties if each is not None)
     stiffness = tie.stiffness or 1.0
-    at_rest, elongation, rate = tie.tension / stiffness, [], []
+    at_rest, elongation, rate = tie.tension / stiffness - tie.slack, [], []
     for (chain, branch), here in zip(sides, ties, strict=True):
         if here is None or here.anchor is None:
             elongation.append(np.full_like(branch.rotation, -1.0))

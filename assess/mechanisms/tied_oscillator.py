@@ -45,7 +45,7 @@ def tie_laws(ties: Sequence[Tie], elongation: Sequence[Sequence[tuple[FloatArray
     found = []
     for tie, sides in zip(ties, elongation, strict=True):
         k = tie.stiffness or 1.0
-        at_rest = tie.tension / k
+        at_rest = tie.tension / k - tie.slack
         found.append(
             TieLaw(
                 k,
@@ -159,19 +159,22 @@ class _Side(ShortRepr):
     def _with_moment(self, restoring: FloatArray, overturning: float, most: float) -> Branch:
         restoring.flags.writeable = False
         made = replace(self.branch, restoring=restoring, overturning=overturning)
-        return replace(made, overturning_flexible=min(_falls(made, self.name), most))
+        falls = min(_falls(made), most)
+        if falls == np.inf:
+            raise MechanismError(
+                f'mechanism "{self.name}": on its joints the restoring moment does not fall to zero before '
+                f"{made.rotation[-1]:.3g} rad; check its joints"
+            )
+        return replace(made, overturning_flexible=falls)
 
 
-def _falls(branch: Branch, name: str) -> float:
-    """Return the first rotation at which the moment of a table falls to zero [rad]."""
+def _falls(branch: Branch) -> float:
+    """Return the first rotation at which the moment of a table falls to zero [rad]; inf where its ties hold it."""
     from scipy.optimize import brentq
 
     falling = np.flatnonzero((branch.restoring[:-1] > 0.0) & (branch.restoring[1:] <= 0.0))
     if not falling.size:
-        raise MechanismError(
-            f'mechanism "{name}": on its joints and with its ties the restoring moment does not fall to zero before '
-            f"{branch.rotation[-1]:.3g} rad; check ties and joints"
-        )
+        return float(np.inf)
     low, high = branch.rotation[falling[0]], branch.rotation[falling[0] + 1]
     if high - low <= AT_ONE:
         return float(low)

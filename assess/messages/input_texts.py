@@ -151,12 +151,18 @@ GEOMETRY_TEXTS: Mapping[str, str] = {
     "not-lasting": 'load "{load}" is not shown to last: where it resists, it counts only in the multiplier, not in '
     "displacements and histories; give {missing} (until: the displacement of its point of application at which it "
     'is lost, or "collapse"; source: a line for the load in [report.sources], as "mechanisms.NAME.loads[1]")',
+    "tie-not-lasting": 'tie "{load}" is not shown to last: it counts only in the multiplier, with its pretension of '
+    "{force}, not in displacements and histories; give {missing} (strength: the least of plate, masonry and far wall; "
+    'source: a line for the tie in [report.sources], as "mechanisms.NAME.loads[1]")',
+    "tie-brittle": 'tie "{load}": {link} at {strength}, where the bar yields at {yielding}: with less than {spare} '
+    "times that it is not taken to yield, and the tie is gone when its ends have moved apart by {elongation}; "
+    "strengthen the anchorage, or take a weaker bar",
     "pretension-above-strength": 'load "{load}" is given a pretension of {force}, above its strength; it counts with '
     "{strength}; check force and strength",
     "seat-wide": 'the seat of load "{load}" is {seat} wide, more than any wall offers; is its unit right?',
     "unheld": "the mechanism is stable only because of {loads}, not shown to last to collapse, so its displacements "
-    "and histories cannot be evaluated; give until (for a tie also strength, length and fracture_strain) and a "
-    "source",
+    "and histories cannot be evaluated; give until (for a tie also strength, length and fracture_strain; for one that "
+    "stretches strength alone) and a source",
     # sources of loads
     "load-overburden": "weight of {bodies} on the wall, {aside} from mid-thickness",
     "load-not-shared": "not shared with {bodies}, which stands where the wall does",

@@ -28,6 +28,7 @@ UNITS: Mapping[str, str] = {
     "moment": "N m",
     "energy": "J",
     "rotational stiffness": "N m/rad",
+    "spring stiffness": "N/m",
     "rotation": "rad",
     "angle": "rad",
     "acceleration": "m/s2",

@@ -310,6 +310,8 @@ TEXTS: Mapping[str, str] = {
     "for it; name one in [report.sources]: {keys}",
     "slope-as-beam": "a pass is valid only if a ridge beam or a wall carries the upper end of {what}, which slopes one "
     "way: else it pushes, and has a thrust",
+    "anchorage-computed": "a pass is valid only if the engineer finds the anchorage of {what} sound: no clause has "
+    "formulas for it, and the program derives its own",
     "thrust-is-tied": "a pass is valid only if ties or tie-beams carry the thrust of {what} up to collapse",
     "falls-at-rest": "it falls under its own loads, uplift multiplier {multiplier}: {reason}",
     "falls-at-rest-unknown": "it falls under its own loads: {reason}",

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from math import inf
-from typing import assert_never
+from typing import assert_never, cast
 
 import numpy as np
 
@@ -44,6 +44,7 @@ from assess.mechanisms.chain import point_values
 from assess.mechanisms.mechanism import BlockMechanism
 from assess.messages.message import Message, Quantity, distinct, warning, whole_number
 from assess.model.bodies import Bodies, solids_of
+from assess.model.plates import anchorages_of
 
 IN_THE_AIR = 0.05  # of the block's size: a load farther outside it is not on the block
 
@@ -68,6 +69,15 @@ def loads_of(
         _loads_of_entry(number, load, _at_load(number, blocks), definition, bodies, remainders, find=find)
         for number, load in enumerate(definition.loads, start=1)
     ]
+    for place, anchorage in anchorages_of(definition.loads, pieces, where=blocks.where).items():
+        tie = replace(cast(Tie, parts[place].loads[0]), anchorage=anchorage, strength=anchorage.strength)
+        if tie.tension < tie.pull:
+            raise MechanismError(
+                f"{blocks.where}: loads[{place + 1}].force: a pretension of {tie.pull / 1e3:.4g} kN, above what its "
+                f"anchorage bears, {tie.tension / 1e3:.4g} kN ({anchorage.governing or 'as stated'}); lower it, or "
+                "strengthen the anchorage"
+            )
+        parts[place] = replace(parts[place], loads=(tie,))
     moving = [solid for piece in pieces for solid in piece.solids]
     warnings = [each for part in parts for each in part.warnings] + list(overlap_warnings(known, built_into=moving))
     return LoadSet(
@@ -220,12 +230,16 @@ def _tie_in_plane(name: str, load: TieLoad, at: Point, direction: Sequence[float
     """Return a tie in the plane of motion; raise GeometryError if its anchor is then where it holds the block."""
     way = None if load.direction is None else unit_in_plane(load.direction, direction)
     anchor = None if load.anchor is None else point_in_plane(load.anchor, direction)
-    stiffness = None if load.area is None else (load.young_modulus or 0.0) * load.area / (load.length or 1.0)
+    length, stiffness, pull = load.length, None, load.force or 0.0
+    if load.area is not None and length is not None:
+        EA = (load.young_modulus or 0.0) * load.area
+        length = length / (1.0 + pull / EA) + load.slack  # free of stress, as it stretches from there
+        stiffness = EA / length
     if anchor == at:
         raise GeometryError(f"{where}.anchor: seen in the plane of motion it is where the tie holds; move one")
     return Tie(
         name,
-        load.force,
+        pull,
         at,
         way,
         anchor,
@@ -233,11 +247,12 @@ def _tie_in_plane(name: str, load: TieLoad, at: Point, direction: Sequence[float
         block=load.block,
         until=load.until,
         strength=load.strength,
-        length=load.length,
+        length=length,
         fracture_strain=load.fracture_strain,
         evidence=load.evidence,
         stiffness=stiffness,
         yield_force=None if load.area is None else load.area * (load.yield_stress or 0.0),
+        slack=load.slack,
     )
 
 

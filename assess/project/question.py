@@ -440,10 +440,11 @@ def _masonry(content: sections.Content, name: str) -> Mapping[str, str | None]:
 
 
 def _conditions(content: sections.Content, name: str, solids: Mapping[str, Solid | None]) -> tuple[Message, ...]:
-    """Return what is not examined below a cut, the thrusts that ties are stated to take, and those of lone slopes."""
+    """Return what is not examined below a cut, what ties and anchorages are to bear, and thrusts of lone slopes."""
     section = content.mechanisms[name]
     loads = section.loads if isinstance(section, sections.ChainSection) else ()
     tied = (load.body for load in loads if load.kind == "body" and load.tied)
+    plates = [f"tie {place}" for place, load in enumerate(loads, start=1) if load.kind == "tie" and load.plate]
     stated = getattr(section, "direction", None)
     towards = None if stated is None or isinstance(stated, str) else stated
     free = [each for each in loads if each.kind == "body" and each.thrust is None and not each.tied]
@@ -457,6 +458,7 @@ def _conditions(content: sections.Content, name: str, solids: Mapping[str, Solid
         *_not_drawn(content, name),
         *_not_sought(content, name),
         *(message("thrust-is-tied", {"what": body}, severity=Severity.WARNING) for body in tied),
+        *(message("anchorage-computed", {"what": tie}, severity=Severity.WARNING) for tie in plates),
         *(message("slope-as-beam", {"what": body}, severity=Severity.WARNING) for body in slopes),
     )
 

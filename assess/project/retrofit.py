@@ -260,7 +260,8 @@ class _Designs:
         if not any(axis.of_steel for axis in self.axes):
             return
         for name, place, tie in _ties(content, self.mechanisms):
-            lacks = [key for key in ("strength", "length", "fracture_strain") if getattr(tie, key) is None]
+            needed = ("length", "fracture_strain") if tie.plate else ("strength", "length", "fracture_strain")
+            lacks = [key for key in needed if getattr(tie, key) is None]
             lacks += [] if content.report.source_of(f"mechanisms.{name}.loads.{place}.until") else ["report.sources"]
             if lacks:
                 yield warning(
@@ -288,10 +289,10 @@ class _Designs:
             elevations.setdefault(name, {})[place] = tie.at[-1]
             if tie.area is None or tie.yield_stress is None:
                 continue
-            most = MOST_PRETENSION * tie.area * tie.yield_stress
-            if tie.force > most * (1.0 + 1e-9):
+            most, pull = MOST_PRETENSION * tie.area * tie.yield_stress, tie.force or 0.0
+            if pull > most * (1.0 + 1e-9):
                 yield message(
-                    "retrofit-pretension", {"force": Quantity(tie.force, "force"), "most": Quantity(most, "force")}
+                    "retrofit-pretension", {"force": Quantity(pull, "force"), "most": Quantity(most, "force")}
                 )
         designed = {name for axis in self.axes if axis.of_steel for name in axis.mechanisms}
         for name in designed.intersection(elevations, self._subjects):

@@ -16,11 +16,14 @@ from typing import Any, cast
 from pydantic import ValidationError
 
 from assess.codes.context import SiteHazard
+from assess.codes.italian_limit_states import FACTORS_BY_LEVEL, LARGEST_FACTOR
+from assess.codes.procedures import KNOWLEDGE_CODES
 from assess.errors import Faults, ProjectError, locate_errors
 from assess.geometry import mesh
 from assess.geometry.formats.mesh_file import Element
 from assess.geometry.mesh import MeshesBySelection, read_selected_meshes
 from assess.geometry.solid import Solid, Solids, box, profile
+from assess.loads.load import TieLoad
 from assess.mechanisms.kinds import Definition
 from assess.mechanisms.mechanism import BlockMechanism, Mechanism
 from assess.messages.message import Message
@@ -49,20 +52,48 @@ from spectra.spectrum import Spectrum
 
 def definitions_of(content: sections.Content) -> dict[str, Definition]:
     """Return the definition of each mechanism of a project, with the evidence of its loads by [report.sources]."""
-    return {name: _with_evidence(each.plain, name, content) for name, each in content.mechanisms.items()}
+    found = {name: _with_evidence(each.plain, name, content) for name, each in content.mechanisms.items()}
+    return {name: _with_other_plates(name, each, found) for name, each in found.items()}
+
+
+def _with_other_plates(name: str, definition: Any, found: Mapping[str, Any]) -> Any:
+    """Return a definition whose plates know those of other mechanisms on the same bodies."""
+    if not any(isinstance(load, TieLoad) and load.plate for load in getattr(definition, "loads", ())):
+        return definition
+    others = [each for key, each in found.items() if key != name and isinstance(each, BlockMechanism)]
+    near = [each for each in others if {*each.bodies} & {*definition.bodies}]
+    ties = tuple(load for each in near for load in each.loads if isinstance(load, TieLoad) and load.plate)
+    loads = tuple(
+        replace(load, others=ties) if isinstance(load, TieLoad) and load.plate else load for load in definition.loads
+    )
+    return replace(definition, loads=loads)
 
 
 def _with_evidence(definition: Any, name: str, content: sections.Content) -> Any:
-    """Return a definition whose loads that may end say where it is shown that they last."""
+    """Return a definition whose loads that may end say where it is shown that they last; plates have their FC."""
     if not isinstance(definition, BlockMechanism):
         return definition
+    confidence = _confidence(name, content)
     lasting = (
         replace(cast(Any, load), evidence=content.report.source_of(f"mechanisms.{name}.loads.{place}.until"))
         if hasattr(load, "evidence")
         else load
         for place, load in enumerate(definition.loads)
     )
-    return replace(definition, loads=tuple(lasting))
+    loads = (
+        replace(load, plate=replace(load.plate, confidence=confidence))
+        if isinstance(load, TieLoad) and load.plate is not None
+        else load
+        for load in lasting
+    )
+    return replace(definition, loads=tuple(loads))
+
+
+def _confidence(name: str, content: sections.Content) -> float:
+    """Return the largest FC of the levels of knowledge that are given for a mechanism; without one that of LC1."""
+    tables = [getattr(content.procedures, code) for code in KNOWLEDGE_CODES]
+    levels = [each.knowledge_levels.get(name, each.knowledge_level) for each in tables]
+    return max((FACTORS_BY_LEVEL[level] for level in levels if level is not None), default=LARGEST_FACTOR)
 
 
 def element_of(body: sections.BodySection, models: MeshesBySelection) -> Element:

@@ -271,7 +271,7 @@ class LoadResult(ShortRepr):
     lasting: how long a force or tie that resists on some branch is shown to last: to collapse, to an earlier end
     (at end_rad, where its point has moved by end_m), or not at all, because the keys `missing` are not given; None
     if it only drives. A tie that lasts also has an end if its fracture strain is reached beyond collapse. seat_m:
-    length of seat of a bearing mass.
+    length of seat of a bearing mass. tie: what a tie that stretches does; None for all others.
     """
 
     name: str
@@ -288,6 +288,27 @@ class LoadResult(ShortRepr):
     end_m: float | None = None
     seat_m: float | None = None
     found: tuple[Term | Message, ...] = ()
+    tie: StretchingTie | None = None
+
+
+@dataclass(frozen=True, repr=False)
+class StretchingTie(ShortRepr):
+    """A tie that stretches.
+
+    stiffness_n_m: of its bar [N/m]; slack_m: by which its ends move apart before it pulls; yield_n: force at which its
+    bar yields; anchorage_n: strength of all the rest, None if not known, as are then the others. ductile: whether the
+    bar yields first, with 1.25 to spare; fails: what does; gone_m: elongation from rest at which it breaks, or its
+    anchorage fails. steps: the sheet of its anchorage, where that is computed.
+    """
+
+    stiffness_n_m: float
+    slack_m: float
+    yield_n: float
+    anchorage_n: float | None
+    ductile: bool | None
+    fails: Term | None
+    gone_m: float | None
+    steps: tuple[Step, ...] = ()
 
 
 @dataclass(frozen=True, repr=False)

@@ -22,7 +22,7 @@ from assess.loads.load import Force, Load, PointMass, Tie, pull_at_rest, source_
 from assess.mechanisms.branch_table import load_displacement, rigid_branch
 from assess.mechanisms.hinge_forces import hinge_forces
 from assess.mechanisms.mechanism import Mechanism
-from assess.messages.message import Message, Quantity, Severity, Term, message
+from assess.messages.message import Message, Quantity, Severity, Term, Value, message
 from assess.oscillator import (
     Branch,
     HingeForces,
@@ -54,6 +54,7 @@ from assess.study.amplification import HeightAboveGround, MechanismAmplification
 from assess.study.drawing import draw, view_in_space
 from assess.study.joint_results import interface_curves, interface_results, sheets_of_joints
 from assess.study.study import ScaledRecord, Study, case_text
+from assess.study.tie_results import tie_messages, tie_result
 from records.record import Record
 from records.response import response_spectrum
 from spectra.gravity import g
@@ -259,6 +260,7 @@ def load_messages(mechanism: Mechanism) -> Iterator[Message]:
     A force that drives one way and resists the other is a thrust and gets no warning.
     """
     where = f"mechanisms.{mechanism.name}"
+    ties = {each.name: each for each in mechanism.positive.loads if isinstance(each, Tie) and each.stretches}
     for mass in mechanism.positive.loads:
         if isinstance(mass, PointMass) and mass.seat is not None and mass.seat > WIDEST_SEAT:
             seat = Quantity(mass.seat, "length")
@@ -274,8 +276,12 @@ def load_messages(mechanism: Mechanism) -> Iterator[Message]:
     thrusts = {each.name for one in mechanism.actions for each in one.thrusts}
     for load in _load_results(mechanism):
         if load.lasting == "not shown" and load.name not in thrusts:
-            values = {"load": load.name, "missing": ", ".join(load.missing)}
-            yield message("not-lasting", values, severity=Severity.WARNING, where=where)
+            values: dict[str, Value] = {"load": load.name, "missing": ", ".join(load.missing)}
+            key = "not-lasting"
+            if load.name in ties:
+                key, values = "tie-not-lasting", {**values, "force": Quantity(ties[load.name].tension, "force")}
+            yield message(key, values, severity=Severity.WARNING, where=where)
+    yield from tie_messages(mechanism)
     yield from unsupported_messages(mechanism, where=where)
 
 
@@ -383,10 +389,11 @@ def _load_result(load: Load) -> LoadResult:
         seat, mass = load.seat if load.bearing else None, load.mass
         result = LoadResult(load.name, "mass", load.block, load.at, mass, load.bearing, None, source, seat_m=seat)
         return replace(result, found=found)
-    at, missing = load.at, load.missing
+    at, missing, tie = load.at, load.missing, tie_result(load) if isinstance(load, Tie) else None
     kind: Literal["force", "tie"] = "force" if isinstance(load, Force) else "tie"
     force = load.force if isinstance(load, Force) else pull_at_rest(load)
-    return LoadResult(load.name, kind, load.block, at, None, None, force, source, missing=missing, found=found)
+    result = LoadResult(load.name, kind, load.block, at, None, None, force, source, missing=missing, tie=tie)
+    return replace(result, found=found)
 
 
 def _with_duration(mechanism: Mechanism, number: int, load: LoadResult) -> LoadResult:

@@ -90,7 +90,7 @@ def find_overrides(
     tried = [
         each
         for each in study.replaceables
-        if (with_sources or not each.source) and not _goes_with_its_table(each, study.replaceables)
+        if (with_sources or not each.source) and not _goes_with_another(each, study.replaceables)
     ]
     if not tried or study.question.basis is None:
         return Overrides()
@@ -377,9 +377,13 @@ def _outcome(
     return outcome_of(found)
 
 
-def _goes_with_its_table(value: Replaceable, others: Sequence[Replaceable]) -> bool:
-    """Return whether the table of a value, such as a tie, is left out whole by another that has the same source."""
-    return any(
+def _goes_with_another(value: Replaceable, others: Sequence[Replaceable]) -> bool:
+    """Return whether the table of a value, such as a tie, is left out whole by another that has the same source.
+
+    Of several keys whose lack leaves out one table, the first stands for all.
+    """
+    first = next(each.key for each in others if each.place == value.place and each.source == value.source)
+    return first != value.key or any(
         each.source == value.source
         and len(each.place) < len(value.place)
         and value.place[: len(each.place)] == each.place

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from functools import partial
 from operator import attrgetter
 from typing import Any
@@ -13,7 +13,20 @@ from assess.results import ContactSheet, HingeForceResult, LoadResult, Mechanism
 from reports import governing
 from reports.chapters.cells import BRANCHES, NONE, OUTCOMES
 from reports.chapters.mechanism_page import left_for_annex
-from reports.document import Block, Cell, Column, Field, Figure, Prose, Section, Sheet, Table, nonempty, tabulate
+from reports.document import (
+    NOTHING,
+    Block,
+    Cell,
+    Column,
+    Field,
+    Figure,
+    Prose,
+    Section,
+    Sheet,
+    Table,
+    nonempty,
+    tabulate,
+)
 from reports.figures import capacity, sketch
 from reports.figures.sketch import SEEN_FROM_ABOVE, model_of_view
 from reports.language.texts import Listing, Phrase, Term, Text, Verbatim, quantity, say, say_count
@@ -154,6 +167,51 @@ PRIMED = "'"  # of hinges of the negative branch
 LEAST_SHARE = 0.005  # of a joint below which a part is called less than 1 %
 
 
+def _if_tie(load: LoadResult, key: str) -> Cell:
+    return NOTHING if (value := getattr(load.tie, key)) is None else value
+
+
+DUCTILE, BRITTLE = say("ductile"), say("brittle")
+TIE_FIELDS: tuple[Field[LoadResult], ...] = (
+    (Column(say("Tie")), lambda load: Verbatim(load.name)),
+    (Column(say("Stiffness"), "spring stiffness"), lambda load: _if_tie(load, "stiffness_n_m")),
+    (Column(say("Slack"), "short length", figures=3), lambda load: _if_tie(load, "slack_m")),
+    (Column(say("Bar yields"), "force", figures=3), lambda load: _if_tie(load, "yield_n")),
+    (Column(say("Anchorage"), "force", figures=3), lambda load: _if_tie(load, "anchorage_n")),
+    (Column(say("Fails first"), share=0.24), lambda load: _if_tie(load, "fails")),
+    (Column(say("Kind")), lambda load: _kind_of_tie(load)),
+    (Column(say("Gone at"), "short length", figures=3), lambda load: _if_tie(load, "gone_m")),
+)
+
+
+def _kind_of_tie(load: LoadResult) -> Cell:
+    return NOT_GIVEN if load.tie is None or load.tie.ductile is None else DUCTILE if load.tie.ductile else BRITTLE
+
+
+def ties_table(mechanism: MechanismResult, *, name: str) -> Table:
+    """Tabulate the ties that stretch, with what fails first; no rows where there are none."""
+    caption = say(
+        "Ties that stretch: stiffness of the bar, the slack before it pulls, where it yields, strength of its "
+        "anchorage, what fails first, and the elongation from rest at which it breaks or its anchorage fails. A tie is "
+        "ductile where the anchorage has 1.25 times the force at which the bar yields."
+    )
+    ties = [load for load in mechanism.loads if load.tie is not None]
+    return tabulate(name, caption, TIE_FIELDS, ties, small=True)
+
+
+def anchorage_sheets(mechanism: MechanismResult, stem: str) -> Iterator[Sheet]:
+    """Yield the calculation sheet of each anchorage that is computed."""
+    for place, load in enumerate(mechanism.loads, start=1):
+        if load.tie is not None and load.tie.steps:
+            caption = say(
+                "Anchorage of {tie}: what each part of it bears. No clause gives formulas for plates of ties: those "
+                "derived for this program, or from memory of a printed text, are marked and left to the engineer’s "
+                "judgement.",
+                tie=Verbatim(load.name),
+            )
+            yield Sheet(f"{stem}-anchorage-{place:02d}", caption, load.tie.steps)
+
+
 def joint_blocks(mechanism: MechanismResult, stem: str) -> list[Block]:
     """Return table, figures and sentence on the joints of a mechanism; none where all are rigid."""
     if not deformable_joints(mechanism):
@@ -261,6 +319,8 @@ def _sheets_section(results: Results, mechanism: MechanismResult, place: int) ->
         *left_for_annex(results, mechanism, stem),
         parameters_table(mechanism, name=f"{stem}-parameters"),
         *nonempty(loads_table(mechanism, name=f"{stem}-loads")),
+        *nonempty(ties_table(mechanism, name=f"{stem}-ties")),
+        *anchorage_sheets(mechanism, stem),
         *joint_blocks(mechanism, stem),
         *nonempty(hinge_forces_table(mechanism, name=f"{stem}-hinge-forces")),
         *_check_sheets(results, mechanism, stem),

@@ -133,6 +133,8 @@ def _of_mechanisms(results: Results) -> Iterator[Table]:
         stem = file_stem(mechanism.name, place)
         yield annex_sheets.parameters_table(mechanism, name=f"{stem}-parameters")
         yield annex_sheets.loads_table(mechanism, name=f"{stem}-loads")
+        if (ties := annex_sheets.ties_table(mechanism, name=f"{stem}-ties")).rows:
+            yield ties
         yield annex_sheets.hinge_forces_table(mechanism, name=f"{stem}-hinge-forces")
         yield annex_histories.suites_table(mechanism, name=f"{stem}-suites")
         yield annex_histories.histories_table(mechanism, name=f"{stem}-histories")

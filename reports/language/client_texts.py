@@ -93,6 +93,14 @@ CLIENT_TEXTS: Mapping[str, Phrase] = {
         "load “{load}” is not shown to last: where it resists, it counts only in the multiplier, not in displacements "
         "and histories"
     ),
+    "tie-not-lasting": say(
+        "tie “{load}” is not shown to last: it counts only in the multiplier, with its pretension of {force}, not in "
+        "displacements and histories"
+    ),
+    "tie-brittle": say(
+        "tie “{load}”: {link} at {strength}, where the bar yields at {yielding}; the tie is gone when its ends have "
+        "moved apart by {elongation}"
+    ),
     "not-scanned": say("a pass by histories is valid only if no lower PGA is worse, which was not looked at"),
     "not-sought": say(
         "a pass is valid only for the mechanism as stated, as no weaker one is sought and no source vouches for it: "

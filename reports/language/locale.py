@@ -231,6 +231,7 @@ _SI: Mapping[str, DimensionUnits] = {
     "stress": _several("MPa", Pa=1.0, kPa=1e3, MPa=1e6, GPa=1e9),
     "stiffness": _PER_METRE,
     "rotational stiffness": _several("kN m/rad", **{"N m/rad": 1.0, "kN m/rad": 1e3, "MN m/rad": 1e6}),
+    "spring stiffness": _several("MN/m", **{"N/m": 1.0, "kN/m": 1e3, "MN/m": 1e6}),
     "return period": _one("years"),
     "annual rate": _one("1/year"),
 }
@@ -254,6 +255,7 @@ _US: Mapping[str, DimensionUnits] = {
     "stress": _several("psi", psi=PSI, ksi=1e3 * PSI),
     "stiffness": _several("psi/in", **{"psi/in": PSI / INCH, "ksi/in": 1e3 * PSI / INCH}),
     "rotational stiffness": _one("kip ft/rad", KIP * FOOT),
+    "spring stiffness": _one("kip/in", KIP / INCH),
 }
 UNITS: Mapping[System, Mapping[str, DimensionUnits]] = {"SI": _SI, "US": {**_SI, **_US}}
 UNIT_WORDS = ("years", "1/year")

@@ -32,6 +32,7 @@ FOLDERS = (
 )
 PLACES: Mapping[str, tuple[int, ...]] = {
     "step": (1, 2, 3),
+    "_link_step": (1, 2, 3),
     "instability_step": (1, 2),
     "integral_step": (1, 2),
     "reading_step": (1, 2),

@@ -28,6 +28,7 @@ from assess.results import (
     MechanismResult,
     NamedPoint,
     OscillatorResult,
+    StretchingTie,
 )
 from assess.study.study import Sweep, UnvariedNumber, Variable
 from reports.render.table_text import csv_lines
@@ -130,6 +131,20 @@ def duration_text(load: LoadResult) -> str:
             f"; not shown to last where it resists ({', '.join(load.missing)} missing): counts in the multiplier only"
         )
     return ""
+
+
+def tie_text(tie: StretchingTie | None) -> str:
+    """Describe a tie that stretches: its stiffness, where it yields, its anchorage, and what fails first."""
+    if tie is None:
+        return ""
+    stiffness = in_units(f"{tie.stiffness_n_m / 1e6:.4g} MN/m", tie.stiffness_n_m, "spring stiffness")
+    slack = f" after a slack of {_length(tie.slack_m)}" if tie.slack_m else ""
+    begins = f"; stretches by {stiffness}{slack}, yields at {_force(tie.yield_n)}"
+    if tie.anchorage_n is None:
+        return f"{begins}; anchorage not answered"
+    end = "" if tie.gone_m is None else f", gone when its ends have moved apart by {_length(tie.gone_m)}"
+    kind = "ductile" if tie.ductile else "brittle"
+    return f"{begins}; anchorage {_force(tie.anchorage_n)}: {kind}, {tie.fails} first{end}"
 
 
 def checklist_lines(content: Content) -> list[str]:
@@ -278,7 +293,7 @@ def _interface(found: dict[str, Any]) -> str:
 def _loads(loads: tuple[LoadResult, ...]) -> list[str]:
     lines = [
         f"{escape_text(load.name)} at {_point_text(load.at)}: {_size(load)}; "
-        f"{escape_text(load.source)}{duration_text(load)}"
+        f"{escape_text(load.source)}{duration_text(load)}{tie_text(load.tie)}"
         for load in loads
     ]
     return [f"  {'loads' if i == 0 else '':<11} {line}" for i, line in enumerate(lines or ["none"])]

@@ -12,6 +12,7 @@ import pytest
 from scipy.constants import g
 from scipy.integrate import solve_ivp
 
+import assess
 from assess.dynamics.history import Jobs, Peaks, peaks, trace
 from assess.dynamics.ties import memory_energy, tied_peaks, tied_trace
 from assess.errors import MechanismError
@@ -273,6 +274,65 @@ def test_friction_of_side_walls_resists_on_new_ground_alone() -> None:
         (0.0, 10 * DT), [found.rotation[peak + 1], found.velocity[peak + 1]], rtol=1e-12, atol=1e-14,
     )  # fmt: skip
     assert found.rotation[peak + 11] == pytest.approx(free.y[0, -1], abs=1e-9)
+
+
+def test_a_tie_stated_with_slack_follows_an_independent_integrator() -> None:
+    """As an engineer states it: the law of the mechanism against `solved`, which has the slack as an elongation."""
+    area, young, slack = 314e-6, 210e9, 0.02
+    case = {"stiffness": young * area / (LENGTH + slack), "strength": 40e3, "gone": 1.0, "at_rest": -slack}
+    body = assess.box(thickness=THICKNESS, length=1.0, height=HEIGHT, density=MASS / (THICKNESS * HEIGHT))
+    tie = assess.TieLoad(
+        at=[0, 0, AT], anchor=[-LENGTH, 0, AT], slack=slack, area=area, young_modulus=young,
+        yield_stress=40e3 / area, length=LENGTH, fracture_strain=0.1, strength=1e6, evidence="tests",
+    )  # fmt: skip
+    block = assess.single_block(body, direction=[1, 0, 0], sides="two", restitution=RESTITUTION, loads=[tie])
+    memory = block.mechanism.variants.of_histories[0].memory
+    assert memory is not None
+    calm = 0
+    for seed in range(3):
+        reference, _ = solved(case, motion(seed))
+        ours, twin = (tied_trace(memory, motion(seed), scale=1.0 + by, tolerance=1e-12)[0] for by in (0.0, 1e-9))
+        same = min(reference.size, ours.rotation.size, twin.rotation.size)
+        off = np.abs(ours.rotation[:same] - reference[:same]).max() / SLENDERNESS
+        apart = np.abs(ours.rotation[:same] - twin.rotation[:same]).max() / SLENDERNESS
+        calm += apart < 1e-7
+        assert off < max(1e-7, 10 * apart)  # the table of the mechanism is its own, of another number of nodes
+    assert calm
+
+
+def pga_that_overturns(*, area: float, pretension: float, yield_stress: float) -> FloatArray:
+    """Return the least peak acceleration of each of 16 motions that overturns a wall with a tie, one-sided [g]."""
+    body = assess.box(thickness=THICKNESS, length=1.0, height=HEIGHT, density=MASS / (THICKNESS * HEIGHT))
+    tie = assess.TieLoad(
+        force=pretension, at=[0, 0, AT], anchor=[-LENGTH, 0, AT], area=area, young_modulus=210e9,
+        yield_stress=yield_stress, length=LENGTH, fracture_strain=0.1, strength=1.3 * area * 235e6, evidence="tests",
+    )  # fmt: skip
+    block = assess.single_block(body, direction=[1, 0, 0], sides="one", restitution=0.5, loads=[tie])
+    memory = block.mechanism.variants.of_histories[0].memory
+    assert memory is not None
+    records, scales = [motion(seed, samples=500) for seed in range(16)], np.linspace(0.2, 6.0, 117)
+    each, scale = np.repeat(np.arange(16), scales.size), np.tile(scales, 16)
+    found = tied_peaks([memory], records, Jobs(np.zeros(each.size, dtype=np.int64), each, scale), tolerance=1e-6)
+    over = found.peaks.overturned.reshape(16, -1)
+    assert over.any(axis=1).all()
+    return 0.35 * scales[over.argmax(axis=1)]
+
+
+@pytest.mark.parametrize("diameter", [16e-3, 20e-3])
+def test_the_strength_of_the_steel_moves_capacity_and_its_pretension_does_not(diameter: float) -> None:
+    """With an anchorage above 1.25 A f_y, half the yield stress against half the pretension, of 0.3 A f_y.
+
+    Al Shawa, Liberatore and Sorrentino 2019 (abstract): pretension has little influence, unlike strength. The work of a
+    bar to where it yields is hundredths of its plastic work, and pretension changes that part alone.
+    """
+    area = pi * diameter**2 / 4
+    whole = 0.3 * area * 235e6
+    base, weaker, looser = (
+        np.log(pga_that_overturns(area=area, pretension=pretension, yield_stress=stress)).mean()
+        for pretension, stress in ((whole, 235e6), (whole, 117.5e6), (whole / 2, 235e6))
+    )
+    assert base - weaker > 0.15
+    assert base - weaker >= 5 * abs(base - looser)
 
 
 def test_a_tie_that_shortens_after_it_yields_is_refused() -> None:

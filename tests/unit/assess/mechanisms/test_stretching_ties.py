@@ -85,13 +85,49 @@ def test_an_anchorage_weaker_than_the_bar_ends_it() -> None:
     assert lengthening(jumps[-1:])[0] == pytest.approx(weak.elongation, rel=1e-9)
 
 
+SLACK = 0.02
+
+
+def test_a_slack_tie_pulls_from_its_slack_on() -> None:
+    """L0 is the distance of its ends and the slack; it yields, and breaks, by the slack later than a taut one."""
+    slack = tie(pull=0.0, slack=SLACK)
+    assert slack.elongation == pytest.approx(SLACK + MOST / STIFFNESS + LENGTH * STRAIN, rel=1e-12)
+    held, free = (rigid_branch(chain(*ties), restitution=1.0, name="wall") for ties in ((slack,), ()))
+    assert held.restoring[0] == free.restoring[0]
+    phi, step = held.rotation[held.rotation < 0.03][1:], 1e-6
+    slope = (lengthening(phi + step) - lengthening(phi - step)) / (2 * step)
+    pull = np.clip(STIFFNESS * (lengthening(phi) - SLACK), 0.0, MOST)
+    assert 0.0 == pull[0] < MOST == pull[-1]
+    added = np.interp(phi, held.rotation, held.restoring) - np.interp(phi, free.rotation, free.restoring)
+    np.testing.assert_allclose(added, pull * slope, rtol=2e-4, atol=1e-6 * 285e3 * 0.3)
+    nodes = lengthening(held.rotation)  # the table has a node where it becomes taut, and where it yields
+    for mark in (SLACK, SLACK + MOST / STIFFNESS):
+        assert np.abs(nodes - mark).min() < 1e-12
+
+
+@pytest.mark.parametrize(
+    ("force", "slack", "free"),
+    [(10e3, 0.0, LENGTH / (1 + 10e3 / (YOUNG * AREA))), (None, SLACK, LENGTH + SLACK), (None, 0.0, LENGTH)],
+)
+def test_its_length_free_of_stress_is_less_by_pretension_and_more_by_slack(
+    force: Any, slack: float, free: float
+) -> None:
+    load = facade(force=force, slack=slack, evidence="tests").mechanism.positive.loads[0]
+    assert isinstance(load, Tie)
+    assert load.length == pytest.approx(free, rel=1e-12)
+    assert load.stiffness == pytest.approx(YOUNG * AREA / free, rel=1e-12)
+    memory = facade(force=force, slack=slack, evidence="tests").mechanism.variants.of_histories[0].memory
+    assert memory is not None
+    assert memory.ties[0].elongation[0][0] == pytest.approx((force or 0.0) / load.stiffness - slack, rel=1e-12)
+    assert memory.ties[0].gone == pytest.approx(MOST / load.stiffness + 0.1 * free, rel=1e-12)
+
+
 def facade(**changes: Any) -> assess.Block:
     wall = assess.box(thickness=THICKNESS, length=4.0, height=HEIGHT, density=2000.0)
     load = assess.TieLoad(
-        force=10e3,
         at=[0, 0, 5.5],
         anchor=[-10, 0, 5.5],
-        **{**BAR, "strength": 2 * MOST, "fracture_strain": 0.1, **changes},
+        **{"force": 10e3, **BAR, "strength": 2 * MOST, "fracture_strain": 0.1, **changes},
     )
     return assess.single_block(wall, direction=[1, 0, 0], sides="one", loads=[load])
 
@@ -110,6 +146,10 @@ def test_histories_have_a_tie_that_a_source_vouches_for() -> None:
         ({"yield_stress": None}, "yield_stress"),
         ({"length": None}, "length"),
         ({"until": "collapse"}, "ends by its own law"),
+        ({"slack": 0.01}, "a slack tie has no pretension"),
+        ({"force": None, "slack": -0.01}, "0 or more"),
+        ({"area": None, "young_modulus": None, "yield_stress": None, "force": None}, "pulls with its pretension"),
+        ({"area": None, "young_modulus": None, "yield_stress": None, "slack": 0.01}, "of a tie that stretches"),
         ({"anchor": None, "direction": [-1, 0, 0]}, "towards its fixed end"),
     ],
 )

@@ -16,6 +16,8 @@ from assess.interfaces.contact import Interface
 from records.record import make_record
 from tests.unit.assess.mechanisms.test_stretching_ties import BAR, HEIGHT, MOST, STIFFNESS, THICKNESS, facade
 
+TAUT = STIFFNESS * (1 + 10e3 / (STIFFNESS * 10.0))  # E A over the length free of stress, with 10 kN in 10 m
+
 
 def on_joints(stiffness: float = 1e10, sides: str = "one", **changes: Any) -> assess.Block:
     wall = assess.box(thickness=THICKNESS, length=4.0, height=HEIGHT, density=2000.0)
@@ -58,8 +60,8 @@ def test_a_history_on_joints_follows_an_independent_integrator() -> None:
         x, z, step = -THICKNESS / 2, 5.5, 1e-6
         far = [np.hypot(10.0 - x + x * np.cos(p) + z * np.sin(p), z * np.cos(p) - x * np.sin(p) - z)
                for p in (phi - step, phi, phi + step)]  # fmt: skip
-        e = far[1] - 10.0 + 10e3 / STIFFNESS
-        return float(np.clip(STIFFNESS * (e - plastic), 0.0, MOST)), float((far[2] - far[0]) / (2 * step))
+        e = far[1] - 10.0 + 10e3 / TAUT
+        return float(np.clip(TAUT * (e - plastic), 0.0, MOST)), float((far[2] - far[0]) / (2 * step))
 
     def rates(t: float, y: np.ndarray, plastic: float) -> list[float]:
         force, rate = pull(y[0], plastic)
@@ -79,7 +81,7 @@ def test_a_history_on_joints_follows_an_independent_integrator() -> None:
     assert far == MOST  # it yields
     x, z, phi = -THICKNESS / 2, 5.5, float(out.sol(top)[0])
     plastic = (np.hypot(10.0 - x + x * np.cos(phi) + z * np.sin(phi), z * np.cos(phi) - x * np.sin(phi) - z)
-               - 10.0 + (10e3 - MOST) / STIFFNESS)  # fmt: skip
+               - 10.0 + (10e3 - MOST) / TAUT)  # fmt: skip
     back = solve_ivp(rates, (top, 0.01 * peak + 0.1), out.sol(top), args=(plastic,), method="DOP853", rtol=1e-10,
                      atol=1e-13, max_step=1e-3, dense_output=True)  # fmt: skip
     later = np.arange(peak + 1, peak + 9)
@@ -100,3 +102,21 @@ def test_where_its_anchorage_fails_the_curve_falls_back_on_that_of_the_wall_alon
     assert 5.5 * jump == pytest.approx((0.5 * MOST - 10e3) / STIFFNESS, rel=0.01)
     beyond = phi > 1.01 * jump
     np.testing.assert_allclose(found.positive.restoring[beyond], found.bare.positive.restoring[beyond], rtol=1e-12)
+
+
+def test_on_joints_a_slack_tie_pulls_from_its_slack_on() -> None:
+    """At rest it has no force and its law begins at minus the slack; on stiff joints its curve is that on rigid ones.
+
+    It holds the wall beyond the end of the table, which counts as overturned where it would without the tie.
+    """
+    held = on_joints(1e12, force=None, slack=0.02).rocking
+    law, e = held.memory.ties[0], 0.02
+    assert law.elongation[0][0] == pytest.approx(-e, rel=1e-12)
+    rigid = facade(force=None, slack=e, evidence="tests").rocking
+    for phi in (0.002, 0.02, 0.06):
+        ours, theirs = (
+            float(each.positive.restoring_spline(phi) - each.bare.positive.restoring_spline(phi))
+            for each in (held, rigid)
+        )
+        assert ours == pytest.approx(theirs, rel=2e-3, abs=1.0)
+    assert held.positive.unstable == pytest.approx(held.bare.positive.unstable, rel=1e-12)

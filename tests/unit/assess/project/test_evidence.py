@@ -60,6 +60,11 @@ TARGET = "it sets what is compared with the index, which page 1 prints beside it
 PUBLISHED = "nothing is drawn that gives another, and a pass without a source has that as condition"
 TABLE = "its whole table is left out: the outline of the mesh counts in place of the shape"
 TOOTHING = "its whole table is left out: no friction of side walls counts"
+PLATE = (
+    *("width", "height", "diameter", "thickness", "yield_stress", "nut", "thread_area", "tensile_strength"),
+    *("shear_strength", "friction", "normal_stress", "bearing_strength", "leaf", "between", "far_strength"),
+    *("hole", "embedment", "bond_strength"),
+)
 SHARED_FATE = "alone it vouches for nothing: what it is the reason or source of is replaced with it"
 RISK = "it bears on fragility and risk, of which no verdict asks"
 MAY_STAND = {
@@ -105,6 +110,12 @@ MAY_STAND = {
     RISK: (
         *("analysis.fragility.epistemic.NAME", "analysis.risk.target"),
         *(f"analysis.risk.hazard[].{key}" for key in ("pga", "return_period", "rate")),
+    ),
+    "the plate is left out whole where no source vouches for it": tuple(
+        f"mechanisms.NAME.loads[].plate.{key}" for key in PLATE
+    ),
+    "without a source the tie counts in the multiplier alone, where a slack one has no part": (
+        "mechanisms.NAME.loads[].slack (tie)",
     ),
     "only what is at the limit hangs on it, no outcome": ("verdict.survey_tolerance",),
     "a factor up the building may let histories fail, and never pass": (

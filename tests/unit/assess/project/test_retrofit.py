@@ -235,7 +235,6 @@ def test_a_tie_without_a_source_is_named(tmp_path: Path) -> None:
         ("ring_beam.mass", "1000, 3000 kg"),
         ("ring_beam.area", "100, 300 mm^2"),
         ("ties.height", "4, 5.5 m"),
-        ("ties.force", "5, 8 kN"),
     ],
 )
 def test_declared_works_change_the_study(tmp_path: Path, key: str, values: str) -> None:
@@ -248,6 +247,18 @@ def test_declared_works_change_the_study(tmp_path: Path, key: str, values: str) 
     reached = [each.reached.value for each in found.results.layouts if each.reached]
     assert len(reached) == 2
     assert reached[0] != reached[1]
+
+
+def test_pretension_moves_no_capacity_where_the_bar_yields(tmp_path: Path) -> None:
+    found = assess.retrofit(
+        facade(tmp_path),
+        target="index",
+        reach=0.1,
+        vary={"mechanisms.facade.ties.force": "5, 8 kN", AREA: "314 mm^2"},
+        spacing=9.0,
+    )
+    first, second = (each.reached.value for each in found.results.layouts if each.reached)
+    assert first == pytest.approx(second, rel=1e-9)
 
 
 def test_a_wider_base_moves_the_hinge(tmp_path: Path) -> None:

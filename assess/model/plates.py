@@ -1,0 +1,228 @@
+"""Where the plates of ties sit: the leaf behind them, edges and openings, weight above, and ties of the same row.
+
+Seen along the tie, across which its wall is taken to lie:
+
+    z ^   +------------------------------+  top: no side of a cone above it
+      |   |     [#]    bay     [#]       |  cones that meet punch together
+      |   |            +---+             |
+      +   |            |   |             |  openings and ends: no side there
+          +------------------------------+---> s
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+import shapely
+
+from assess.errors import GeometryError
+from assess.geometry.cut import Piece, section_edges, section_moments
+from assess.geometry.solid import Solid
+from assess.geometry.surface import volume
+from assess.loads.anchorage import (
+    BEYOND,
+    CLOSE,
+    LEVEL,
+    Anchorage,
+    Figure,
+    PlateSite,
+    cone_surface,
+    cones_meet,
+    plate_area,
+    plate_shape,
+)
+from assess.loads.load import LoadDefinition, TieLoad
+from spectra.arrays import FloatArray
+from spectra.gravity import g
+
+LAYERS = 200  # of the masonry above a plate, whose weight is summed up
+INSET = 0.37  # of half a plate: places behind it where the leaf is measured, beside its centre
+SLIVER = 1e-6  # m: by which triangles that meet are joined
+SAME_FACE = 0.87  # cosine of 30 degrees: ties that are less askew are on one face of a wall
+MORE = 1.001  # times the drawn thickness, beyond which a leaf that is stated contradicts the drawing
+
+
+@dataclass(frozen=True, eq=False)
+class _Wall:
+    """A block as a plate meets it: its solids, and unit vectors along the wall and out of it [3]."""
+
+    solids: tuple[Solid, ...]
+    across: FloatArray
+    out: FloatArray
+
+
+def anchorages_of(loads: Sequence[LoadDefinition], pieces: Sequence[Piece], *, where: str) -> dict[int, Anchorage]:
+    """Return the anchorage of each tie with a plate, by its place among the loads.
+
+    Parameters
+    ----------
+    loads : of the mechanism
+    pieces : its blocks, or all in one
+    where : the mechanism, for errors
+
+    Raises
+    ------
+    GeometryError : no masonry behind a plate, or a leaf thicker than the body that is drawn
+    """
+    plates = [(place, each) for place, each in enumerate(loads) if isinstance(each, TieLoad) and each.plate is not None]
+    return {
+        place: _anchorage(tie, [each for _, each in plates], pieces, where=f"{where}: loads[{place + 1}].plate")
+        for place, tie in plates
+    }
+
+
+def _anchorage(tie: TieLoad, ties: Sequence[TieLoad], pieces: Sequence[Piece], *, where: str) -> Anchorage:
+    assert tie.plate is not None
+    number, out = min(tie.block, len(pieces) - 1), _outwards(tie)
+    if out is None:
+        raise GeometryError(f"{where}: its tie is upright; a plate on the face of a wall holds one that is level")
+    wall = _Wall(pieces[number].solids, np.array([-out[1], out[0], 0.0]), out)
+    if not wall.solids:
+        site = PlateSite(None, plate_area(tie.plate), None, 1, 0.0, None, at_end=False)
+    else:
+        site = _site(tie, _on_face(ties, wall), _on_face(tie.others, wall), wall, where=where)
+    return Anchorage(tie.plate, site, tie.area or 0.0, tie.yield_stress or 0.0, tie.strength)
+
+
+def _outwards(tie: TieLoad) -> FloatArray | None:
+    """Return the level unit vector from the anchor to the plate [3]; None for an upright tie."""
+    way = np.subtract(tie.at, tie.anchor or tie.at) * (1.0, 1.0, 0.0)
+    length = float(np.hypot(way[0], way[1]))
+    return way / length if length > SLIVER else None
+
+
+def _on_face(ties: Sequence[TieLoad], wall: _Wall) -> list[Figure]:
+    """Return the plates of ties that are on one face of a wall."""
+    sides = [(each, _outwards(each)) for each in ties]
+    figures = [_figure(each, wall) for each, side in sides if side is not None and float(side @ wall.out) > SAME_FACE]
+    return [each for each in figures if _leaf(wall, each) is not None]
+
+
+def _site(tie: TieLoad, row: Sequence[Figure], others: Sequence[Figure], wall: _Wall, *, where: str) -> PlateSite:
+    figure = _figure(tie, wall)
+    plate, _, z = figure
+    drawn = _leaf(wall, figure)
+    if drawn is None:
+        raise GeometryError(f"{where}: no masonry behind it at the place of the tie; check `at`, and block")
+    if plate.leaf is not None and plate.leaf > MORE * drawn:
+        raise GeometryError(
+            f"{where}.leaf = {plate.leaf:.4g} m: the body that is drawn is {drawn:.4g} m thick there; give the "
+            "thickness of the leaf that the plate grips"
+        )
+    leaf = drawn if plate.leaf is None else plate.leaf
+    figures = _group(figure, [*row, *others], leaf)
+    reach = (BEYOND + 1.0) * leaf + max(max(each[0].sides) for each in figures)
+    seen = _elevation(wall, [(each[1], each[2]) for each in figures], reach)
+    alone = cone_surface([figure], leaf, seen)
+    bay, at_end = _bay(figure, row, wall)
+    return PlateSite(
+        leaf=drawn,
+        bearing_area=min(plate_area(plate), float(shapely.area(shapely.intersection(plate_shape(figure), seen)))),
+        surface=(alone, cone_surface(figures, leaf, seen) if len(figures) > 1 else alone),
+        group=len(figures),
+        weight_stress=_weight_stress(wall, z, z + plate.sides[1] / 2.0 + leaf),
+        bay=bay,
+        at_end=at_end,
+    )
+
+
+def _figure(tie: TieLoad, wall: _Wall) -> Figure:
+    assert tie.plate is not None
+    return tie.plate, float(np.dot(tie.at, wall.across)), float(tie.at[2])
+
+
+def _group(figure: Figure, others: Sequence[Figure], depth: float) -> list[Figure]:
+    """Return the plates whose cones meet that of one, or that of another of them; itself first, each place once."""
+    places = {(round(each[1], 2), round(each[2], 2)): each for each in [*others, figure]}
+    found, left = [figure], [each for each in places.values() if each is not figure]
+    for one in found:  # grows as it goes
+        meeting = [each for each in left if cones_meet(one, each, depth)]
+        found += meeting
+        left = [each for each in left if not any(each is met for met in meeting)]
+    return found
+
+
+def _faces(wall: _Wall) -> Iterator[tuple[Solid, FloatArray, FloatArray]]:
+    """Yield the triangles of each solid as seen along the normal [n, 3, 2], with their depths outwards [n, 3]."""
+    for solid in wall.solids:
+        corners = solid.vertices[solid.triangles]
+        yield solid, np.stack([corners @ wall.across, corners[..., 2]], axis=-1), corners @ wall.out
+
+
+def _leaf(wall: _Wall, figure: Figure) -> float | None:
+    """Return the least thickness of the outermost solid behind a plate [m]; None where there is none."""
+    plate, s, z = figure
+    width, height = plate.sides
+    shifts = [(0.01, 0.013), *((x, y) for x in (-INSET, INSET) for y in (-INSET * 1.01, INSET * 0.99))]
+    found = [_thickness(wall, s + x * width / 2.0, z + y * height / 2.0) for x, y in shifts]
+    return min((each for each in found if each is not None), default=None)
+
+
+def _thickness(wall: _Wall, s: float, z: float) -> float | None:
+    """Return the thickness of the outermost solid along a line through it [m]; None where the line misses all."""
+    runs = []
+    for _, seen, depth in _faces(wall):
+        a, b, c = seen[:, 0], seen[:, 1], seen[:, 2]
+        area = _turn(b - a, c - a)
+        flat = np.abs(area) < SLIVER**2
+        size = np.where(flat, 1.0, area)
+        at = np.array([s, z])
+        v, w = _turn(at - a, c - a) / size, _turn(b - a, at - a) / size
+        hit = ~flat & (v >= 0.0) & (w >= 0.0) & (v + w <= 1.0)
+        met = np.unique(np.round((depth[:, 0] * (1.0 - v - w) + depth[:, 1] * v + depth[:, 2] * w)[hit], 9))
+        if met.size > 1:
+            runs.append((float(met[-1]), float(met[-1] - met[-2])))
+    return max(runs)[1] if runs else None
+
+
+def _elevation(wall: _Wall, places: Sequence[tuple[float, float]], reach: float) -> shapely.Geometry:
+    """Return the wall around some places as seen along its normal, with the openings that go through it."""
+    centre, half = np.mean(places, axis=0), np.ptp(places, axis=0) / 2.0 + reach
+    near = shapely.box(*(centre - half), *(centre + half))
+    parts = []
+    for _, seen, _ in _faces(wall):
+        low, high = seen.min(axis=1), seen.max(axis=1)
+        close = ((low <= centre + half) & (high >= centre - half)).all(axis=1)
+        facing = close & (_turn(seen[:, 1] - seen[:, 0], seen[:, 2] - seen[:, 0]) > 0.0)
+        parts += list(shapely.polygons(seen[facing]))
+    joined = shapely.union_all(shapely.buffer(parts, SLIVER, join_style="mitre"))
+    whole: shapely.Geometry = shapely.intersection(shapely.buffer(joined, -SLIVER, join_style="mitre"), near)
+    return whole
+
+
+def _weight_stress(wall: _Wall, level: float, above: float) -> float:
+    """Return the weight of the masonry above one elevation over the area of the wall at another [Pa]."""
+    top = max(float(solid.vertices[:, 2].max()) for solid in wall.solids)
+    if above >= top:
+        return 0.0
+    edges = np.linspace(above, top, LAYERS + 1)
+    middle, thick = (edges[1:] + edges[:-1]) / 2.0, (top - above) / LAYERS
+    weight, area, out = 0.0, 0.0, wall.out.tolist()
+    for solid in wall.solids:
+        density = solid.mass / volume(solid.vertices, solid.triangles)
+        weight += g * density * thick * float(section_moments(solid, middle, direction=out)[:, 0].sum())
+        area += float(section_moments(solid, [level], direction=out)[0, 0])
+    return weight / area
+
+
+def _bay(figure: Figure, others: Sequence[Figure], wall: _Wall) -> tuple[float, bool]:
+    """Return the farthest distance to the next tie of a row, or twice that to an end of the wall; whether to an end.
+
+    An end that is too far comes before a bay, however wide, which an arch may span.
+    """
+    _, s, z = figure
+    edges = np.array([section_edges(solid, [z], direction=wall.across.tolist())[0] for solid in wall.solids])
+    first, last = float(edges[:, 0].min()), float(edges[:, 1].max())
+    row = sorted({each[1] for each in others if abs(each[2] - z) <= LEVEL} | {s})
+    inner = [b - a for a, b in pairwise(row) if s in (a, b)]
+    ends = [2.0 * (s - first)] * (s == row[0]) + [2.0 * (last - s)] * (s == row[-1])
+    to_end, to_next = max(ends, default=0.0), max(inner, default=0.0)
+    return (to_end, True) if to_end > CLOSE or to_end >= to_next else (to_next, False)
+
+
+def _turn(a: FloatArray, b: FloatArray) -> FloatArray:
+    """Return the cross product of vectors in the plane [n, 2]."""
+    return np.asarray(a[..., 0] * b[..., 1] - a[..., 1] * b[..., 0])

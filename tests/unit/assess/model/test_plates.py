@@ -1,0 +1,157 @@
+"""Where plates sit on walls: leaf, edges, openings, weight and neighbours, against arithmetic by hand."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+from scipy.constants import g
+
+import assess
+from assess.errors import AssessError
+from assess.geometry.boolean import subtract
+from assess.loads.anchorage import Anchorage, Plate
+from assess.loads.load import Tie
+
+LENGTH, HEIGHT, THICKNESS = 12.0, 8.0, 0.6
+BAR = {"area": 314e-6, "young_modulus": 210e9, "yield_stress": 235e6, "fracture_strain": 0.1}
+FULL: dict[str, Any] = {
+    "width": 0.3, "height": 0.3, "thickness": 0.015, "yield_stress": 235e6, "nut": 0.05,
+    "thread_area": 245e-6, "tensile_strength": 360e6, "shear_strength": 0.02e6, "bearing_strength": 1e6,
+    "far_strength": 80e3, "between": 90e3,
+}  # fmt: skip
+
+
+def tie(y: float, z: float, **changes: Any) -> assess.TieLoad:
+    plate = Plate(**{**FULL, **changes})
+    return assess.TieLoad(at=[0, y, z], anchor=[-10, y, z], length=10.0, evidence="tests", plate=plate, **BAR)
+
+
+def facade(*ties: assess.TieLoad, body: Any = None) -> list[Anchorage]:
+    wall = body or assess.box(thickness=THICKNESS, length=LENGTH, height=HEIGHT, density=2000.0)
+    block = assess.single_block(wall, direction=[1, 0, 0], sides="one", loads=ties)
+    found = [load for load in block.mechanism.positive.loads if isinstance(load, Tie)]
+    assert all(each.anchorage is not None and each.strength == each.anchorage.strength for each in found)
+    return [each.anchorage for each in found if each.anchorage is not None]
+
+
+def surface(found: Anchorage) -> float:
+    assert found.site.surface is not None
+    return found.site.surface[0]
+
+
+def test_in_the_middle_of_a_wall_it_has_all_of_its_cone() -> None:
+    (found,) = facade(tie(0, 5))
+    assert found.leaf == pytest.approx(THICKNESS, rel=1e-9)
+    assert surface(found) == pytest.approx(2.16, rel=1e-6)
+    assert found.site.bearing_area == pytest.approx(0.09, rel=1e-6)
+    assert (found.strength, found.governing) == (pytest.approx(16e3, rel=1e-6), "punching")
+
+
+def test_at_the_top_a_side_is_lacking() -> None:
+    """The upper edge of the plate at the top: 1.26 m2, by hand in the tests of `cone_surface`."""
+    (found,) = facade(tie(0, HEIGHT - 0.15))
+    assert surface(found) == pytest.approx(1.26, rel=1e-3)
+
+
+def test_over_an_edge_only_what_has_masonry_behind_it_presses() -> None:
+    (found,) = facade(tie(0, HEIGHT - 0.05))
+    assert found.site.bearing_area == pytest.approx(0.3 * 0.2, rel=1e-4)
+
+
+def test_masonry_above_the_cone_presses_on_it() -> None:
+    """Its cone ends 0.15 + 0.6 m above 5 m: 2.25 m of 2000 kg/m3 are 44.1 kPa; 0.6 of it counts."""
+    (found,) = facade(tie(0, 5, friction=0.4))
+    assert found.site.weight_stress == pytest.approx(2000 * g * 2.25, rel=1e-6)
+    assert found.normal_stress == pytest.approx(0.6 * 2000 * g * 2.25, rel=1e-6)
+    assert found.strength == pytest.approx(2.16 * (0.02e6 + 0.4 * 0.6 * 2000 * g * 2.25) / 2.7, rel=1e-4)
+
+
+def test_plates_whose_cones_meet_share_their_outline() -> None:
+    """0.5 m apart: 2.82 m2 for both, by hand in the tests of `cone_surface`; one farther away stands alone."""
+    near, other, far = facade(tie(0, 5), tie(0.5, 5), tie(4, 5))
+    for found in (near, other):
+        assert found.site.group == 2
+        assert found.strength == pytest.approx(2.82 / 2 * 0.02e6 / 2.7, rel=2e-3)
+    assert (far.site.group, far.strength) == (1, pytest.approx(16e3, rel=1e-6))
+
+
+@pytest.mark.parametrize(
+    ("places", "bays"),
+    [
+        ((0.0,), ((12.0, True),)),
+        ((-4.5, -1.5, 1.5, 4.5), ((3.0, True), (3.0, False), (3.0, False), (3.0, True))),
+        ((-2.0, 2.0), ((8.0, True), (8.0, True))),
+        ((-4.5, 0.0, 4.5), ((4.5, False), (4.5, False), (4.5, False))),
+    ],
+)
+def test_the_farthest_neighbour_or_end_is_its_bay(
+    places: tuple[float, ...], bays: tuple[tuple[float, bool], ...]
+) -> None:
+    found = facade(*(tie(y, 5) for y in places))
+    assert [(pytest.approx(each.site.bay), each.site.at_end) for each in found] == [*bays]
+
+
+def test_an_opening_beside_a_plate_takes_its_side() -> None:
+    """A window that touches the right side of the plate and is as high as the cone: as at an edge, 1.26 m2."""
+    wall = assess.box(thickness=THICKNESS, length=LENGTH, height=HEIGHT, density=2000.0)
+    window = assess.box(thickness=2.0, length=1.5, height=1.5, base=[0, 0.9, 4.25], density=1.0)
+    (found,) = facade(tie(0, 5), body=replace(wall, solid=subtract(wall.solid, [window.solid])))
+    assert surface(found) == pytest.approx(1.26, rel=1e-3)
+
+
+def test_a_leaf_is_no_thicker_than_drawn() -> None:
+    (found,) = facade(tie(0, 5, leaf=0.25))
+    assert surface(found) == pytest.approx(2 * (0.6 + 0.5) * 0.25, rel=1e-6)
+    with pytest.raises(AssessError, match=r"is drawn is 0\.6 m thick"):
+        facade(tie(0, 5, leaf=0.7))
+
+
+def test_beside_the_wall_it_is_refused() -> None:
+    with pytest.raises(AssessError, match="no masonry behind it"):
+        facade(tie(7, 5))
+
+
+def test_the_outer_of_two_leaves_is_gripped() -> None:
+    """Two solids of 0.25 and 0.35 m: the plate is on the side away from the anchor, at +x, and grips the 0.25 m."""
+    outer = assess.box(thickness=0.25, length=LENGTH, height=HEIGHT, base=[0.175, 0, 0], density=2000.0, name="outer")
+    inner = assess.box(thickness=0.35, length=LENGTH, height=HEIGHT, base=[-0.125, 0, 0], density=2000.0, name="inner")
+    block = assess.single_block([inner, outer], direction=[1, 0, 0], sides="one", loads=[tie(0, 5)])
+    (load,) = block.mechanism.positive.loads
+    assert isinstance(load, Tie)
+    assert load.anchorage is not None
+    assert load.anchorage.leaf == pytest.approx(0.25)
+    assert np.isclose(load.anchorage.normal_stress, 0.6 * 2000 * g * (HEIGHT - 5 - 0.15 - 0.25))
+
+
+def test_it_does_not_depend_on_the_way_the_wall_moves() -> None:
+    """Nor do ties of another face, as at a corner, punch with it."""
+    corner = assess.TieLoad(
+        at=[0.1, 5.9, 5], anchor=[-0.1, -4, 5], length=9.9, evidence="tests", plate=Plate(**FULL), **BAR
+    )
+    wall = assess.box(thickness=THICKNESS, length=LENGTH, height=HEIGHT, density=2000.0)
+    for direction in ([1, 0, 0], [-1, 0, 0]):
+        block = assess.single_block(wall, direction=direction, sides="one", loads=[tie(0, 5), corner])
+        found = next(load for load in block.mechanism.positive.loads if isinstance(load, Tie))
+        assert found.anchorage is not None
+        assert surface(found.anchorage) == pytest.approx(2.16, rel=1e-6)
+        assert found.anchorage.site.group == 1
+
+
+def test_an_upright_tie_has_no_plate_on_a_face() -> None:
+    upright = assess.TieLoad(at=[0, 0, 7], anchor=[0, 0, -3], length=10.0, plate=Plate(**FULL), **BAR)
+    with pytest.raises(AssessError, match="its tie is upright"):
+        facade(upright)
+
+
+def test_a_pretension_above_what_the_anchorage_bears_is_refused() -> None:
+    with pytest.raises(AssessError, match=r"loads\[1\]\.force: a pretension of 17 kN, above .* 16 kN \(punching\)"):
+        facade(replace(tie(0, 5), force=17e3))
+
+
+def test_places_of_two_numbers_do_not_say_where_a_plate_is() -> None:
+    given = assess.TieLoad(at=[0, 5], anchor=[-10, 5], length=10.0, plate=Plate(**FULL), **BAR)
+    with pytest.raises(AssessError, match=r"it must be \[x, y, z\]"):
+        facade(given)

@@ -10,6 +10,7 @@ import glob
 import os
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from hashlib import sha256
 from math import nan, prod
 from pathlib import Path
 from typing import Any
@@ -51,6 +52,7 @@ STEEL = 7850.0  # kg/m3
 MOST_PRETENSION = 0.5  # of the yield force
 FARTHEST = 3.0  # m, between anchors
 MOST_LAYOUTS = 100_000
+SCHEMA = "#:schema "
 TARGETS: tuple[TargetKind, ...] = ("index", "ratio", "probability")
 PER_STEEL, PER_TIE = "steel", "tie"
 
@@ -105,10 +107,11 @@ class Retrofit:
         values = zip(self.results.varied, self.results.best.values, strict=True)
         lines = [f"#   {each.key} = {value:.6g} {each.unit}".rstrip() for each, value in values]
         head = [f"# Written by `assess retrofit` from {self.project.path.name!r}, with these works:", *lines]
-        first, rest = (
-            ("", text) if not text.startswith("#:") else (text.partition("\n")[0] + "\n", text.partition("\n")[2])
-        )
-        return first + "\n".join(head) + "\n\n" + rest
+        schema, rest = "", text
+        if text.startswith(SCHEMA):  # by which editors find it beside the project
+            line, _, rest = text.partition("\n")
+            schema = SCHEMA + _seen_from(line.removeprefix(SCHEMA).strip(), self.project.folder, folder) + "\n"
+        return schema + "\n".join(head) + "\n\n" + rest
 
 
 def find_retrofit(project: Project, question: RetrofitQuestion, *, jobs: int, progress: Progress) -> Retrofit:
@@ -126,7 +129,10 @@ def find_retrofit(project: Project, question: RetrofitQuestion, *, jobs: int, pr
     AssessError : a key or range is wrong, the target cannot be measured, or no number of records could show it
     """
     _check_question(question)
-    tables = parse_toml(project.path.read_bytes().decode("utf-8-sig"))
+    written = project.path.read_bytes()
+    if sha256(written).hexdigest() != project.sha256:
+        raise ProjectError(f"{project.path}: has changed since it was read; run the command again")
+    tables = parse_toml(written.decode("utf-8-sig"))
     if question.limit_state is not None:
         tables = {**tables, "verdict": {**tables.get("verdict", {}), "limit_state": question.limit_state}}
         project = load_tree(tables, project.path, sha256=project.sha256)
@@ -152,11 +158,11 @@ def find_retrofit(project: Project, question: RetrofitQuestion, *, jobs: int, pr
         )
     found = find_least(designs, target, search=search, glance=glance, prove=prove, progress=progress)
     warnings = [*designs.messages(), *_conditions(designs)]
-    written: Tables | None = None
+    with_works: Tables | None = None
     outcome = ""
     if found.best is not None:
-        written = designs.apply(tables, found.best.place)
-        reread = load_tree(dict(written), project.path, sha256="")
+        with_works = designs.apply(tables, found.best.place)
+        reread = load_tree(dict(with_works), project.path, sha256="")
         found, outcome, more = _as_written(found, reread, designs, target, jobs=jobs)
         warnings += more
     states, _ = find_limit_states(study.question)
@@ -185,7 +191,7 @@ def find_retrofit(project: Project, question: RetrofitQuestion, *, jobs: int, pr
         verdict=outcome,
         warnings=tuple(warnings),
     )
-    return Retrofit(results, project, written if found.best is not None else None)
+    return Retrofit(results, project, with_works if found.best is not None else None)
 
 
 def _check_question(question: RetrofitQuestion) -> None:

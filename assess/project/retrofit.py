@@ -1,7 +1,8 @@
 """The least works on a project: what is varied, how a layout becomes a study, and the project with the best of them.
 
 Layouts are refused that rules of detailing exclude, whatever they reach: pretension above half of what yields the bar,
-and anchors farther apart than allowed, 3 m unless the engineer has checked the wall between them.
+and anchors farther apart than allowed, 3 m unless the engineer has checked the wall between them. Where the anchorage
+of ties is computed from their plates, the wall between them is a part of it, and three plates in one cone are refused.
 """
 
 from __future__ import annotations
@@ -20,7 +21,8 @@ from assess.codes.procedures import uses_histories
 from assess.codes.question import find_limit_states, methods_of, missing_action
 from assess.codes.verdict import Verdict
 from assess.errors import AssessError, ProjectError
-from assess.loads.load import TieLoad
+from assess.loads.anchorage import CLOSE
+from assess.loads.load import Tie, TieLoad
 from assess.messages.message import Message, Quantity, message, note, warning
 from assess.project import sections
 from assess.project.build import BuiltProject, build_to_decide, build_with_cases
@@ -50,7 +52,7 @@ from spectra.gravity import g
 
 STEEL = 7850.0  # kg/m3
 MOST_PRETENSION = 0.5  # of the yield force
-FARTHEST = 3.0  # m, between anchors
+MOST_IN_CONE = 2  # plates
 MOST_LAYOUTS = 100_000
 SCHEMA = "#:schema "
 TARGETS: tuple[TargetKind, ...] = ("index", "ratio", "probability")
@@ -74,7 +76,7 @@ class RetrofitQuestion:
     vary: Mapping[str, str | Sequence[float | str]]
     limit_state: str | None = None
     price: Mapping[str, float] = field(default_factory=dict)
-    spacing: float | str = FARTHEST
+    spacing: float | str = CLOSE
     search_records: int | None = None
 
     @property
@@ -231,6 +233,12 @@ class _Designs:
         """Whether a mechanism that the works change has a tie."""
         return any(True for _ in _ties(self._built.project.content, self.mechanisms))
 
+    @property
+    def has_plates(self) -> bool:
+        """Whether the anchorage of every tie is computed from its plate."""
+        ties = _ties(self._built.project.content, self.mechanisms)
+        return all(tie.plate is not None and tie.strength is None for _, _, tie in ties)
+
     def apply(self, tables: Tables, place: Place) -> Tables:
         """Return tables with the works of a layout."""
         for number in self._order:
@@ -258,6 +266,9 @@ class _Designs:
         for each in study.mechanisms:
             if not each.rocks or each.variants.collapse is None:
                 raise ProjectError(f"mechanisms.{each.name}: falls at rest without what is not shown to last")
+            plates = [action.anchorage for chain in each.chains for action in chain.actions if isinstance(action, Tie)]
+            if (most := max((plate.site.group for plate in plates if plate), default=0)) > MOST_IN_CONE:
+                raise ProjectError(f"mechanisms.{each.name}: {most} plates punch one cone; {MOST_IN_CONE} at most may")
         return study
 
     def messages(self) -> Iterator[Message]:
@@ -290,9 +301,9 @@ class _Designs:
 
     def _refusals(self, content: sections.Content) -> Iterator[Message]:
         """Yield why a layout may not be built."""
-        elevations: dict[str, dict[int, float]] = {}
+        anchors: dict[str, dict[int, TieLoad]] = {}
         for name, place, tie in _ties(content, self.mechanisms):
-            elevations.setdefault(name, {})[place] = tie.at[-1]
+            anchors.setdefault(name, {})[place] = tie
             if tie.area is None or tie.yield_stress is None:
                 continue
             most, pull = MOST_PRETENSION * tie.area * tie.yield_stress, tie.force or 0.0
@@ -301,8 +312,12 @@ class _Designs:
                     "retrofit-pretension", {"force": Quantity(pull, "force"), "most": Quantity(most, "force")}
                 )
         designed = {name for axis in self.axes if axis.of_steel for name in axis.mechanisms}
-        for name in designed.intersection(elevations, self._subjects):
-            apart = self._subjects[name].length / max(map(len, ties_by_level(elevations[name])))
+        for name in designed.intersection(anchors, self._subjects):
+            ties = anchors[name]
+            if all(tie.plate is not None and tie.strength is None for tie in ties.values()):
+                continue  # the wall between them is a part of their anchorage
+            levels = ties_by_level({place: tie.at[-1] for place, tie in ties.items()})
+            apart = self._subjects[name].length / max(map(len, levels))
             if apart > self.farthest * (1.0 + 1e-9):
                 yield message(
                     "retrofit-spacing",
@@ -351,7 +366,7 @@ def _with_tolerance(
     names: Sequence[str],
     tolerance: Tolerance,
 ) -> Tables:
-    """Return tables whose ties differ by a tolerance; none is raised above the top of what moves."""
+    """Return tables whose ties differ by a tolerance; none is raised so far that its plate is above what moves."""
     mechanisms = dict(tables["mechanisms"])
     for name, place, tie in _ties(content, names):
         loads = list(mechanisms[name]["loads"])
@@ -361,7 +376,8 @@ def _with_tolerance(
                 changed[key] = value * getattr(tolerance, key)
         if subject := subjects.get(name):
             height = subject.hinge + (tie.at[-1] - subject.hinge) * tolerance.height
-            changed = at_height(changed, tie, max(tie.at[-1], subject.top) if height > subject.top else height)
+            plate = 0.0 if tie.plate is None else tie.plate.height or tie.plate.diameter or 0.0
+            changed = at_height(changed, tie, min(height, max(tie.at[-1], subject.top - plate / 2.0)))
         loads[place] = changed
         mechanisms[name] = {**mechanisms[name], "loads": loads}
     return {**tables, "mechanisms": mechanisms}
@@ -415,9 +431,9 @@ def _ground_motions(
 
 def _conditions(designs: _Designs) -> Iterator[Message]:
     """Yield what the engineer has to see to, as no layout was refused for it."""
-    if designs.has_ties:
+    if designs.has_ties and not designs.has_plates:
         yield note("retrofit-anchors", "mechanisms")
-    if designs.farthest > FARTHEST:
+    if designs.farthest > CLOSE:
         yield warning("retrofit-spacing-allowed", "mechanisms", spacing=Quantity(designs.farthest, "length", 3))
 
 

@@ -156,6 +156,27 @@ def test_rules_of_detailing_refuse_layouts(tmp_path: Path) -> None:
     assert any(each.key == "retrofit-spacing-allowed" for each in wide.warnings)
 
 
+PLATE = (
+    'plate = { width = "300 mm", height = "300 mm", thickness = "30 mm", yield_stress = "235 MPa", nut = "60 mm", '
+    'thread_area = "400 mm^2", tensile_strength = "360 MPa", shear_strength = "0.1 MPa", bearing_strength = "2 MPa", '
+    'far_strength = "150 kN" }'
+)
+
+
+def test_anchorages_from_plates_follow_their_places(tmp_path: Path) -> None:
+    """The wall between the plates is a part of them, so none is refused for it; plates that crowd in a cone are."""
+    path = facade(tmp_path, ('strength = "200 kN"', PLATE))
+    found = assess.retrofit(path, target="index", reach=0.2, vary={AREA: "314 mm^2", COUNT: "2, 3, 12"}).results
+    two, three, twelve = found.layouts
+    assert two.refused is None
+    assert two.reached is not None
+    assert three.reached is not None
+    assert (two.reached.value or 0.0) < (three.reached.value or 0.0)
+    assert twelve.refused is not None
+    assert "plates punch one cone; 2 at most may" in twelve.refused.text
+    assert [each.key for each in found.warnings] == []
+
+
 def test_histories_of_many_layouts_are_those_of_each_alone(tmp_path: Path) -> None:
     """Packed into one call, with ties that are merged, against the solver of a run for each study."""
     project = load(facade(tmp_path, ('amplification = { method = "modal-filter" }\n', "")))

@@ -16,7 +16,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from assess.errors import InterfaceError, MechanismError
-from assess.loads.load import Force, ForceOrTie, PointMass, Tie, lasts
+from assess.loads.load import Force, ForceOrTie, lasts
 from assess.mechanisms.branch_table import (
     ActionMoments,
     ChainStage,
@@ -29,10 +29,10 @@ from assess.mechanisms.branch_table import (
     stage_signature,
     staged_branch,
 )
-from assess.mechanisms.chain import Chain, ChainPair, move, trace_point, virtual_work
+from assess.mechanisms.chain import Chain, ChainPair, virtual_work
 from assess.mechanisms.flexible_oscillator import flexible_moments, flexible_oscillator, same_stages
-from assess.mechanisms.tied_oscillator import oscillator_on_joints
-from assess.oscillator import Branch, Memory, Oscillator, TieLaw
+from assess.mechanisms.tied_oscillator import memory_of_ties, oscillator_on_joints, stretching_ties, without_ties
+from assess.oscillator import Branch, Oscillator
 
 CLEARLY = 1.0 + 1e-6  # two rotations that differ by less are one
 AT_OVERTURNING = 1e-9  # of a rotation: an end this near overturning comes with it
@@ -268,12 +268,13 @@ def _make_oscillator(pair: ChainPair, front: Stages, back: Stages) -> Oscillator
     pair : the chains of both directions
     front, back : the stages of the positive and of the negative chain; back is ignored for one-sided rocking
     """
-    stretching = dict.fromkeys(tie.name for side in (front, back) for tie in side[0].chain.actions if _stretches(tie))
-    if stretching:
-        if pair.has_joints:
-            return oscillator_on_joints(pair, front, back)
-        made = _rigid_oscillator(pair, front, back)
-        return _capped(replace(made, memory=_memory(pair, front, back, list(stretching))))
+    ties = stretching_ties(front) | stretching_ties(back)
+    if ties and pair.has_joints:
+        return oscillator_on_joints(pair, front, back)
+    if ties:
+        bare = _make_oscillator(pair, without_ties(front, ties), without_ties(back, ties))
+        chains = (front[0].chain, back[0].chain)[: len(bare.branches)]
+        return _capped(replace(_rigid_oscillator(pair, front, back), memory=memory_of_ties(ties, bare, chains)))
     made = flexible_oscillator(pair, front, back) if pair.has_joints else _rigid_oscillator(pair, front, back)
     if made.negative is None or not _same_branch(made.positive, made.negative):
         return made
@@ -289,54 +290,6 @@ def _capped(made: Oscillator) -> Oscillator:
         for branch, bare in ((made.positive, made.bare.positive), (made.negative, made.bare.negative))
     )
     return replace(made, positive=positive or made.positive, negative=negative)
-
-
-def _stretches(action: ForceOrTie) -> bool:
-    return isinstance(action, Tie) and action.stretches
-
-
-def _memory(pair: ChainPair, front: Stages, back: Stages, names: Sequence[str]) -> Memory:
-    """Return the bare oscillator of stages with the laws of their ties that stretch, by name."""
-    bare = _make_oscillator(pair, *(_without_bars(side) for side in (front, back)))
-    sides = [(front[0].chain, bare.positive)]
-    sides += [] if bare.negative is None else [(back[0].chain, bare.negative)]
-    return Memory(bare, tuple(_law(name, sides) for name in names))
-
-
-def _without_bars(stages: Stages) -> Stages:
-    """Return the stages without ties that stretch."""
-    return tuple(
-        replace(
-            stage,
-            chain=replace(
-                stage.chain,
-                loads=tuple(each for each in stage.chain.loads if isinstance(each, PointMass) or not _stretches(each)),
-            ),
-        )
-        for stage in stages
-    )
-
-
-def _law(name: str, sides: Sequence[tuple[Chain, Branch]]) -> TieLaw:
-    """Return the law of a tie on chains with their bare branches; slack on a chain that does not have it."""
-    ties = [
-        next((each for each in chain.actions if each.name == name and isinstance(each, Tie)), None)
-        for chain, _ in sides
-    ]
-    tie = next(each for each in ties if each is not None)
-    stiffness = tie.stiffness or 1.0
-    at_rest, elongation, rate = tie.tension / stiffness - tie.slack, [], []
-    for (chain, branch), here in zip(sides, ties, strict=True):
-        if here is None or here.anchor is None:
-            elongation.append(np.full_like(branch.rotation, -1.0))
-            rate.append(np.zeros_like(branch.rotation))
-            continue
-        path = trace_point(move(chain, branch.rotation), block=here.block, at=here.at)
-        to_x, to_z = here.anchor[0] - path.x, here.anchor[1] - path.z
-        far = np.hypot(to_x, to_z)
-        elongation.append(at_rest + far - far[0])
-        rate.append(-(to_x * path.dx + to_z * path.dz) / far)
-    return TieLaw(stiffness, tie.most, at_rest + (tie.elongation or 0.0), tuple(elongation), tuple(rate))
 
 
 def _rigid_oscillator(pair: ChainPair, front: Stages, back: Stages) -> Oscillator:

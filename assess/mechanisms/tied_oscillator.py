@@ -8,7 +8,7 @@ to the pull of a level tie, which neither lengthens it nor presses on the joint.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 from math import radians, sin
 
@@ -80,6 +80,20 @@ def stretch(name: str, chain: Chain, other: Chain | None, rotation: FloatArray) 
     return e, rate
 
 
+def memory_of_ties(ties: Mapping[str, Tie], bare: Oscillator, chains: Sequence[Chain]) -> Memory:
+    """Return what histories remember of ties on rigid hinges.
+
+    Parameters
+    ----------
+    ties : that stretch, by their names
+    bare : the oscillator without them
+    chains : of each of its branches, with them
+    """
+    sides = list(zip(chains, bare.branches, strict=True))
+    found = [[stretch(name, chain, None, branch.rotation) for chain, branch in sides] for name in ties]
+    return Memory(bare, tie_laws(list(ties.values()), found))
+
+
 def oscillator_on_joints(pair: ChainPair, front: Stages, back: Stages) -> Oscillator:
     """Return the oscillator of one block on joints that deform, with ties that stretch.
 
@@ -142,7 +156,7 @@ class _Side(ShortRepr):
         restoring = self.branch.restoring.copy()
         for name, tie in ties.items():
             restoring -= tie.tension * self.stretch(name)[1]
-        rigid = staged_branch(_without(self.stages, ties), restitution=0.0, name=self.name)
+        rigid = staged_branch(_rigid(without_ties(self.stages, ties)), restitution=0.0, name=self.name)
         return self._with_moment(restoring, rigid.overturning, np.inf)
 
     def held(self, ties: dict[str, Tie], bare: Branch) -> Branch:
@@ -197,19 +211,18 @@ def _pulling(stages: Stages, ties: dict[str, Tie]) -> Stages:
     ]
     return tuple(
         replace(stage, absent=(), chain=replace(one.chain, loads=(*one.chain.loads, *pulling)))
-        for stage, one in zip(stages, _without(stages, ties, rigid=False), strict=True)
+        for stage, one in zip(stages, without_ties(stages, ties), strict=True)
     )
 
 
-def _without(stages: Stages, ties: dict[str, Tie], *, rigid: bool = True) -> Stages:
-    """Return stages without ties that stretch."""
-    made = _rigid(stages) if rigid else stages
+def without_ties(stages: Stages, ties: Collection[str]) -> Stages:
+    """Return stages without some ties, by their names."""
     return tuple(
         replace(
             stage,
             chain=replace(stage.chain, loads=tuple(each for each in stage.chain.loads if each.name not in ties)),
         )
-        for stage in made
+        for stage in stages
     )
 
 

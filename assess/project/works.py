@@ -167,7 +167,10 @@ def _axis_of_key(key: str, given: Any, content: sections.Content, where: str) ->
         keys = [f"{of_kind[1]}.{place}.{of_kind[3]}" for place, load in enumerate(loads) if load.kind == of_kind[2]]
         if not keys:
             raise ProjectError(f"{where}: {of_kind[1]} has no load of kind {value_text(of_kind[2])}; write one first")
-    entries = [swept_value(each, by_key, where=where) for each in keys]
+    try:
+        entries = [swept_value(each, by_key, where=where) for each in keys]
+    except ProjectError as error:
+        raise ProjectError(f"vary {str(error).removeprefix(f'{where}.key: ')}") from None
     paths, first = [each.path for each in entries], entries[0]
     if first.path[0] not in ALLOWED:
         raise ProjectError(

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import json
+from collections import Counter
 from collections.abc import Sequence
 from math import isfinite
 
 from assess.cli.tables import messages_text, text_table
-from assess.messages.message import count_noun
+from assess.messages.message import count_noun, escape_text
 from assess.results.retrofit import Layout, RetrofitResults
 from reports.render.table_text import csv_lines
 
@@ -30,13 +31,17 @@ def retrofit_text(results: RetrofitResults) -> str:
         f"{sum(each.refused is not None for each in results.layouts)} refused, {results.candidates} reach it; "
         f"{results.tried} put to the proof{f' on {len(results.proof_records)} others' * bool(results.proof_records)}",
     ]
+    refused = Counter(each.refused.key for each in results.layouts if each.refused is not None)
+    for key, number in refused.items():
+        first = next(each.refused for each in results.layouts if each.refused is not None and each.refused.key == key)
+        lines.append(escape_text(f"  refused {number} x, the first as {first}"))
     if results.best is None:
         lines.append("none is proved to reach the target" + ("" if shown is None else "; the nearest:"))
     else:
         lines.append("least that is proved:")
     if shown is not None:
         pairs = zip(results.varied, shown.values, strict=True)
-        lines += [f"  {each.key} = {value:.6g} {each.unit}".rstrip() for each, value in pairs]
+        lines += [escape_text(f"  {each.key} = {value:.6g} {each.unit}".rstrip()) for each, value in pairs]
         lines.append(f"  {_amount(results, shown)}; reaches {_reached(shown)}{_worst(results)}")
     if results.verdict:
         lines.append(f"  verdict of the project with these works: {results.verdict}")

@@ -10,6 +10,7 @@ does. Ratios are those of the largest rotation to the one that overturns the mec
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from itertools import product
 from math import inf
@@ -119,18 +120,9 @@ def find_least(
     progress : called as layouts are examined
     full : layouts up to which the whole grid is examined
     """
-    seen = 0
 
     def examine(places: Sequence[Place]) -> list[Layout]:
-        nonlocal seen
-        layouts = [designs.layout(place) for place in places]
-        found: list[Layout] = []
-        for first in range(0, len(layouts), BATCH):
-            progress("layouts", seen, seen + len(layouts) - first)
-            batch = layouts[first : first + BATCH]
-            found += _examined(batch, designs, search)
-            seen += len(batch)
-        return found
+        return _examined([designs.layout(place) for place in places], designs, search, progress)
 
     known = search_grid(designs.sizes, examine, target, full=full)
     ranked = sorted(known.values(), key=lambda each: merit(each, target))
@@ -381,19 +373,31 @@ def _index_of(study: Study) -> float | None:
     return min(each.value for each in known) if least else max(each.value for each in known)
 
 
-def _examined(layouts: Sequence[Layout], designs: Designs, measure: Measure) -> list[Layout]:
-    """Return layouts with what they reach; one that cannot be built is refused."""
-    studies: dict[Place, Study] = {}
+def _examined(layouts: Sequence[Layout], designs: Designs, measure: Measure, progress: Progress) -> list[Layout]:
+    """Return layouts with what they reach; one that cannot be built is refused.
+
+    Histories of a batch run while the next is built: the solver does not hold the interpreter's lock.
+    """
     found: dict[Place, Layout] = {each.place: each for each in layouts}
-    for each in layouts:
-        if each.refused is None:
-            try:
-                studies[each.place] = designs.study(each.place, AS_DRAWN)
-            except AssessError as error:
-                found[each.place] = replace(each, refused=message("retrofit-not-built", {"error": str(error)}))
-    if studies:
-        for place, reached in zip(studies, measure(list(studies.values())), strict=True):
-            found[place] = replace(found[place], reached=reached)
+    with ThreadPoolExecutor(1) as pool:
+        running: list[tuple[list[Place], Future[Sequence[Reached]]]] = []
+        try:
+            for first in range(0, len(layouts), BATCH):
+                progress("layouts", first, len(layouts))
+                studies: dict[Place, Study] = {}
+                for each in layouts[first : first + BATCH]:
+                    if each.refused is None:
+                        try:
+                            studies[each.place] = designs.study(each.place, AS_DRAWN)
+                        except AssessError as error:
+                            refused = message("retrofit-not-built", {"error": str(error)})
+                            found[each.place] = replace(each, refused=refused)
+                running.append((list(studies), pool.submit(measure, list(studies.values()))))
+            for places, answer in running:
+                for place, reached in zip(places, answer.result(), strict=True):
+                    found[place] = replace(found[place], reached=reached)
+        finally:
+            pool.shutdown(cancel_futures=True)
     return [found[each.place] for each in layouts]
 
 

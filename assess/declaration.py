@@ -43,6 +43,7 @@ RANGES: dict[str, tuple[float, float]] = {
     "force": (1e-6, 1e13),
     "stress": (1e-3, 1e13),
     "stiffness": (1e-3, 1e17),
+    "spring stiffness": (1e-3, 1e13),
     "density": (1e-3, 1e5),
     "area": (1e-9, 1e6),
     "mass per area": (1e-6, 1e7),

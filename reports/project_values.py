@@ -43,6 +43,7 @@ KIND_DIMENSIONS: Mapping[str, str] = {
     "acceleration": "ground acceleration",
     "force": "force",
     "stress": "stress",
+    "stiffness": "spring stiffness",
     "stiffness per area": "stiffness",
     "density": "density",
     "mass per area": "area density",

@@ -48,6 +48,12 @@ NO_BAR = "of which no tie is made; check the value and its unit"
 BarModulus = Annotated[float, Number("stress", above=0, least=1e9, most=300e9, beyond=f"not 1 to 300 GPa, {NO_BAR}")]
 BarYield = Annotated[float, Number("stress", above=0, least=50e6, most=1.5e9, beyond=f"not 50 to 1500 MPa, {NO_BAR}")]
 BarArea = Annotated[float, Number("area", above=0, least=1e-6, most=0.02, beyond=f"not 1 to 20,000 mm^2, {NO_BAR}")]
+Spring = Annotated[
+    float,
+    Number(
+        "spring stiffness", above=0, least=1e3, most=1e9, beyond="not 1 kN/m to 1 GN/m; check the value and its unit"
+    ),
+]
 BarStrain = Annotated[float, Number("ratio", above=0, most=0.4)]
 LONGER = 1.25
 """Length over which a tie stretches, over the distance of its ends, beyond which the two contradict each other."""
@@ -200,6 +206,11 @@ class TieLoad:
         BarYield | None, UNCERTAIN, Evidence("measured", "up", "the wall without the tie", safe=Safe.ABSENT)
     ] = None
     """of the bar, like "235 MPa\""""
+    stiffness: Annotated[
+        Spring | None, UNCERTAIN, Evidence("measured", "up", "the wall without the tie", safe=Safe.WITHOUT)
+    ] = None
+    """in place of a bar: of a floor or another restraint that holds the wall elastically, like "5 MN/m"; where it pulls
+    with `strength` it lets go for good"""
     length: Annotated[
         PositiveLength | None, Evidence("drawn", "up", "absent: it does not last to collapse", safe=Safe.ABSENT)
     ] = None
@@ -228,6 +239,9 @@ class TieLoad:
         if apart and self.length is not None and self.length > LONGER * apart:
             yield "length", f"its ends lie {apart:.4g} m apart, over which it stretches; measure it again"
         bar = {key: getattr(self, key) for key in ("area", "young_modulus", "yield_stress")}
+        if self.stiffness is not None:
+            yield from self._faults_of_spring()
+            return
         if all(value is None for value in bar.values()):
             if self.force is None:
                 yield "force", "missing; a tie that does not stretch pulls with its pretension"
@@ -256,6 +270,28 @@ class TieLoad:
             yield "slack", "a slack tie has no pretension; remove slack, or force"
         if self.force is not None and self.force > most:
             yield "force", f"a pretension above what bar and anchorage bear, {most / 1e3:.4g} kN"
+
+    def _faults_of_spring(self) -> Iterator[Fault]:
+        """Yield the keys that do not go with a stiffness."""
+        for key in (
+            "area",
+            "young_modulus",
+            "yield_stress",
+            "length",
+            "fracture_strain",
+            "plate",
+            "until",
+            "direction",
+        ):
+            if getattr(self, key) is not None:
+                yield key, "beside stiffness, which stands for a restraint of no bar; remove one of them"
+        for key in ("anchor", "strength"):
+            if getattr(self, key) is None:
+                yield key, "missing; a restraint of a stiffness acts towards its anchor, up to its strength"
+        if self.force is not None and self.slack:
+            yield "slack", "a slack tie has no pretension; remove slack, or force"
+        if self.force is not None and self.strength is not None and self.force > self.strength:
+            yield "force", f"a pretension above its strength, {self.strength / 1e3:.4g} kN"
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -521,6 +557,11 @@ class Tie:
         return self.stiffness is not None
 
     @property
+    def is_spring(self) -> bool:
+        """Whether it is a restraint of a stiffness and no bar: at its strength it lets go."""
+        return self.stiffness is not None and self.length is None
+
+    @property
     def tension(self) -> float:
         """The force with which it pulls at rest [N]: its pretension, and never more than its strength."""
         return min(self.pull, self.most)
@@ -538,6 +579,8 @@ class Tie:
     @property
     def elongation(self) -> float | None:
         """The elongation from rest at which it breaks, or its anchorage fails [m]; None if that is not known."""
+        if self.is_spring:
+            return self.elastic_elongation
         if self.length is None or self.fracture_strain is None:
             return None
         if self.stiffness is None:

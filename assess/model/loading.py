@@ -230,7 +230,8 @@ def _tie_in_plane(name: str, load: TieLoad, at: Point, direction: Sequence[float
     """Return a tie in the plane of motion; raise GeometryError if its anchor is then where it holds the block."""
     way = None if load.direction is None else unit_in_plane(load.direction, direction)
     anchor = None if load.anchor is None else point_in_plane(load.anchor, direction)
-    length, stiffness, pull = load.length, None, load.force or 0.0
+    length, stiffness, pull = load.length, load.stiffness, load.force or 0.0
+    bar = None if load.area is None else load.area * (load.yield_stress or 0.0)
     if load.area is not None and length is not None:
         EA = (load.young_modulus or 0.0) * load.area
         length = length / (1.0 + pull / EA) + load.slack  # free of stress, as it stretches from there
@@ -251,7 +252,7 @@ def _tie_in_plane(name: str, load: TieLoad, at: Point, direction: Sequence[float
         fracture_strain=load.fracture_strain,
         evidence=load.evidence,
         stiffness=stiffness,
-        yield_force=None if load.area is None else load.area * (load.yield_stress or 0.0),
+        yield_force=load.strength if load.stiffness is not None else bar,
         slack=load.slack,
     )
 

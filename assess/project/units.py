@@ -72,6 +72,7 @@ KINDS: dict[str, QuantityKind] = {
     "force": QuantityKind(RANGES["force"], "force", "newton", "N", "10 kN"),
     "stress": QuantityKind(RANGES["stress"], "stress", "pascal", "Pa", "1.0 MPa"),
     "stiffness": QuantityKind(RANGES["stiffness"], "stiffness per area", "pascal/meter", "Pa/m", "10 GPa/m"),
+    "spring stiffness": QuantityKind(RANGES["spring stiffness"], "stiffness", "newton/meter", "N/m", "5 MN/m"),
     "density": QuantityKind(
         RANGES["density"],
         "density",
@@ -251,6 +252,13 @@ USUAL: Mapping[str, Mapping[str, Fraction]] = {
         "N/mm^2": Fraction(10**6),
         "psi": POUND_FORCE / INCH**2,
         "ksi": 1000 * POUND_FORCE / INCH**2,
+    },
+    "stiffness": {
+        "N/m": Fraction(1),
+        "kN/m": Fraction(1000),
+        "MN/m": Fraction(10**6),
+        "N/mm": Fraction(1000),
+        "lbf/in": POUND_FORCE / INCH,
     },
     "stiffness per area": {
         "GPa/m": Fraction(10**9),

@@ -48,6 +48,7 @@ FAILS: Mapping[LinkName, Term] = {
     "far end": Term("the far end gives way"),
 }
 YIELDS = Term("the bar yields")
+LETS_GO = Term("it lets go")
 
 
 def tie_result(tie: Tie) -> StretchingTie | None:
@@ -61,7 +62,7 @@ def tie_result(tie: Tie) -> StretchingTie | None:
         yield_n=tie.yield_force or 0.0,
         anchorage_n=tie.strength,
         ductile=tie.ductile if known else None,
-        fails=(YIELDS if tie.ductile else _link(tie)) if known else None,
+        fails=(LETS_GO if tie.is_spring else YIELDS if tie.ductile else _link(tie)) if known else None,
         gone_m=tie.elongation if known else None,
         steps=() if tie.anchorage is None else tuple(_steps(tie, tie.anchorage)),
     )
@@ -70,7 +71,13 @@ def tie_result(tie: Tie) -> StretchingTie | None:
 def tie_messages(mechanism: Mechanism) -> Iterator[Message]:
     """Yield a warning for each tie that stretches whose anchorage fails before its bar yields."""
     for tie in mechanism.positive.loads:
-        if isinstance(tie, Tie) and tie.stretches and tie.strength is not None and not tie.ductile:
+        if (
+            isinstance(tie, Tie)
+            and tie.stretches
+            and not tie.is_spring
+            and tie.strength is not None
+            and not tie.ductile
+        ):
             values: dict[str, Value] = {
                 "load": tie.name,
                 "link": _link(tie),

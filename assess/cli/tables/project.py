@@ -31,6 +31,7 @@ from assess.results import (
     StretchingTie,
 )
 from assess.study.study import Sweep, UnvariedNumber, Variable
+from assess.study.tie_results import LETS_GO
 from reports.render.table_text import csv_lines
 
 MOST_CANDIDATES = 8  # candidates on a line
@@ -139,6 +140,8 @@ def tie_text(tie: StretchingTie | None) -> str:
         return ""
     stiffness = in_units(f"{tie.stiffness_n_m / 1e6:.4g} MN/m", tie.stiffness_n_m, "spring stiffness")
     slack = f" after a slack of {_length(tie.slack_m)}" if tie.slack_m else ""
+    if tie.fails == LETS_GO:
+        return f"; stretches by {stiffness}{slack}; lets go at {_force(tie.yield_n)}, {_length(tie.gone_m or 0.0)}"
     begins = f"; stretches by {stiffness}{slack}, yields at {_force(tie.yield_n)}"
     if tie.anchorage_n is None:
         return f"{begins}; anchorage not answered"

@@ -183,3 +183,36 @@ def test_a_wall_that_its_tie_alone_would_hold_has_no_more_capacity_of_displaceme
     held = facade(evidence="tests", fracture_strain=0.3).mechanism.variants.deciding
     assert held.memory is not None
     assert held.positive.overturning == pytest.approx(np.arctan2(THICKNESS, HEIGHT), rel=1e-9)
+
+
+def test_a_floor_that_holds_elastically_is_a_bar_of_its_stiffness_that_breaks_at_its_strength() -> None:
+    """Of E A / L = 5 MN/m and an anchorage of 20 kN, which fails before the bar yields."""
+    wall = assess.box(thickness=THICKNESS, length=4.0, height=HEIGHT, density=2000.0)
+    place = {"at": [0, 0, 5.5], "anchor": [-10, 0, 5.5], "slack": 0.002, "strength": 20e3, "evidence": "tests"}
+    area, length = 5e6 * 10.0 / YOUNG, 10.0
+    bar = {**BAR, "area": area, "length": length - 0.002}  # free of stress 10 m
+    floor, like = (
+        assess.single_block(wall, direction=[1, 0, 0], sides="one", loads=[assess.TieLoad(**place, **each)])
+        for each in ({"stiffness": 5e6}, bar)
+    )
+    one, other = (each.mechanism.variants.breaking for each in (floor, like))
+    np.testing.assert_allclose(one.positive.restoring, other.positive.restoring, rtol=1e-12)
+    assert one.memory.ties[0].gone == pytest.approx(other.memory.ties[0].gone, rel=1e-12)
+    (load,) = floor.mechanism.positive.loads
+    assert load.elongation == pytest.approx(0.002 + 20e3 / 5e6)
+
+
+@pytest.mark.parametrize(
+    ("changes", "words"),
+    [
+        ({"area": 1e-3}, "stands for a restraint of no bar"),
+        ({"strength": None}, "strength: missing"),
+        ({"stiffness": 5.0}, "1 kN/m to 1 GN/m"),
+        ({"force": 30e3}, "above its strength, 20 kN"),
+    ],
+)
+def test_what_does_not_go_with_a_stiffness(changes: dict[str, Any], words: str) -> None:
+    given = {"at": [0, 0, 5.5], "anchor": [-10, 0, 5.5], "stiffness": 5e6, "strength": 20e3, **changes}
+    wall = assess.box(thickness=THICKNESS, length=4.0, height=HEIGHT, density=2000.0)
+    with pytest.raises(AssessError, match=words):
+        assess.single_block(wall, direction=[1, 0, 0], loads=[assess.TieLoad(**given)])

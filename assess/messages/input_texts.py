@@ -156,8 +156,8 @@ GEOMETRY_TEXTS: Mapping[str, str] = {
     'source: a line for the tie in [report.sources], as "mechanisms.NAME.loads[1]")',
     "tie-brittle": 'tie "{load}": {link} at {strength}, where the bar yields at {yielding}: with less than {spare} '
     "times that it is not taken to yield, and the tie is gone when its ends have moved apart by {elongation}; "
-    "strengthen the anchorage, or take a weaker bar. Where a tie that is lost takes more than half of the capacity along, "
-    "displacements of the codes end there, and the wall without it may reach a higher index",
+    "strengthen the anchorage, or take a weaker bar. Where a tie that is lost takes more than half of the capacity "
+    "along, displacements of the codes end there, and the wall without it may reach a higher index",
     "pretension-above-strength": 'load "{load}" is given a pretension of {force}, above its strength; it counts with '
     "{strength}; check force and strength",
     "seat-wide": 'the seat of load "{load}" is {seat} wide, more than any wall offers; is its unit right?',

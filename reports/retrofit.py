@@ -85,9 +85,14 @@ def _first_page(results: RetrofitResults) -> Iterator[Prose | Facts | BulletList
     yield Facts(tuple(_facts(results)))
     if results.warnings:
         yield BulletList(results.warnings)
-    caption = say("What the layouts reach over what they take, with those than which none takes less for as much.")
+    caption = say(
+        "What each layout reaches, over what it takes; the line joins those for which none that takes less reaches as "
+        "much."
+    )
     yield Figure("front", caption, partial(draw_front, results))
-    yield _table("front", say("Layouts than which none takes less for as much"), results, results.front)
+    yield _table(
+        "front", say("Layouts for which none that takes less reaches as much (Pareto front)"), results, results.front
+    )
 
 
 def _facts(results: RetrofitResults) -> Iterator[tuple[Text, Text]]:

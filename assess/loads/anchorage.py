@@ -100,7 +100,8 @@ class Plate:
     """thickness of the leaf that the plate grips, no more than is drawn; that of the drawn body if absent"""
     between: Annotated[PositiveForce | None, AS_SURVEYED] = None
     """pull of the tie that the wall between it and the next one, or its end, can bring to it, by a calculation of its
-    own; needed where that is farther than 3 m between ties, or 1.5 m to an end, and no arch spans it"""
+    own; needed where that is farther than 3 m between ties, or 1.5 m to an end, and no arch spans it: none does beside
+    the outermost tie of a row"""
     far_strength: Annotated[PositiveForce | None, AS_SURVEYED] = None
     """of what holds the other end: plate, masonry and wall there; or hole, embedment and bond_strength"""
     hole: Annotated[PositiveLength | None, AS_SURVEYED] = None
@@ -161,10 +162,11 @@ class PlateSite:
     leaf : thickness of the leaf behind it [m]; None without geometry
     bearing_area : of the plate, as far as there is masonry behind it [m2]
     surface : of the cone that it punches, of itself and of its group, seen along the depth [m2]; None without geometry
-    group : how many plates punch with it, itself among them
+    group : how many plates punch with it, itself among them: of those whose cones meet, as many as leave it least
     weight_stress : weight of the masonry above its cone over the wall's area [Pa]
     bay : farthest distance to the next tie of its row, or twice that to the end of the wall [m]; None if not known
-    at_end : whether that is to an end
+    at_end : whether that is to an end, or beside the outermost tie, beyond which nothing takes the thrust of an arch
+    meeting : plates whose cones meet its own, or that of another of them, itself among them
     """
 
     leaf: float | None
@@ -174,6 +176,7 @@ class PlateSite:
     weight_stress: float
     bay: float | None
     at_end: bool
+    meeting: int = 1
 
 
 @dataclass(frozen=True)

@@ -58,6 +58,9 @@ BarStrain = Annotated[float, Number("ratio", above=0, most=0.4)]
 LONGER = 1.25
 """Length over which a tie stretches, over the distance of its ends, beyond which the two contradict each other."""
 
+ON_PLANE = 1e-9
+"""Part of a vector across the plane of motion that is rounding."""
+
 DUCTILE = 1.25
 """Anchorage over yield force of the bar, from which on the bar is taken to yield first."""
 
@@ -184,7 +187,8 @@ class TieLoad:
     direction: Annotated[StatedDirection | None, ITS_WAY] = None
     """the way it pulls: [x, y, z], or [along the direction, up]; or give anchor"""
     anchor: Annotated[StatedPlace | None, ITS_WAY] = None
-    """the fixed end: [x, y, z], or [distance along the direction, elevation]"""
+    """the fixed end: [x, y, z], or [distance along the direction, elevation]; a tie askew to the motion in plan holds
+    with what of its pull lies in the plane of motion"""
     both: Annotated[bool, Evidence("measured", NO_THEN_YES, "false: slack where it shortens", safe=Safe.FIRST)] = False
     """true: taut on both branches"""
     until: Annotated[StatedUntil | None, ITS_END] = None
@@ -520,6 +524,7 @@ class Tie:
 
     It is slack on the branch where it shortens, unless `both`. One with a stiffness k [N/m] and the force [N] at which
     its bar yields pulls with pull + k (e - slack), e its elongation from rest, between zero and that force.
+    aside : how far its anchor lies out of the plane of motion through its point [m], across which nothing moves
     slack : by which its ends move apart before it pulls [m]; it then has no pretension
     strength : least of bar, plate, masonry and far wall [N], above which it never pulls; of one that stretches, of all
         but the bar
@@ -545,6 +550,7 @@ class Tie:
     yield_force: float | None = None
     slack: float = 0.0
     anchorage: Anchorage | None = None
+    aside: float = 0.0
 
     @property
     def source(self) -> str:
@@ -620,8 +626,19 @@ def pull_at_rest(tie: Tie) -> Point:
         along, up = tie.direction or (0.0, 0.0)
         return (tie.tension * along + 0.0, tie.tension * up + 0.0)
     to_x, to_z = tie.anchor[0] - tie.at[0], tie.anchor[1] - tie.at[1]
-    length = hypot(to_x, to_z)
+    length = hypot(to_x, to_z, tie.aside)
     return (tie.tension * to_x / length + 0.0, tie.tension * to_z / length + 0.0)
+
+
+def length_to_anchor(tie: Tie, to_x: FloatArray, to_z: FloatArray) -> FloatArray:
+    """Return the distance of the ends of a tie in space [n] [m], by what of it lies in the plane of motion.
+
+    Parameters
+    ----------
+    tie : with an anchor
+    to_x, to_z : from its point to its anchor, in the plane of motion [n] [m]
+    """
+    return np.asarray(np.hypot(np.hypot(to_x, to_z), tie.aside))
 
 
 def lasts(action: ForceOrTie) -> bool:
@@ -672,6 +689,21 @@ def point_in_plane(at: Sequence[float], direction: Sequence[float]) -> Point:
         return (at[0], at[1])
     along = np.asarray(direction) / np.linalg.norm(direction)
     return (float(np.asarray(at) @ along), at[2])
+
+
+def out_of_plane(vector: Sequence[float], direction: Sequence[float]) -> float:
+    """Return the part of a vector across the plane of motion; 0 of one that is given in it.
+
+    Parameters
+    ----------
+    vector : [x, y, z], or (along the direction, up)
+    direction : of the motion, horizontal [3]
+    """
+    if len(vector) == 2:
+        return 0.0
+    along = np.asarray(direction) / np.linalg.norm(direction)
+    across = float(along[0] * vector[1] - along[1] * vector[0])
+    return across if abs(across) > ON_PLANE * float(np.linalg.norm(vector)) else 0.0
 
 
 def unit_in_plane(vector: Sequence[float], direction: Sequence[float]) -> Point:

@@ -16,7 +16,7 @@ from math import hypot, inf
 import numpy as np
 
 from assess.errors import MechanismError
-from assess.loads.load import Force, ForceOrTie, PointMass, Tie, lasts
+from assess.loads.load import Force, ForceOrTie, PointMass, Tie, lasts, length_to_anchor
 from assess.mechanisms.chain import (
     FLAT,
     Chain,
@@ -386,7 +386,7 @@ def _signed_elongation(tie: Tie, sign: float, path: PointPath) -> FloatArray:
 def _elongation(tie: Tie, path: PointPath) -> FloatArray:
     """Return the elongation of a tie from rest [n] [m]: of its distance to the anchor, or against its direction."""
     if tie.anchor is not None:
-        far = np.hypot(tie.anchor[0] - path.x, tie.anchor[1] - path.z)
+        far = length_to_anchor(tie, tie.anchor[0] - path.x, tie.anchor[1] - path.z)
         return np.asarray(far - far[0])
     along, up = tie.direction or (0.0, 0.0)
     return np.asarray(along * (path.x[0] - path.x) + up * (path.z[0] - path.z))

@@ -44,7 +44,17 @@ import numpy as np
 from assess.errors import FallingError, MechanismError
 from assess.interfaces.contact import JointLaw, JointModel
 from assess.interfaces.section import ContactSection
-from assess.loads.load import Force, ForceOrTie, Load, Point, PointMass, Tie, mirror_load, pull_at_rest
+from assess.loads.load import (
+    Force,
+    ForceOrTie,
+    Load,
+    Point,
+    PointMass,
+    Tie,
+    length_to_anchor,
+    mirror_load,
+    pull_at_rest,
+)
 from assess.messages.message import Value, lengths
 from assess.short_repr import ShortRepr
 from spectra.arrays import ComplexArray, FloatArray
@@ -432,9 +442,9 @@ def generalised_moment(load: Force | Tie, moved: PointPath) -> FloatArray:
         work = load.tension * (along * moved.dx + up * moved.dz)
     else:
         to_x, to_z = load.anchor[0] - moved.x, load.anchor[1] - moved.z
-        far = np.hypot(to_x, to_z)
+        far = length_to_anchor(load, to_x, to_z)
         if load.stretches:
-            at_rest = hypot(load.anchor[0] - load.at[0], load.anchor[1] - load.at[1])
+            at_rest = hypot(load.anchor[0] - load.at[0], load.anchor[1] - load.at[1], load.aside)
             return load.pull_at(far - at_rest) * (to_x * moved.dx + to_z * moved.dz) / far
         work = load.tension * (to_x * moved.dx + to_z * moved.dz) / far
     slack = not load.both and work[0] > 0.0  # the point moves along the pull of the tie: the tie shortens

@@ -25,7 +25,7 @@ import numpy as np
 
 from assess.errors import MechanismError
 from assess.interfaces.contact import Contact, contact, semi_flexible_shift
-from assess.loads.load import Force, Load, PointMass, Tie, pull_at_rest, upward
+from assess.loads.load import Force, Load, PointMass, Tie, length_to_anchor, pull_at_rest, upward
 from assess.mechanisms.chain import (
     FACING_BLOCKS,
     Chain,
@@ -475,7 +475,7 @@ def load_force(jointed: JointedChain, load: Load, here: ComplexArray) -> Complex
     if load.anchor is None:
         return np.full_like(here, complex(*pull_at_rest(load)))
     towards = complex(*load.anchor) - here
-    return load.tension * towards / np.abs(towards)
+    return load.tension * towards / length_to_anchor(load, towards.real, towards.imag)
 
 
 def _fixed_shift(joint: Joint, force: float, *, where: str) -> float:

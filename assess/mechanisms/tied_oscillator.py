@@ -15,7 +15,7 @@ from math import radians, sin
 import numpy as np
 
 from assess.errors import MechanismError
-from assess.loads.load import Tie
+from assess.loads.load import Tie, length_to_anchor
 from assess.mechanisms.branch_table import Stages, staged_branch
 from assess.mechanisms.chain import Chain, ChainPair, move, trace_point
 from assess.mechanisms.flexible_oscillator import flexible_oscillator
@@ -74,7 +74,7 @@ def stretch(name: str, chain: Chain, other: Chain | None, rotation: FloatArray) 
             continue
         path = trace_point(move(of, np.r_[0.0, sign * rotation[here]]), block=tie.block, at=tie.at)
         to_x, to_z = tie.anchor[0] - path.x, tie.anchor[1] - path.z
-        far = np.hypot(to_x, to_z)
+        far = length_to_anchor(tie, to_x, to_z)
         e[here] = (far - far[0])[1:]
         rate[here] = -sign * ((to_x * path.dx + to_z * path.dz) / far)[1:]
     return e, rate
@@ -207,7 +207,8 @@ def _pulling(stages: Stages, ties: dict[str, Tie]) -> Stages:
     """Return stages in which ties that stretch pull by their pretension, on both sides and for good."""
     here = stretching_ties(stages)
     pulling = [
-        Tie(tie.name, tie.tension, tie.at, anchor=tie.anchor, both=True, block=tie.block) for tie in here.values()
+        Tie(tie.name, tie.tension, tie.at, anchor=tie.anchor, both=True, block=tie.block, aside=tie.aside)
+        for tie in here.values()
     ]
     return tuple(
         replace(stage, absent=(), chain=replace(one.chain, loads=(*one.chain.loads, *pulling)))

@@ -344,7 +344,7 @@ RECORD_TEXTS: Mapping[str, str] = {
     "retrofit-pretension": "its pretension of {force} is above half of what yields the bar, {most}",
     "retrofit-spacing": "its anchors are {spacing} apart, more than {most}",
     "retrofit-tie-lacks": "this tie does not count up to collapse without {keys}, so works on it may show no effect",
-    "retrofit-anchors": "cones of neighbouring anchors, the pressing of the far wall and the plates are not searched: "
+    "retrofit-anchors": "the search does not check plates, cones of neighbouring anchors or bearing on the far wall: "
     "check them for the layout that is built",
     "retrofit-spacing-allowed": "anchors up to {spacing} apart were allowed: check the wall between them",
     "retrofit-direction": "with the works another direction is the weakest: state it and search again",

@@ -37,6 +37,7 @@ from assess.loads.load import (
     PointMass,
     Tie,
     TieLoad,
+    out_of_plane,
     point_in_plane,
     unit_in_plane,
 )
@@ -230,6 +231,9 @@ def _tie_in_plane(name: str, load: TieLoad, at: Point, direction: Sequence[float
     """Return a tie in the plane of motion; raise GeometryError if its anchor is then where it holds the block."""
     way = None if load.direction is None else unit_in_plane(load.direction, direction)
     anchor = None if load.anchor is None else point_in_plane(load.anchor, direction)
+    aside = 0.0
+    if load.anchor is not None and len(load.anchor) == len(load.at):
+        aside = out_of_plane(np.subtract(load.anchor, load.at).tolist(), direction)
     length, stiffness, pull = load.length, load.stiffness, load.force or 0.0
     bar = None if load.area is None else load.area * (load.yield_stress or 0.0)
     if load.area is not None and length is not None:
@@ -254,6 +258,7 @@ def _tie_in_plane(name: str, load: TieLoad, at: Point, direction: Sequence[float
         stiffness=stiffness,
         yield_force=load.strength if load.stiffness is not None else bar,
         slack=load.slack,
+        aside=aside,
     )
 
 

@@ -14,6 +14,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
+from math import hypot
 
 import numpy as np
 import shapely
@@ -67,14 +68,20 @@ def anchorages_of(loads: Sequence[LoadDefinition], pieces: Sequence[Piece], *, w
     ------
     GeometryError : no masonry behind a plate, or a leaf thicker than the body that is drawn
     """
-    plates = [(place, each) for place, each in enumerate(loads) if isinstance(each, TieLoad) and each.plate is not None]
+    plates = {place: each for place, each in enumerate(loads) if isinstance(each, TieLoad) and each.plate is not None}
     return {
-        place: _anchorage(tie, [each for _, each in plates], pieces, where=f"{where}: loads[{place + 1}].plate")
-        for place, tie in plates
+        place: _anchorage(
+            tie,
+            [each for other, each in plates.items() if other != place],
+            pieces,
+            where=f"{where}: loads[{place + 1}].plate",
+        )
+        for place, tie in plates.items()
     }
 
 
-def _anchorage(tie: TieLoad, ties: Sequence[TieLoad], pieces: Sequence[Piece], *, where: str) -> Anchorage:
+def _anchorage(tie: TieLoad, beside: Sequence[TieLoad], pieces: Sequence[Piece], *, where: str) -> Anchorage:
+    """Return the anchorage of a tie; beside: the other ties of its mechanism."""
     assert tie.plate is not None
     number, out = min(tie.block, len(pieces) - 1), _outwards(tie)
     if out is None:
@@ -83,7 +90,7 @@ def _anchorage(tie: TieLoad, ties: Sequence[TieLoad], pieces: Sequence[Piece], *
     if not wall.solids:
         site = PlateSite(None, plate_area(tie.plate), None, 1, 0.0, None, at_end=False)
     else:
-        site = _site(tie, _on_face(ties, wall), _on_face(tie.others, wall), wall, where=where)
+        site = _site(tie, _on_face(beside, wall), _on_face(tie.others, wall), wall, where=where)
     return Anchorage(tie.plate, site, tie.area or 0.0, tie.yield_stress or 0.0, tie.strength)
 
 
@@ -112,20 +119,30 @@ def _site(tie: TieLoad, row: Sequence[Figure], others: Sequence[Figure], wall: _
             f"{where}.leaf = {plate.leaf:.4g} m: the body that is drawn is {drawn:.4g} m thick there; give the "
             "thickness of the leaf that the plate grips"
         )
+    if any(_overlap(figure, each) for each in row):
+        raise GeometryError(
+            f"{where}: overlaps the plate of another tie; move one, or write both as one tie with the area of both bars"
+        )
     leaf = drawn if plate.leaf is None else plate.leaf
     figures = _group(figure, [*row, *others], leaf)
     reach = (BEYOND + 1.0) * leaf + max(max(each[0].sides) for each in figures)
     seen = _elevation(wall, [(each[1], each[2]) for each in figures], reach)
     alone = cone_surface([figure], leaf, seen)
+    together, number = min(
+        ((cone_surface(figures[:n], leaf, seen), n) for n in range(2, len(figures) + 1)),
+        key=lambda shared: shared[0] / shared[1],
+        default=(alone, 1),
+    )
     bay, at_end = _bay(figure, row, wall)
     return PlateSite(
         leaf=drawn,
         bearing_area=min(plate_area(plate), float(shapely.area(shapely.intersection(plate_shape(figure), seen)))),
-        surface=(alone, cone_surface(figures, leaf, seen) if len(figures) > 1 else alone),
-        group=len(figures),
+        surface=(alone, together),
+        group=number,
         weight_stress=_weight_stress(wall, z, z + plate.sides[1] / 2.0 + leaf),
         bay=bay,
         at_end=at_end,
+        meeting=len(figures),
     )
 
 
@@ -135,14 +152,24 @@ def _figure(tie: TieLoad, wall: _Wall) -> Figure:
 
 
 def _group(figure: Figure, others: Sequence[Figure], depth: float) -> list[Figure]:
-    """Return the plates whose cones meet that of one, or that of another of them; itself first, each place once."""
-    places = {(round(each[1], 2), round(each[2], 2)): each for each in [*others, figure]}
-    found, left = [figure], [each for each in places.values() if each is not figure]
+    """Return the plates whose cones meet that of one, or that of another of them, the nearest first.
+
+    Plates that overlap are one, which several mechanisms have.
+    """
+    left: list[Figure] = []
+    for each in others:
+        if not any(_overlap(each, one) for one in (figure, *left)):
+            left.append(each)
+    found = [figure]
     for one in found:  # grows as it goes
         meeting = [each for each in left if cones_meet(one, each, depth)]
         found += meeting
         left = [each for each in left if not any(each is met for met in meeting)]
-    return found
+    return sorted(found, key=lambda each: hypot(each[1] - figure[1], each[2] - figure[2]))
+
+
+def _overlap(one: Figure, other: Figure) -> bool:
+    return float(shapely.area(shapely.intersection(plate_shape(one), plate_shape(other)))) > SLIVER
 
 
 def _faces(wall: _Wall) -> Iterator[tuple[Solid, FloatArray, FloatArray]]:
@@ -211,14 +238,17 @@ def _weight_stress(wall: _Wall, level: float, above: float) -> float:
 def _bay(figure: Figure, others: Sequence[Figure], wall: _Wall) -> tuple[float, bool]:
     """Return the farthest distance to the next tie of a row, or twice that to an end of the wall; whether to an end.
 
-    An end that is too far comes before a bay, however wide, which an arch may span.
+    An end that is too far comes before a bay, however wide, which an arch may span. The thrust of an arch beside the
+    outermost tie would have to be taken by the end of the wall, of which that is not known: such a bay is at an end.
     """
     _, s, z = figure
     edges = np.array([section_edges(solid, [z], direction=wall.across.tolist())[0] for solid in wall.solids])
     first, last = float(edges[:, 0].min()), float(edges[:, 1].max())
     row = sorted({each[1] for each in others if abs(each[2] - z) <= LEVEL} | {s})
-    inner = [b - a for a, b in pairwise(row) if s in (a, b)]
+    bays = [(b - a, {a, b}) for a, b in pairwise(row) if s in (a, b)]
+    inner = [bay for bay, _ in bays]
     ends = [2.0 * (s - first)] * (s == row[0]) + [2.0 * (last - s)] * (s == row[-1])
+    ends += [bay for bay, between in bays if bay > CLOSE and between & {row[0], row[-1]}]
     to_end, to_next = max(ends, default=0.0), max(inner, default=0.0)
     return (to_end, True) if to_end > CLOSE or to_end >= to_next else (to_next, False)
 

@@ -23,7 +23,7 @@ from assess.codes.verdict import Verdict
 from assess.errors import AssessError, ProjectError
 from assess.loads.anchorage import CLOSE
 from assess.loads.load import Tie, TieLoad
-from assess.messages.message import Message, Quantity, message, note, warning
+from assess.messages.message import Message, Quantity, escape_text, message, note, warning
 from assess.project import sections
 from assess.project.build import BuiltProject, build_to_decide, build_with_cases
 from assess.project.key_errors import key_text, value_text
@@ -107,7 +107,7 @@ class Retrofit:
         original = self.project.path.read_bytes().decode("utf-8-sig")
         text, _ = with_changes(original, _relocated(self.tables, self.project, folder))
         values = zip(self.results.varied, self.results.best.values, strict=True)
-        lines = [f"#   {each.key} = {value:.6g} {each.unit}".rstrip() for each, value in values]
+        lines = [escape_text(f"#   {each.key} = {value:.6g} {each.unit}".rstrip()) for each, value in values]
         head = [f"# Written by `assess retrofit` from {self.project.path.name!r}, with these works:", *lines]
         schema, rest = "", text
         if text.startswith(SCHEMA):  # by which editors find it beside the project
@@ -267,7 +267,7 @@ class _Designs:
             if not each.rocks or each.variants.collapse is None:
                 raise ProjectError(f"mechanisms.{each.name}: falls at rest without what is not shown to last")
             plates = [action.anchorage for chain in each.chains for action in chain.actions if isinstance(action, Tie)]
-            if (most := max((plate.site.group for plate in plates if plate), default=0)) > MOST_IN_CONE:
+            if (most := max((plate.site.meeting for plate in plates if plate), default=0)) > MOST_IN_CONE:
                 raise ProjectError(f"mechanisms.{each.name}: {most} plates punch one cone; {MOST_IN_CONE} at most may")
         return study
 

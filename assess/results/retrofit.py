@@ -143,7 +143,7 @@ class RetrofitResults(ShortRepr):
 
     @property
     def front(self) -> tuple[Layout, ...]:
-        """The layouts than which none has less steel or cost and reaches as much, rising in it."""
+        """The Pareto front: layouts for which none of less steel or cost reaches as much, rising in it."""
         return pareto_front(self.layouts, self.target)
 
     def table(self) -> DataFrame:
@@ -166,7 +166,7 @@ class RetrofitResults(ShortRepr):
 
 
 def pareto_front(layouts: Sequence[Layout], target: Target) -> tuple[Layout, ...]:
-    """Return the layouts than which none has less of the objective and reaches as much, rising in the objective.
+    """Return the layouts for which none of a lesser objective reaches as much, rising in the objective.
 
     Parameters
     ----------

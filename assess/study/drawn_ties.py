@@ -2,7 +2,7 @@
 
 A tie is of the building: loads of several mechanisms that have the same ends, or lie along the same drawn bar, are one.
 What becomes of it is read at the rotation that the deciding method demands at the site's own action: of histories the
-largest of all records.
+largest of all records to either side, of which the worse for the tie counts.
 """
 
 from __future__ import annotations
@@ -22,6 +22,7 @@ from assess.oscillator import BranchName
 from assess.results import (
     BodyEdges,
     HeldByTie,
+    HistoryResult,
     LoadResult,
     MechanismResult,
     Place,
@@ -30,6 +31,7 @@ from assess.results import (
     TieResult,
 )
 from assess.results.before import governing_check
+from assess.results.mechanism import WORST_FIRST
 from spectra.arrays import FloatArray
 
 SAME_PLACE = 0.05  # m: ends no farther apart are one
@@ -90,33 +92,43 @@ def _stated_ties(
 ) -> Iterator[tuple[FloatArray, HeldByTie]]:
     """Yield the ends [2, 3] of each tie among the loads of a mechanism, with what becomes of it."""
     stated = resolved.get(f"mechanisms.{result.name}.loads")
-    rotation, branch = _demanded(result, pga_g=pga_g)
+    demanded = _demanded(result, mechanism, pga_g=pga_g)
     for number, load in enumerate(() if stated is None else stated.value or (), start=1):
         used = next((each for each in result.loads if each.name == f"tie {number}"), None)
         if load.get("kind") != TIE_BODY or used is None or (ends := _ends(load, result)) is None:
             continue
-        state = _state_of(mechanism, used, rotation, branch)
+        state = _state_of(mechanism, used, demanded)
         yield ends, HeldByTie(result.name, used.name, state.outcome, state.elongation, state.plastic)
 
 
-def _demanded(result: MechanismResult, *, pga_g: float) -> tuple[float | None, BranchName]:
-    """Return the rotation that the deciding method demands [rad], None where it is not known, and its branch."""
+Demanded = Mapping[BranchName, float | None]
+"""Rotations that the deciding method demands [rad], by branch; None where one is not known."""
+
+
+def _demanded(result: MechanismResult, mechanism: Mechanism, *, pga_g: float) -> Demanded:
+    """Return what the deciding method demands of a mechanism."""
     check = governing_check(result.checks, pga_g=pga_g)
     if check is None:
-        return None, "positive"
+        return {"positive": None}
     if uses_histories(check.procedure):
         own = [each for each in result.histories if isclose(each.level_pga_g, pga_g, rel_tol=1e-9)]
-        if not own or any(each.max_rotation_rad is None for each in own):
-            return None, "positive"
-        worst = max(own, key=lambda each: abs(each.max_rotation_rad or 0.0))
-        return abs(worst.max_rotation_rad or 0.0), worst.branch
-    if check.rotation_ratio is None:
-        return None, "positive"
+        branches: tuple[BranchName, ...] = ("positive",) if mechanism.negative is None else ("positive", "negative")
+        return {branch: _largest([each for each in own if each.branch == branch or each.overturned])
+                for branch in branches}  # fmt: skip
     back = check.branch == "negative"
     side = result.oscillator_negative if back else result.oscillator
     deciding = result.deciding_overturning_rad
     over = None if side is None else side.overturning_rad if deciding is None else deciding[back]
-    return None if over is None else min(check.rotation_ratio, 1.0) * over, "negative" if back else "positive"
+    known = over is not None and check.rotation_ratio is not None
+    rotation = min(check.rotation_ratio or 0.0, 1.0) * (over or 0.0) if known else None
+    return {"negative" if back else "positive": rotation}
+
+
+def _largest(histories: Sequence[HistoryResult]) -> float | None:
+    """Return the largest rotation of histories [rad]; None without any, and where one overturns."""
+    found = [each.max_rotation_rad for each in histories]
+    known = [abs(each) for each in found if each is not None]
+    return max(known) if known and len(known) == len(found) else None
 
 
 @dataclass(frozen=True)
@@ -126,10 +138,16 @@ class _State:
     plastic: float | None = None
 
 
-def _state_of(mechanism: Mechanism, used: LoadResult, rotation: float | None, branch: BranchName) -> _State:
-    """Return what becomes of a tie as the mechanism turns so far: elongation from rest, and what is left of it [m]."""
+def _state_of(mechanism: Mechanism, used: LoadResult, demanded: Demanded) -> _State:
+    """Return the worst of what becomes of a tie as the mechanism turns to either side."""
     if used.lasting == "not shown":
         return _State("not counted")
+    states = [_state_on(mechanism, used, rotation, branch) for branch, rotation in demanded.items()]
+    return min(states, key=lambda state: WORST_FIRST.index(state.outcome))
+
+
+def _state_on(mechanism: Mechanism, used: LoadResult, rotation: float | None, branch: BranchName) -> _State:
+    """Return what becomes of a tie as the mechanism turns so far: elongation from rest, and what is left of it [m]."""
     if rotation is None:
         return _State("not known")
     chain = mechanism.negative if branch == "negative" else mechanism.positive

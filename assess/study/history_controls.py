@@ -39,7 +39,7 @@ from assess.dynamics.history import (
 )
 from assess.dynamics.packing import Equation
 from assess.dynamics.ties import memory_energy, tied_trace
-from assess.loads.load import Force, PointMass, Tie
+from assess.loads.load import Force, PointMass, Tie, length_to_anchor
 from assess.mechanisms.chain import Chain, PointPath, move, trace_point
 from assess.mechanisms.mechanism import Mechanism
 from assess.messages.message import Message, Quantity, note, whole_number
@@ -500,7 +500,7 @@ def _work_of_load(load: Force | Tie, moved: PointPath) -> FloatArray:
         starting = along * moved.dx[0] + up * moved.dz[0]
     else:
         to_x, to_z = load.anchor[0] - moved.x, load.anchor[1] - moved.z
-        length = np.hypot(to_x, to_z)
+        length = length_to_anchor(load, to_x, to_z)
         work = load.tension * (length[0] - length)
         starting = to_x[0] * moved.dx[0] + to_z[0] * moved.dz[0]
     return np.zeros_like(work) if starting > 0.0 and not load.both else np.asarray(work)

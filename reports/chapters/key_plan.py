@@ -69,7 +69,7 @@ def ties_table(results: Results) -> Table:
         Column(say("As")),
         Column(say("At the demand")),
         Column(say("Elongation"), "length", 3),
-        Column(say("of it for good"), "length", 3),
+        Column(say("of which plastic"), "length", 3),
     )
     rows: list[tuple[Cell, ...]] = []
     for place, tie in enumerate(results.ties, start=1):

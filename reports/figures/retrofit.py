@@ -34,9 +34,7 @@ def draw_front(results: RetrofitResults, locale: Locale) -> Figure:
         axes = figure.subplots()
         axes.plot(*points(known), "o", color=MUTED, markersize=2.5, label=locale.text(say("examined")))
         front = [each for each in results.front if each in known]
-        axes.plot(
-            *points(front), "-o", color=INK, markersize=3.5, label=locale.text(say("none takes less for as much"))
-        )
+        axes.plot(*points(front), "-o", color=INK, markersize=3.5, label=locale.text(say("Pareto front")))
         if results.best is not None:
             axes.plot(*points([results.best]), "*", color=PASS, markersize=10, label=locale.text(say("least, proved")))
         axes.axhline(results.target.reach, color=FAIL, linestyle="--", label=locale.text(say("target")))

@@ -21,7 +21,7 @@ MEASURES = {
 
 
 def retrofit_text(results: RetrofitResults) -> str:
-    """Write what was asked and found, and the layouts than which none takes less for as much."""
+    """Write what was asked and found, and the Pareto front."""
     target, shown = results.target, results.best or results.nearest
     where = f", {results.limit_state}" * bool(results.limit_state)
     lines = [
@@ -47,7 +47,9 @@ def retrofit_text(results: RetrofitResults) -> str:
         lines.append(f"  verdict of the project with these works: {results.verdict}")
     text = "".join(f"{line}\n" for line in lines)
     if results.front:
-        text += "none takes less for as much:\n" + text_table(*_rows(results, results.front[:MOST_SHOWN]))
+        text += "layouts for which none that takes less reaches as much (Pareto front):\n" + text_table(
+            *_rows(results, results.front[:MOST_SHOWN])
+        )
     return text + messages_text(results.warnings)
 
 

@@ -77,6 +77,30 @@ def test_it_stretches_only_where_its_anchorage_has_a_quarter_to_spare(strength: 
     assert tie(strength=strength * MOST).elongation == pytest.approx(gone, rel=1e-12)
 
 
+@pytest.mark.parametrize("degrees", [30.0, 60.0])
+def test_a_tie_askew_to_the_motion_holds_with_what_lies_in_its_plane(degrees: float) -> None:
+    """Of 10 kN at 60 degrees in plan 5 kN hold; per metre of the wall it lengthens by cos 60 and pulls by cos2 60 k."""
+    c, s = np.cos(np.radians(degrees)), np.sin(np.radians(degrees))
+    wall = assess.box(thickness=THICKNESS, length=5.0, height=HEIGHT, density=2000.0)
+    moments = []
+    for bar in (BAR, None):
+        given = {**BAR, "strength": 2 * MOST} if bar else {}
+        load = assess.TieLoad(force=10e3, at=(-0.3, 0, 5.5), anchor=(-0.3 - 10 * c, 10 * s, 5.5), **given)
+        block = assess.single_block(wall, direction=[1, 0, 0], sides="one", loads=[load])
+        held = rigid_branch(block.mechanism.positive, restitution=1.0, name="wall")
+        free = rigid_branch(replace(block.mechanism.positive, loads=()), restitution=1.0, name="wall")
+        phi = 1e-4
+        assert held.restoring[0] - free.restoring[0] == pytest.approx(10e3 * c * 5.5, rel=1e-9)
+        moments.append(float(held.restoring_spline(phi)) - float(free.restoring_spline(phi)))
+    stretched = moments[0] - moments[1]
+    k = YOUNG * AREA / LENGTH * (1 + 10e3 / (YOUNG * AREA))
+    x, z = -0.6, 5.5
+    u = x * np.cos(phi) + z * np.sin(phi) - x
+    e = np.sqrt((10 * c + u) ** 2 + (10 * s) ** 2 + (z * np.cos(phi) - x * np.sin(phi) - z) ** 2) - 10
+    assert e == pytest.approx(c * u, rel=1e-3)
+    assert stretched == pytest.approx(k * c**2 * u * z, rel=2e-3)
+
+
 def test_an_anchorage_weaker_than_the_bar_ends_it() -> None:
     weak = tie(strength=0.5 * MOST)
     assert weak.elongation == pytest.approx((0.5 * MOST - 10e3) / STIFFNESS)

@@ -78,13 +78,37 @@ def test_plates_whose_cones_meet_share_their_outline() -> None:
     assert (far.site.group, far.strength) == (1, pytest.approx(16e3, rel=1e-6))
 
 
+def test_a_third_plate_whose_cone_barely_meets_takes_nothing_off_two_close_ones() -> None:
+    """0.3 m apart two are one of 0.6 x 0.3 m: 2 (0.9 + 1.2) 0.6 = 2.52 m2, 1.26 each; the third is 1.4 m away."""
+    first, second, third = facade(tie(0, 5), tie(0.3, 5), tie(1.7, 5))
+    for found in (first, second):
+        assert (found.site.group, found.site.meeting) == (2, 3)
+        assert found.strength == pytest.approx(1.26 * 0.02e6 / 2.7, rel=1e-3)
+    assert third.site.meeting == 3
+    assert third.strength is not None
+    assert second.strength is not None
+    assert third.strength > second.strength
+
+
+def test_plates_that_overlap_are_refused() -> None:
+    for apart in (0.0, 0.2):
+        with pytest.raises(AssessError, match=r"loads\[1\]\.plate: overlaps the plate of another tie"):
+            facade(tie(0, 5), tie(apart, 5))
+
+
+def test_a_tie_of_two_mechanisms_is_one_plate() -> None:
+    (found,) = facade(replace(tie(0, 5), others=(tie(0.02, 5), tie(0, 5))))
+    assert (found.site.meeting, found.strength) == (1, pytest.approx(16e3, rel=1e-6))
+
+
 @pytest.mark.parametrize(
     ("places", "bays"),
     [
         ((0.0,), ((12.0, True),)),
         ((-4.5, -1.5, 1.5, 4.5), ((3.0, True), (3.0, False), (3.0, False), (3.0, True))),
         ((-2.0, 2.0), ((8.0, True), (8.0, True))),
-        ((-4.5, 0.0, 4.5), ((4.5, False), (4.5, False), (4.5, False))),
+        ((-4.5, 0.0, 4.5), ((4.5, True), (4.5, True), (4.5, True))),
+        ((-5.5, -3.5, 0.0, 3.5, 5.5), ((2.0, False), (3.5, False), (3.5, False), (3.5, False), (2.0, False))),
     ],
 )
 def test_the_farthest_neighbour_or_end_is_its_bay(

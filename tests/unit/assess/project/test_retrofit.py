@@ -142,6 +142,16 @@ def test_the_project_with_the_works_reaches_the_target(tmp_path: Path) -> None:
     assert path.read_bytes() == before
 
 
+def test_a_name_of_several_lines_stays_in_the_comment_of_what_is_written(tmp_path: Path) -> None:
+    named = ("[mechanisms.facade]", '[mechanisms."fa\\ncade"]'), ("mechanisms.facade.", "mechanisms.fa\\ncade.")
+    path = facade(tmp_path, *named)
+    vary = {"mechanisms.fa\ncade.loads[1].area": "400, 500 mm^2"}
+    found = assess.retrofit(path, target="index", reach=0.05, vary=vary, spacing=9.0)
+    text = found.project_text(tmp_path / "out")
+    assert r"#   mechanisms.fa\ncade.loads[1].area = 400 mm^2" in text
+    assert tomllib.loads(text)["mechanisms"].keys() == {"fa\ncade"}
+
+
 def test_rules_of_detailing_refuse_layouts(tmp_path: Path) -> None:
     path = facade(tmp_path)
     found = assess.retrofit(path, target="index", reach=1.0, vary={AREA: "50, 100 mm^2", COUNT: "2..3"}).results

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from functools import cache
 from math import cos, hypot, sin
+from types import SimpleNamespace
 
 import pytest
 
@@ -11,6 +12,7 @@ import assess
 from assess.results import Results
 from assess.results.before import governing_check
 from assess.results.json import dumps, loads
+from assess.study.drawn_ties import _state_of
 from tests.support.facade import variant, with_ties
 
 AREA, MODULUS, YIELD, LENGTH, PRETENSION = 314e-6, 210e9, 235e6, 9.0, 10e3
@@ -96,3 +98,18 @@ def test_ties_without_a_source_are_drawn_and_do_not_count():
 
 def test_ties_are_read_back_as_they_were_written():
     assert loads(dumps(brittle())).ties == brittle().ties
+
+
+def test_of_histories_the_side_that_stretches_a_tie_counts_though_the_other_is_the_largest():
+    """A wall that leans 0.03 rad away from its anchor, with 0.02 rad towards it in another record, has stretched it."""
+    bar = {"area": AREA, "young_modulus": MODULUS, "yield_stress": YIELD, "fracture_strain": 0.1, "strength": 1e6}
+    ends = {"at": [0, 0, AT], "anchor": [-LENGTH, 0, AT], "length": LENGTH}
+    tie = assess.TieLoad(force=PRETENSION, evidence="test", **ends, **bar)
+    wall = assess.box(thickness=0.6, length=4.0, height=8.0, density=2000.0)
+    mechanism = assess.single_block(wall, direction=[1, 0, 0], loads=[tie]).mechanism
+    used = SimpleNamespace(name="tie 1", lasting="to its end", end_rad=None)
+    state = _state_of(mechanism, used, {"positive": 0.02, "negative": 0.03})
+    assert state.outcome == "yields"
+    assert state.elongation == pytest.approx(hypot(LENGTH + AT * sin(0.02), 0.6e-3) - LENGTH, rel=0.01)
+    assert _state_of(mechanism, used, {"positive": None, "negative": 0.03}).outcome == "not known"
+    assert _state_of(mechanism, used, {"negative": 0.03}).outcome == "slack"

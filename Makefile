@@ -28,7 +28,7 @@ demo: .venv/program        ## the main job on the shipped example; the last line
 	$(BIN)/assess run $(DEMO) -o $(DEMO)/results || case $$? in 1|3) ;; *) exit 1 ;; esac
 	@echo $(DEMO)/results/report.pdf
 
-test: .venv/tests .venv/cad .venv/browser      ## every test but the benchmarks, in two processes
+test: .venv/tests .venv/cad .venv/serve .venv/browser      ## every test but the benchmarks, in two processes
 	$(BIN)/python -m pytest -n 2 --dist worksteal -rs $(TESTS)
 
 test-wheel: dist .venv/browser   ## the same tests, or a SHARD of them, alone in another folder: what they import is the wheel, installed
@@ -134,6 +134,7 @@ lock:                      ## for developers, with uv: pin every dependency with
 	uv pip compile --group build --constraint requirements.lock --universal --python-version 3.11 --generate-hashes --quiet --output-file requirements-build.lock
 	uv pip compile --group docs --constraint requirements.lock --universal --python-version 3.11 --generate-hashes --quiet --output-file requirements-docs.lock
 	uv pip compile pyproject.toml --extra cad --constraint requirements.lock --universal --python-version 3.11 --generate-hashes --quiet --output-file requirements-cad.lock
+	uv pip compile pyproject.toml --extra serve --constraint requirements.lock --universal --python-version 3.11 --generate-hashes --quiet --output-file requirements-serve.lock
 
 .venv/program: requirements-run.lock requirements-build.lock pyproject.toml  # the program, what it needs and what builds it
 	@$(PYTHON) -c 'import sys; sys.exit(0 if sys.version_info >= (3, 11) else "Python 3.11 or newer is needed; say which with: make PYTHON=python3.12 …")'
@@ -153,6 +154,11 @@ lock:                      ## for developers, with uv: pin every dependency with
 .venv/cad: requirements-cad.lock .venv/tests  # readers of STEP, Rhino and IFC files, 330 MB, for their tests only
 	@$(BIN)/python -m pip install --quiet --disable-pip-version-check --require-hashes --requirement requirements-cad.lock \
 		|| echo "the readers of STEP, Rhino and IFC files do not install here; their tests will be skipped"
+	@touch $@
+
+.venv/serve: requirements-serve.lock .venv/tests  # the server of the page in the browser, 15 MB, for its tests only
+	@$(BIN)/python -m pip install --quiet --disable-pip-version-check --require-hashes --requirement requirements-serve.lock \
+		|| echo "viser does not install here; the tests of assess serve will be skipped"
 	@touch $@
 
 .venv/browser: .venv/program  # Debian's browser, 100 MB, in which tests open the HTML report

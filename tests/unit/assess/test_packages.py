@@ -67,7 +67,7 @@ def test_top_level_holds_what_the_design_lists():
     listed = {
         "pyproject.toml", "README.md", "CHANGELOG.md", "CONTRIBUTING.md", "CITATION.cff", "LICENSE", "Makefile",
         "requirements.lock", "requirements-run.lock", "requirements-build.lock", "requirements-cad.lock",
-        "requirements-docs.lock",
+        "requirements-docs.lock", "requirements-serve.lock",
         ".ci", ".github", ".gitignore", ".pre-commit-config.yaml",
         "assess", "docs", "records", "reports", "spectra", "tests", "tools",
     }  # fmt: skip

@@ -13,6 +13,7 @@ from assess.cli.project import check, mechanisms, new, parameters, schema
 from assess.cli.records import records
 from assess.cli.results import diff, report, summary
 from assess.cli.retrofit import retrofit
+from assess.cli.serve import serve
 from assess.cli.spectrum import spectrum
 from assess.cli.verify import verify
 
@@ -32,7 +33,7 @@ app = typer.Typer(
 
 COMMANDS = (
     new, mechanisms, check, run, batch, parameters, spectrum, envelope,
-    fragility, retrofit, geometry, report, diff, summary, verify, schema,
+    fragility, retrofit, geometry, serve, report, diff, summary, verify, schema,
 )  # fmt: skip
 
 for command in COMMANDS:

@@ -669,7 +669,7 @@ def _conditions(mechanism: MechanismChecks, found: Sequence[AnswerAndChecks]) ->
 
 def _margin(checks: Sequence[Check]) -> float | None:
     """Return the least PGA at capacity of the checks that decide, over the action's; None where one is not known."""
-    margins = [_margin_of(check) for check in checks]
+    margins = [margin_of(check) for check in checks]
     known = [margin for margin in margins if margin is not None]
     return min(known) if known and len(known) == len(margins) else None
 
@@ -677,14 +677,15 @@ def _margin(checks: Sequence[Check]) -> float | None:
 def _margin_most(checks: Sequence[Check]) -> float | None:
     """Return the margin of the same check up to which 16 % of its draws hold; None where that is no more."""
     margin = _margin(checks)
-    check = next((check for check in checks if margin is not None and _margin_of(check) == margin), None)
+    check = next((check for check in checks if margin is not None and margin_of(check) == margin), None)
     if check is None or check.numerical is None or not margin or not check.capacity_pga_g:
         return None
     low = check.numerical.capacity_16_pga_g
     return margin * low / check.capacity_pga_g if low is not None and low > check.capacity_pga_g else None
 
 
-def _margin_of(check: Check) -> float | None:
+def margin_of(check: Check) -> float | None:
+    """Return the PGA at capacity of a check over that of its level; None where it is not known."""
     if check.safety_index is not None:
         return check.safety_index
     return None if check.capacity_pga_g is None else check.capacity_pga_g / check.level_pga_g
@@ -793,12 +794,18 @@ def _of_method(mechanism: MechanismChecks, procedure: str, state: LimitState, ac
         and _is_of(check, state)
         and check.follows_code
         and check.verdict != Outcome.NOT_APPLICABLE
-        and _at_action(check, action)
+        and at_action(check, action)
     ]
 
 
-def _at_action(check: Check, action: Action) -> bool:
-    """Return whether a check is at the site's own action."""
+def at_action(check: Check, action: Action) -> bool:
+    """Return whether a check is at the site's own action.
+
+    Parameters
+    ----------
+    check : of a mechanism
+    action : of the site
+    """
     return isclose(check.level_pga_g, action.pga_g, rel_tol=1e-9)
 
 
@@ -914,4 +921,4 @@ def _is_behind(check: Check, answer: Answer, basis: Basis | None, action: Action
         return False
     states = {state.checked_as for state in basis.states if state.name == answer.limit_state}
     decides = check.verdict in (Outcome.PASS, Outcome.FAIL)
-    return decides and bool(states & {check.limit_state, "*"}) and _at_action(check, action)
+    return decides and bool(states & {check.limit_state, "*"}) and at_action(check, action)

@@ -53,7 +53,13 @@ def value_text(value: Any) -> str:
 
 
 def look_up(raw: Mapping[str, Any], key: KeyPath) -> tuple[bool, Any]:
-    """Whether the file holds `key`, and its value."""
+    """Whether the file holds `key`, and its value.
+
+    Parameters
+    ----------
+    raw : what the file says
+    key : of a value or a table
+    """
     value: Any = raw
     for step in key:
         try:

@@ -94,7 +94,14 @@ def with_value(node: Any, path: Sequence[str | int], value: Any, resolved: Any) 
 
 
 def with_values(raw: Mapping[str, Any], setting: Setting, resolved: Content) -> Mapping[str, Any]:
-    """Return what the file says with other values at some keys, and without those whose value is `Safe.ABSENT`."""
+    """Return what the file says with other values at some keys, and without those whose value is `Safe.ABSENT`.
+
+    Parameters
+    ----------
+    raw : what the file says
+    setting : the values by their keys
+    resolved : the project as read, from which tables that the file leaves out are filled in
+    """
     removed = [path for path, value in setting.items() if value is Safe.ABSENT]
     for path, value in setting.items():
         if value is not Safe.ABSENT and not any(path[: len(other)] == other for other in removed):
@@ -149,6 +156,10 @@ def dependents(
 ) -> tuple[str, ...]:
     """Return the mechanisms that the value at `path` changes: those that use the body or material, or all of them.
 
+    Parameters
+    ----------
+    content : of the project
+    path : of a key or a table
     touching : by mechanism, the bodies that touch it and so affect its direction and sides
     """
     bodies_touching = touching or {}
@@ -305,6 +316,11 @@ def read_content(raw: Mapping[str, Any], folder: Path) -> Content:
 
     A table with unknown or missing keys shows its wrong values when it is read again without the unknown ones. What
     must agree between bodies and mechanisms shows beside faults elsewhere when it is read without these tables.
+
+    Parameters
+    ----------
+    raw : what the file says
+    folder : of the file, to which its paths are relative
     """
     context: dict[str, Any] = {"folder": folder}
     try:

@@ -75,7 +75,14 @@ class WithChecks(Protocol):
 
 
 def decide(study: Study, mechanisms: Sequence[WithChecks], tolerance: Mapping[str, float] | None = None) -> Verdict:
-    """Decide on the checks of the mechanisms; tolerance: loss of index by the survey, by name."""
+    """Decide on the checks of the mechanisms.
+
+    Parameters
+    ----------
+    study : that they are of
+    mechanisms : with their checks
+    tolerance : loss of index by the survey, by name
+    """
     losses = tolerance or {}
     checked = [
         MechanismChecks(

@@ -1,0 +1,265 @@
+"""The drawing of the page: parts by kind, the mechanism that is picked, and the plane of its crack."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+from itertools import pairwise
+from math import atan2, cos, sin
+from typing import Any
+
+import numpy as np
+
+from assess.geometry.surface import simplify
+from assess.mechanisms.mechanism import CutAngle
+from assess.page.opened import ShownMechanism, ShownPart
+from assess.results import DrawnLoad, MechanismResult, Ring, View
+from spectra.arrays import FloatArray
+
+Colour = tuple[int, int, int]
+KINDS: dict[str, Colour] = {
+    "floor": (213, 184, 133), "roof": (190, 140, 110), "vault": (150, 165, 190), "arch": (150, 165, 190),
+    "tower": (168, 151, 122), "chimney": (168, 151, 122), "pinnacle": (168, 151, 122), "tie": (60, 60, 60),
+}  # fmt: skip
+"""Colours of what is no wall; each part has a label too."""
+WALL: Colour = (217, 205, 184)
+OUTCOMES: dict[str, Colour] = {"pass": (86, 180, 233), "fail": (213, 94, 0), "incomplete": (240, 228, 66)}
+"""Colours of the moving part, told apart without colour vision; the word stands beside it."""
+UNKNOWN: Colour = (204, 121, 167)
+FIXED: Colour = (223, 226, 229)
+HINGE: Colour = (0, 0, 0)
+LOAD: dict[str, Colour] = {"mass": (107, 76, 154), "force": (107, 76, 154), "tie": (0, 114, 178)}
+UNMARKED, MARKED = 0.35, 0.9  # opacity of parts
+PART_TRIANGLES = 4000
+MOST_LABELS = 40
+AWAY, VIEW = 1.1, (0.62, -0.66, 0.42)  # of the diagonal of what is seen, and from where
+LEVEL_KINDS = ("horizontal-arch",)  # whose plane of motion is not upright
+ARROW = 0.12  # of the mechanism's size
+
+
+class Drawing:
+    """What is drawn in the scene of a server of viser.
+
+    moved : called with a point of the plane [m], its angle in the plane of motion [rad] and whether it is let go
+    """
+
+    def __init__(self, viser: Any, *, moved: Callable[[Sequence[float], float, bool], None]) -> None:
+        self._scene, self._camera, self._moved = viser.scene, viser.initial_camera, moved
+        self._parts: list[Any] = []
+        self._labels: list[Any] = []
+        self._shown: list[Any] = []
+        self._plane: Any = None
+        self._along = np.array([1.0, 0.0, 0.0])
+        self.show_labels = True
+        self._scene.configure_default_lights(cast_shadow=False)
+
+    def draw_building(self, parts: Iterable[ShownPart]) -> None:
+        """Draw the parts of a building, with a label each."""
+        self._clear(self._parts)
+        self._clear(self._labels)
+        corners = []
+        for number, part in enumerate(parts):
+            vertices, triangles = simplify(part.solid.vertices, part.solid.triangles, limit=PART_TRIANGLES)
+            corners.append(np.array([vertices.min(axis=0), vertices.max(axis=0)]))
+            colour = KINDS.get(part.kind, WALL)
+            self._parts.append(
+                self._scene.add_mesh_simple(
+                    f"/parts/{number}",
+                    vertices,
+                    triangles,
+                    color=colour,
+                    opacity=UNMARKED,
+                    flat_shading=True,
+                    side="double",
+                    cast_shadow=False,
+                    receive_shadow=False,
+                )
+            )
+            if number < MOST_LABELS:
+                self._labels.append(
+                    self._scene.add_label(
+                        f"/labels/{number}",
+                        f"{part.kind}: {part.name}",
+                        position=tuple((vertices.min(axis=0) + vertices.max(axis=0)) / 2.0),
+                        visible=self.show_labels,
+                    )
+                )
+        self._look_at(np.concatenate(corners or [np.array([[0.0, 0.0, 0.0], [1.0, 1.0, 1.0]])]))
+
+    def _look_at(self, places: FloatArray) -> None:
+        """Let a browser that opens the page see all of these places [k, 3] from a corner."""
+        middle = (places.min(axis=0) + places.max(axis=0)) / 2.0
+        away = AWAY * float(np.linalg.norm(np.ptp(places, axis=0)))
+        self._camera.look_at = tuple(middle)
+        self._camera.position = tuple(middle + away * np.array(VIEW))
+
+    def label_parts(self, shown: bool) -> None:
+        """Show or hide the labels of the parts."""
+        self.show_labels = shown
+        for each in self._labels:
+            each.visible = shown
+
+    def mark_parts(self, places: Iterable[int]) -> None:
+        """Mark the parts at these places as those that move in a mechanism without a drawing of its own."""
+        chosen = set(places)
+        if chosen:
+            self._clear(self._shown)
+        for number, part in enumerate(self._parts):
+            part.opacity = MARKED if number in chosen else UNMARKED
+
+    def draw_mechanism(self, shown: ShownMechanism, *, outcome: str, displaced: bool) -> None:
+        """Draw a mechanism in the colour of its outcome.
+
+        Parameters
+        ----------
+        shown : the mechanism
+        outcome : in a word, "pass", "fail", "incomplete", or any other where it is not known
+        displaced : whether its outline after a rotation is drawn
+        """
+        made: list[Any] = []
+        result = shown.result
+        if result is not None and result.view is not None:
+            made += self._bodies(result.view, OUTCOMES.get(outcome, UNKNOWN))
+            made += self._lines(result, displaced=displaced)
+            top = max(result.view.vertices, key=lambda place: place[2])
+            made.append(self._scene.add_label("/mechanism/outcome", outcome.upper(), position=top))
+        names = {each.name for each in made}
+        self._clear([each for each in self._shown if each.name not in names])
+        self._shown = made
+
+    def place_plane(self, cut: CutAngle | None, result: MechanismResult | None) -> None:
+        """Put the handle of the crack where it is; None takes it away."""
+        if cut is None or result is None or result.view is None:
+            if self._plane is not None:
+                self._plane.remove()
+                self._plane = None
+            return
+        self._along = np.array(result.view.direction)
+        position, turned = np.array(cut.point), quaternion(self._along, cut.angle)
+        if self._plane is not None:
+            self._plane.position, self._plane.wxyz = position, turned
+            return
+        size = float(max(result.view.size))
+        self._plane = self._scene.add_transform_controls(
+            "/crack", scale=max(0.4, size / 4.0), active_axes=(True, False, True), position=position, wxyz=turned,
+            depth_test=False,
+        )  # fmt: skip
+        half = 0.6 * size
+        corners = np.array([[-half, -half, 0.0], [half, -half, 0.0], [half, half, 0.0], [-half, half, 0.0]])
+        faces = np.array([[0, 1, 2], [0, 2, 3]])
+        self._scene.add_mesh_simple(
+            "/crack/plane",
+            corners,
+            faces,
+            color=HINGE,
+            opacity=0.25,
+            side="double",
+            cast_shadow=False,
+            receive_shadow=False,
+        )
+
+        @self._plane.on_update  # type: ignore[untyped-decorator, unused-ignore]
+        async def _(event: Any) -> None:
+            plane = event.target
+            self._moved(plane.position.tolist(), angle_of(plane.wxyz, self._along), event.phase == "end")
+
+    def move_plane(self, point: Sequence[float], angle: float) -> None:
+        """Put the handle of the crack elsewhere."""
+        if self._plane is not None:
+            self._plane.position, self._plane.wxyz = np.array(point), quaternion(self._along, angle)
+
+    def _bodies(self, view: View, colour: Colour) -> list[Any]:
+        vertices, triangles = np.array(view.vertices), np.array(view.triangles)
+        moves = np.array(view.block_of) >= 0
+        made = []
+        for name, chosen, shade, opacity in (("moving", moves, colour, None), ("fixed", ~moves, FIXED, 0.6)):
+            if chosen.any():
+                made.append(
+                    self._scene.add_mesh_simple(
+                        f"/mechanism/{name}", vertices, triangles[chosen], color=shade, opacity=opacity,
+                        flat_shading=True, side="double", cast_shadow=False, receive_shadow=False,
+                    )
+                )  # fmt: skip
+        return made
+
+    def _lines(self, result: MechanismResult, *, displaced: bool) -> list[Any]:
+        view, made = result.view, []
+        assert view is not None
+        size = float(max(view.size))
+        made.append(self._segments("hinges", [each.ends for each in view.axes], HINGE, size / 100.0))
+        rings = [pair for ring in view.sections for pair in pairwise(ring)]
+        made += [self._segments("sections", rings, HINGE, size / 300.0)] if rings else []
+        if result.kind in LEVEL_KINDS:
+            return made
+        middle = _middle_across(view)
+        for kind, colour in LOAD.items():
+            loads = [each for each in result.drawing.loads if each.kind == kind]
+            strokes = [stroke for load in loads for stroke in _arrow(load, view, middle, size)]
+            made += [self._segments(f"loads-{kind}", strokes, colour, size / 120.0)] if strokes else []
+        turned = [pair for ring in result.drawing.displaced.blocks for pair in _closed(ring, view, middle)]
+        made += [self._segments("displaced", turned, UNKNOWN, size / 150.0)] if displaced and turned else []
+        for number, each in enumerate(result.drawing.hinges):
+            place = _in_space(each.at, view, middle)
+            made.append(self._scene.add_label(f"/mechanism/hinge-{number}", each.name, position=place))
+        return made
+
+    def _segments(self, name: str, pairs: Sequence[Any], colour: Colour, thickness: float) -> Any:
+        return self._scene.add_line_segments(
+            f"/mechanism/{name}", np.array(pairs, dtype=np.float64), np.array(colour), thickness=thickness
+        )
+
+    @staticmethod
+    def _clear(handles: list[Any]) -> None:
+        for each in handles:
+            each.remove()
+        handles.clear()
+
+
+def quaternion(along: FloatArray, angle: float) -> tuple[float, float, float, float]:
+    """Return the rotation (w, x, y, z) that turns x to a direction, and then tilts its plane by an angle [rad].
+
+    A positive angle lets the plane fall towards the direction.
+    """
+    yaw = atan2(along[1], along[0])
+    a, b, c, d = cos(yaw / 2.0), sin(yaw / 2.0), cos(angle / 2.0), sin(angle / 2.0)
+    return (a * c, -b * d, a * d, b * c)  # about z by the yaw, times about y by the angle
+
+
+def angle_of(wxyz: FloatArray, along: FloatArray) -> float:
+    """Return by how much the plane of a rotation falls towards a direction, in the vertical plane through it [rad]."""
+    w, x, y, z = (float(each) for each in wxyz)
+    normal = np.array([2.0 * (x * z + w * y), 2.0 * (y * z - w * x), 1.0 - 2.0 * (x * x + y * y)])
+    normal = -normal if normal[2] < 0.0 else normal
+    return atan2(float(normal @ along), normal[2])
+
+
+def _middle_across(view: View) -> float:
+    """Return where the middle of the moving bodies lies across the direction [m]."""
+    moving = np.array(view.triangles)[np.array(view.block_of) >= 0]
+    reach = np.array(view.vertices)[np.unique(moving)] @ [-view.direction[1], view.direction[0], 0.0]
+    return float(reach.min() + reach.max()) / 2.0
+
+
+def _in_space(point: Sequence[float], view: View, middle: float) -> tuple[float, float, float]:
+    """Return a place of the plane of motion in space [m]."""
+    x, y, _ = view.direction
+    return (point[0] * x - middle * y, point[0] * y + middle * x, point[1])
+
+
+def _closed(ring: Ring, view: View, middle: float) -> list[Any]:
+    places = [_in_space(point, view, middle) for point in ring]
+    return list(zip(places, [*places[1:], places[0]], strict=True))
+
+
+def _arrow(load: DrawnLoad, view: View, middle: float, size: float) -> list[Any]:
+    """Return the strokes of an arrow that ends where a load acts, or of a tie that pulls from there."""
+    towards = (0.0, -1.0) if load.towards is None else load.towards
+    sign = 1.0 if load.kind == "tie" else -1.0
+    far = (load.at[0] + sign * ARROW * size * towards[0], load.at[1] + sign * ARROW * size * towards[1])
+    strokes = [(load.at, far)]
+    for side in (-1.0, 1.0):
+        back = (
+            load.at[0] - 0.03 * size * (towards[0] + side * towards[1]),
+            load.at[1] - 0.03 * size * (towards[1] - side * towards[0]),
+        )
+        strokes += [] if load.kind == "tie" else [(load.at, back)]
+    return [tuple(_in_space(end, view, middle) for end in stroke) for stroke in strokes]

@@ -1,0 +1,197 @@
+"""What the page says is what a run says, and what it writes is what a run reads."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+import assess
+from assess.codes.procedures import uses_histories
+from assess.errors import ProjectError
+from assess.examples import copy_example
+from assess.page.opened import OpenedProject, ShownMechanism, deciding_checks
+from assess.results import MechanismResult
+from tests.support.projects import NTC, block, project_toml, wall
+
+
+def opened_project(folder: Path, *more: str, **tables) -> OpenedProject:
+    path = folder / "project.toml"
+    path.write_text(project_toml(*more, **tables), encoding="utf-8")
+    return OpenedProject(path)
+
+
+@pytest.fixture
+def opened(tmp_path) -> OpenedProject:
+    """A wall that is cut at 1 m, on an Italian site."""
+    return opened_project(
+        tmp_path,
+        site={"spectrum": NTC, "limit_state": "SLV"},
+        mechanisms={"wall": block(cut="1 m", direction=[1, 0, 0], sides="two")},
+    )
+
+
+def test_everything_shown_is_that_of_a_run(tmp_path):
+    """To the bit, for a building with ties, floors and a gable."""
+    path = copy_example("house", tmp_path / "house")
+    opened = OpenedProject(path)
+    opened.find_outcome()
+    run = assess.run(path)
+    assert run.verdict is not None
+    assert opened.verdict is not None
+    assert opened.verdict.outcome == run.verdict.outcome
+    for result, decided in zip(run.results.mechanisms, run.verdict.mechanisms, strict=True):
+        shown = opened.examine(result.name)
+        assert shown.verdict is not None
+        assert (shown.verdict.outcome, shown.verdict.margin) == (decided.outcome, decided.margin)
+        found, told = (
+            [(each.procedure, each.ratio, each.index and each.index.value) for each in one.answers]
+            for one in (shown.verdict, decided)
+        )
+        assert found == told
+        assert_same(shown, result)
+
+
+def assert_same(shown: ShownMechanism, result: MechanismResult) -> None:
+    """Parameters, curve and checks by spectra are the same to the bit."""
+    assert shown.result is not None
+    assert (shown.result.oscillator, shown.result.curve) == (result.oscillator, result.curve)
+    told = [each for each in result.checks if not uses_histories(each.procedure)]
+    assert [each.ratio for each in shown.checks] == [each.ratio for each in told]
+    assert [each.capacity_pga_g for each in shown.checks] == [each.capacity_pga_g for each in told]
+
+
+@pytest.mark.parametrize("angle", [0.0, 0.35])
+def test_a_crack_that_is_tried_and_written_is_that_of_a_run(opened, angle):
+    cut = opened.cut_of("wall")
+    assert (cut.point[2], cut.angle) == (1.0, 0.0)
+    opened.move_cut("wall", (0.3, 0.0, 1.23456), angle)
+    tried = opened.examine("wall")
+    assert not tried.fault
+    assert opened.write() == "written into project.toml"
+    run = assess.run(opened.project.path)
+    assert_same(tried, run.results.mechanisms[0])
+    assert tried.verdict.margin == run.verdict.mechanisms[0].margin
+    assert opened.changes == ()
+    assert opened.cut_of("wall").angle == pytest.approx(angle, abs=1e-4)
+
+
+def test_the_multiplier_of_a_crack_is_that_of_the_wall_above_it(opened):
+    """By hand: a rigid wall of thickness t and height h above its crack rocks at t / h."""
+    for elevation in (0.5, 2.0, 3.0):
+        opened.move_cut("wall", (0.0, 0.0, elevation), 0.0)
+        found = opened.examine("wall").result.oscillator.uplift_multiplier
+        assert found == pytest.approx(0.6 / (4.0 - elevation), rel=1e-9)
+
+
+def test_a_crack_that_misses_says_so(opened):
+    opened.move_cut("wall", (0.0, 0.0, 9.0), 0.0)
+    assert "misses the body" in opened.examine("wall").fault
+
+
+def test_what_falls_at_rest_says_so(tmp_path):
+    """A wall that is drawn leaning beyond its foot; and one that a crack leaves so."""
+    leaning = {"material": "brick", "profile": [[0, 0], [0.5, 0], [1.5, 3], [1.0, 3]], "length": 2}
+    opened = opened_project(
+        tmp_path, bodies={"wall": leaning}, mechanisms={"wall": block(direction=[1, 0, 0], sides="one")}
+    )
+    assert opened.examine("wall").fault.startswith("falls at rest")
+    opened.change({("materials", "brick", "density"): 1900})
+    assert "falling" in opened.examine("wall").fault
+
+
+def test_a_drag_is_one_change_and_undo_takes_it_back(opened):
+    for number in range(5):
+        opened.move_cut("wall", (0.0, 0.0, 1.0 + 0.1 * number), 0.0)
+    (density,) = (each for each in opened.numbers("wall") if each.path[-1] == "density")
+    assert density.unit == "kg/m^3"
+    opened.change({density.path: density.file_value(2000.0)})
+    assert len(opened.changes) == 2
+    heavier = opened.examine("wall").result.oscillator.mass_kg
+    assert opened.undo() == "taken back"
+    assert heavier / opened.examine("wall").result.oscillator.mass_kg == pytest.approx(2000.0 / 1800.0)
+    opened.undo()
+    assert opened.changes == ()
+    assert opened.undo() == "nothing to take back"
+
+
+def test_writing_keeps_the_comments_and_can_be_undone(opened):
+    path = opened.project.path
+    path.write_text("# by hand\n" + path.read_text(encoding="utf-8"), encoding="utf-8")
+    opened.read()
+    before = path.read_bytes()
+    opened.move_cut("wall", (0.0, 0.0, 1.5), 0.0)
+    opened.write()
+    assert path.read_text(encoding="utf-8").startswith("# by hand\n")
+    assert '"1.5 m"' in path.read_text(encoding="utf-8")
+    assert opened.undo() == "the file is as it was before"
+    assert path.read_bytes() == before
+    assert opened.cut_of("wall").point[2] == 1.0
+
+
+def test_a_file_that_changed_meanwhile_is_left_alone(opened):
+    path = opened.project.path
+    opened.move_cut("wall", (0.0, 0.0, 1.5), 0.0)
+    other = path.read_bytes() + b"# by another\n"
+    path.write_bytes(other)
+    with pytest.raises(ProjectError, match="has changed since the page read it; nothing was written"):
+        opened.write()
+    assert path.read_bytes() == other
+    assert len(opened.changes) == 1
+    opened.read()
+    opened.move_cut("wall", (0.0, 0.0, 1.5), 0.0)
+    opened.write()
+    path.write_bytes(other + b"# and again\n")
+    with pytest.raises(ProjectError, match="has changed"):
+        opened.undo()
+    assert path.read_bytes() == other + b"# and again\n"
+
+
+def test_what_is_missing_is_tried_as_the_line_that_a_run_prints(tmp_path):
+    opened = opened_project(
+        tmp_path,
+        site={"spectrum": NTC},
+        mechanisms={"wall": block(direction=[1, 0, 0], sides="two")},
+    )
+    missing = {each.key: each for each in opened.find_outcome().missing}
+    entry = missing["site.limit_state"]
+    assert entry.toml == 'limit_state = "SLV"'
+    opened.add_lines(entry, entry.toml)
+    opened.write()
+    assert "site.limit_state" not in {each.key for each in opened.find_outcome().missing}
+    with pytest.raises(ProjectError, match=r"site.limit_state: .*write it as the example shows"):
+        opened.add_lines(entry, "limit_state = SLV")
+
+
+def test_found_mechanisms_are_added_and_taken_back(tmp_path):
+    path = copy_example("house", tmp_path / "house")
+    opened = OpenedProject(path)
+    before, found = path.read_bytes(), len(opened.proposed)
+    assert found > 1
+    assert opened.add_found() == f"{found} added to project.toml"
+    assert (len(opened.project.content.mechanisms), len(opened.proposed)) == (2 + found, 0)
+    opened.undo()
+    assert path.read_bytes() == before
+
+
+def test_the_worst_stands_first(tmp_path):
+    opened = opened_project(
+        tmp_path,
+        site={"spectrum": NTC, "limit_state": "SLV"},
+        bodies={"thick": wall(2.0), "thin": wall(0.2, base=[9, 0, 0])},
+        mechanisms={name: block(name, direction=[1, 0, 0], sides="two") for name in ("thick", "thin")},
+    )
+    assert opened.rank() == ("thin", "thick")
+    opened.find_outcome()
+    assert opened.rank() == ("thin", "thick")
+    for name in opened.rank():
+        checks = deciding_checks(opened.examine(name).checks, opened.study)
+        assert {each.procedure for each in checks} == set(opened.methods) == {"ntc2018-linear", "ntc2018-nonlinear"}
+
+
+def test_without_a_site_there_are_multipliers_alone(tmp_path):
+    opened = opened_project(tmp_path, site=None)
+    assert opened.find_outcome() is None
+    shown = opened.examine("wall")
+    assert (shown.checks, shown.verdict) == ((), None)
+    assert shown.result.oscillator.uplift_multiplier == pytest.approx(0.6 / 4.0)

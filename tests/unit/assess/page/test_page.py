@@ -1,0 +1,239 @@
+"""The page as a browser gets it: what is picked, dragged and typed, and names that look like a program."""
+
+from __future__ import annotations
+
+import json
+import os
+import shutil
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from math import radians
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+pytest.importorskip("viser", reason="needs viser: .venv/serve of the Makefile")
+
+from assess.page import words
+from assess.page.page import Page, open_page
+from assess.page.scene import angle_of, quaternion
+from tests.support.projects import NTC, block, project_toml, wall
+
+PATIENCE = 60.0  # s
+HOSTILE = "<img src=x onerror='window.ran=1'>[a](javascript:window.ran=1)"
+DRIVER = shutil.which("chromedriver")
+
+
+@pytest.fixture(scope="module")
+def page(tmp_path_factory) -> Iterator[Page]:
+    """Two walls, one that is cut and one named as no wall is."""
+    folder = tmp_path_factory.mktemp("page")
+    mechanism = block(cut="1 m", direction=[1, 0, 0], sides="two", label=HOSTILE)
+    text = project_toml(
+        title=HOSTILE,
+        site={"spectrum": NTC | {"a_g": "0.45 g"}, "limit_state": "SLV"},
+        bodies={HOSTILE: wall(), "thick": wall(1.0, base=[5, 0, 0])},
+        mechanisms={
+            "thin": mechanism | {"blocks": [HOSTILE]},
+            "thick": block("thick", direction=[1, 0, 0], sides="two"),
+        },
+    )
+    (folder / "project.toml").write_text(text, encoding="utf-8")
+    with open_page(folder) as found:
+        assert found.wait(PATIENCE)
+        yield found
+
+
+@pytest.fixture
+def at_rest(page) -> Iterator[Page]:
+    """The page with the wall that is cut, and nothing tried."""
+    page.pick("thin")
+    yield page
+    while page.opened.changes:
+        page.opened.undo()
+    page.pick("thin")
+
+
+def by_hand(handle, value) -> None:
+    """Set a value as a browser does."""
+    handle.value = value
+    for callback in handle._impl.update_cb:
+        callback(SimpleNamespace(client_id=0, client=None, target=handle))
+
+
+def test_mechanisms_are_listed_with_multiplier_and_outcome(at_rest):
+    first, second, *_ = at_rest.mechanisms.options
+    assert first == f"1. {HOSTILE} · 0.2000 · fail"
+    assert second.startswith("2. thick · 0.2500 · ")
+    assert "<b>FAIL</b>" in at_rest.building.content
+
+
+def test_picking_one_shows_its_numbers_and_each_method(at_rest):
+    by_hand(at_rest.mechanisms, at_rest.mechanisms.options[1])
+    assert at_rest.picked == "thick"
+    assert ">0.2500<" in at_rest.facts.content
+    for method in at_rest.opened.methods:
+        assert method in at_rest.facts.content
+
+
+def test_a_crack_that_is_dragged_moves_the_numbers(at_rest):
+    """As the handle of a browser tells it: a wall 0.6 m thick and 2 m high above its crack has 0.6 / 2."""
+    drag(at_rest, (0.0, 0.0, 2.0), 0.0)
+    assert ">0.3000<" in at_rest.facts.content
+    assert "1 value tried, not written" in at_rest.building.content
+    assert (at_rest.elevation.value, at_rest.angle.value) == (2.0, 0.0)
+    drag(at_rest, (0.0, 0.0, 2.0), radians(20.0))
+    assert at_rest.angle.value == pytest.approx(20.0)
+    assert at_rest.opened.changes == ({("mechanisms", "thin", "cut"): {"point": [0, 0, 2], "angle": "20.00 deg"}},)
+
+
+def drag(page: Page, point: tuple[float, float, float], angle: float) -> None:
+    page._dragged(point, angle, False)
+    page._dragged(point, angle, True)
+    assert page.wait(PATIENCE)
+
+
+def test_a_crack_that_misses_is_said_and_the_next_one_shown(at_rest):
+    drag(at_rest, (0.0, 0.0, 9.0), 0.0)
+    assert "misses the body" in at_rest.status.content
+    assert "misses the body" in at_rest.facts.content
+    drag(at_rest, (0.0, 0.0, 2.0), 0.0)
+    assert ">0.3000<" in at_rest.facts.content
+    assert "ready" in at_rest.status.content
+
+
+def test_a_crack_that_is_typed_is_that_dragged(at_rest):
+    by_hand(at_rest.elevation, 2.0)
+    assert at_rest.wait(PATIENCE)
+    assert ">0.3000<" in at_rest.facts.content
+    assert at_rest.drawing._plane.position[2] == 2.0
+
+
+def test_a_value_that_slides_moves_the_numbers(at_rest):
+    (slider,) = (each for each in at_rest._of_numbers if "thickness" in each.label and each.value == 0.6)
+    by_hand(slider, 0.75)
+    assert at_rest.wait(PATIENCE)
+    assert ">0.2500<" in at_rest.facts.content
+
+
+def test_undo_puts_the_crack_back(at_rest):
+    drag(at_rest, (0.0, 0.0, 2.0), 0.0)
+    at_rest._change_file(at_rest.opened.undo, None)
+    assert ">0.2000<" in at_rest.facts.content
+    assert at_rest.elevation.value == 1.0
+    assert "taken back" in at_rest.status.content
+
+
+def test_names_of_users_are_texts(at_rest):
+    """Nothing that the page writes as HTML has a name in it that is not escaped; nothing is Markdown."""
+    handles = at_rest.server.viser.gui._gui_input_handle_from_uuid
+    assert handles
+    for content in (at_rest.status.content, at_rest.facts.content, at_rest.building.content, words.status(HOSTILE)):
+        assert "<img" not in content
+    kinds = {
+        type(each).__name__ for each in at_rest.server.viser._websock_server._broadcast_buffer.message_from_id.values()
+    }
+    assert "GuiMarkdownMessage" not in kinds
+
+
+@pytest.mark.parametrize("along", [(1.0, 0.0), (0.0, -1.0), (-0.6, 0.8)])
+@pytest.mark.parametrize("angle", [-1.0, -0.2, 0.0, 0.3, 1.2])
+def test_a_plane_falls_towards_the_direction_by_its_angle(along, angle):
+    """By the matrix of the rotation: a point along the turned x axis lies below the first by the sine of the angle."""
+    direction = np.array([*along, 0.0])
+    w, x, y, z = quaternion(direction, angle)
+    first = np.array([1 - 2 * (y * y + z * z), 2 * (x * y + w * z), 2 * (x * z - w * y)])
+    assert first @ direction == pytest.approx(np.cos(angle))
+    assert first[2] == pytest.approx(-np.sin(angle))
+    assert angle_of(np.array([w, x, y, z]), direction) == pytest.approx(angle)
+    assert angle_of(-np.array([w, x, y, z]), direction) == pytest.approx(angle)
+
+
+@pytest.mark.skipif(DRIVER is None, reason="needs chromium and chromedriver: .venv/browser of the Makefile")
+def test_in_a_browser(at_rest, tmp_path):
+    """It is shown, picked from and typed into; it asks no other host, and no name in it runs."""
+    from selenium.webdriver.common.by import By
+    from selenium.webdriver.common.keys import Keys
+
+    with browser(tmp_path) as driver:
+        driver.get(at_rest.server.address)
+        shown = awaited(driver, lambda text: "Verdict: FAIL" in text and HOSTILE in text)
+        assert "ntc2018-nonlinear" in shown
+        assert driver.execute_script("return window.ran") is None
+        assert "token" not in driver.current_url
+        lists = driver.find_elements(By.CSS_SELECTOR, 'input[aria-haspopup="listbox"]')
+        pick = next(each for each in lists if HOSTILE in (each.get_attribute("value") or ""))
+        options = "return [...document.querySelectorAll('[role=option]')].filter((o) => o.checkVisibility()).length"
+        pick.send_keys(Keys.ARROW_DOWN)
+        wait_for(lambda: driver.execute_script(options) > 1)
+        chosen = "return document.querySelector('[role=option][data-combobox-selected]')?.textContent ?? ''"
+        while "2. thick" not in driver.execute_script(chosen):
+            pick.send_keys(Keys.ARROW_DOWN)
+        pick.send_keys(Keys.ENTER)
+        wait_for(lambda: at_rest.picked == "thick")
+        awaited(driver, lambda text: "0.2500" in text)
+        at_rest.pick("thin")
+        awaited(driver, lambda text: "Verdict: FAIL" in text)
+        label = next(each for each in driver.find_elements(By.TAG_NAME, "label") if each.text == "Elevation [m]")
+        field = driver.find_element(By.ID, label.get_attribute("for"))
+        field.send_keys(Keys.CONTROL, "a")
+        field.send_keys("2", Keys.ENTER)
+        wait_for(lambda: bool(at_rest.opened.changes))
+        awaited(driver, lambda text: "value tried, not written" in text)
+        assert at_rest.wait(PATIENCE)
+        assert ">0.3000<" in at_rest.facts.content
+        logs = [json.loads(each["message"])["message"] for each in driver.get_log("performance")]
+        asked = {each["params"]["request"]["url"] for each in logs if each["method"] == "Network.requestWillBeSent"}
+        sockets = {each["params"]["url"] for each in logs if each["method"] == "Network.webSocketCreated"}
+        own = (f"http://127.0.0.1:{at_rest.server.port}/", "data:", "blob:", "chrome:")
+        assert [
+            url for url in asked | sockets if not url.startswith((*own, f"ws://127.0.0.1:{at_rest.server.port}"))
+        ] == []
+
+
+@contextmanager
+def browser(folder):
+    from selenium import webdriver
+    from selenium.webdriver.chrome.service import Service
+
+    options = webdriver.ChromeOptions()
+    drawn = (
+        "headless=new",
+        "use-gl=angle",
+        "use-angle=swiftshader",
+        "enable-unsafe-swiftshader",
+        "window-size=700,500",
+    )
+    alone = ("no-first-run", "disable-background-networking", "disable-component-update", "disable-sync")
+    root = ("no-sandbox",) if os.geteuid() == 0 else ()
+    for each in (*drawn, *alone, *root, f"user-data-dir={folder / 'profile'}"):
+        options.add_argument(f"--{each}")
+    options.set_capability("goog:loggingPrefs", {"performance": "ALL"})
+    driver = webdriver.Chrome(options=options, service=Service(DRIVER))
+    try:
+        yield driver
+    finally:
+        driver.quit()
+
+
+def awaited(driver, seen) -> str:
+    """Wait until the page's text is as it should be, and return it."""
+    found = ""
+
+    def is_seen() -> bool:
+        nonlocal found
+        script = "return document.body.innerText + [...document.querySelectorAll('input')].map((i) => i.value).join()"
+        found = driver.execute_script(script)
+        return seen(found)
+
+    wait_for(is_seen, lambda: found)
+    return found
+
+
+def wait_for(condition, told=lambda: "") -> None:
+    end = time.monotonic() + PATIENCE
+    while not condition():
+        assert time.monotonic() < end, told()
+        time.sleep(0.2)

@@ -349,6 +349,10 @@ RECORD_TEXTS: Mapping[str, str] = {
     "retrofit-spacing-allowed": "anchors up to {spacing} apart were allowed: check the wall between them",
     "retrofit-direction": "with the works another direction is the weakest: state it and search again",
     "retrofit-others": "these mechanisms, which the works do not change, stay short of the target: {mechanisms}",
+    "retrofit-as-typed": "values that help and that no source vouches for count as typed here, and are replaced in a "
+    "run of the project with the works: {keys}",
+    "retrofit-tried": "{number} layouts were put to the proof on the same records, which thus chose among them: the "
+    "share of the least is less sure than its interval says",
     "retrofit-unsourced": "the layout reaches the target only with values that no source vouches for; give one for "
     "{keys}",
 }

@@ -23,7 +23,7 @@ from assess.codes.verdict import Verdict
 from assess.errors import AssessError, ProjectError
 from assess.loads.anchorage import CLOSE
 from assess.loads.load import Tie, TieLoad
-from assess.messages.message import Message, Quantity, escape_text, message, note, warning
+from assess.messages.message import Message, Quantity, escape_text, message, note, warning, whole_number
 from assess.project import sections
 from assess.project.build import BuiltProject, build_to_decide, build_with_cases
 from assess.project.key_errors import key_text, value_text
@@ -442,7 +442,7 @@ def _as_written(
 ) -> tuple[Found, str, list[Message]]:
     """Return what was found, and verdict and messages of the project with the best works; none where it falls short.
 
-    Values that no source vouches for are replaced there, as in a run.
+    Values that no source vouches for are replaced there for an index, as in a run; of histories they are named.
     """
     study = build_to_decide(project)
     messages = []
@@ -451,6 +451,12 @@ def _as_written(
         if each.name in designs.mechanisms and before.get(each.name) != each.direction:
             messages.append(warning("retrofit-direction", f"mechanisms.{each.name}.direction"))
     if target.kind != "index":
+        typed = [each for each in study.replaceables if not each.source and {*each.mechanisms} & {*designs.mechanisms}]
+        if typed:
+            keys = ", ".join(dict.fromkeys(each.key for each in typed))
+            messages.append(warning("retrofit-as-typed", "report.sources", keys=keys))
+        if target.kind == "probability" and found.tried > 1:
+            messages.append(warning("retrofit-tried", "records", number=whole_number(found.tried)))
         return found, "", messages
     verdict = find_outcome(study, jobs=jobs or 1)
     short = [each for each in _indices(verdict).items() if not target.holds(Reached(each[1]))]

@@ -228,6 +228,15 @@ def test_probability_is_proved_on_the_other_records(tmp_path: Path) -> None:
         assess.retrofit(path, target="probability", reach=0.3, vary=vary)
 
 
+def test_values_without_a_source_are_named_where_histories_count_them(tmp_path: Path) -> None:
+    """A rebound of 0.5 is less than the formula gives, which no source vouches for."""
+    path = facade(tmp_path, ('sides = "one"', 'sides = "one"\nrestitution = 0.5'))
+    found = assess.retrofit(path, target="ratio", reach=0.9, vary={AREA: "150, 300 mm^2", COUNT: "3, 4"}).results
+    assert found.best is not None
+    (told,) = [each for each in found.warnings if each.key == "retrofit-as-typed"]
+    assert "mechanisms.facade.restitution" in told.text
+
+
 def test_a_target_beyond_all_layouts_is_not_reached(tmp_path: Path) -> None:
     found = assess.retrofit(facade(tmp_path), target="index", reach=50.0, vary={AREA: "100..200 mm^2", COUNT: "3..4"})
     assert found.tables is None

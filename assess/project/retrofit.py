@@ -54,6 +54,8 @@ STEEL = 7850.0  # kg/m3
 MOST_PRETENSION = 0.5  # of the yield force
 MOST_IN_CONE = 2  # plates
 MOST_LAYOUTS = 100_000
+TOLERATED = {"area": "area", "stiffness": "area", "length": "length", "yield_stress": "yield_stress"}
+"""Numbers of a tie by the tolerance that changes them; of a restraint without a bar its stiffness is as its area."""
 SCHEMA = "#:schema "
 TARGETS: tuple[TargetKind, ...] = ("index", "ratio", "probability")
 PER_STEEL, PER_TIE = "steel", "tie"
@@ -277,7 +279,7 @@ class _Designs:
         if not any(axis.of_steel for axis in self.axes):
             return
         for name, place, tie in _ties(content, self.mechanisms):
-            needed = ("length", "fracture_strain") if tie.plate else ("strength", "length", "fracture_strain")
+            needed = ("strength",) * (not tie.plate) + ("length", "fracture_strain") * (tie.stiffness is None)
             lacks = [key for key in needed if getattr(tie, key) is None]
             lacks += [] if content.report.source_of(f"mechanisms.{name}.loads.{place}.until") else ["report.sources"]
             if lacks:
@@ -371,9 +373,9 @@ def _with_tolerance(
     for name, place, tie in _ties(content, names):
         loads = list(mechanisms[name]["loads"])
         changed = dict(loads[place])
-        for key in ("area", "length", "yield_stress"):
+        for key, factor in TOLERATED.items():
             if (value := getattr(tie, key)) is not None:
-                changed[key] = value * getattr(tolerance, key)
+                changed[key] = value * getattr(tolerance, factor)
         if subject := subjects.get(name):
             height = subject.hinge + (tie.at[-1] - subject.hinge) * tolerance.height
             plate = 0.0 if tie.plate is None else tie.plate.height or tie.plate.diameter or 0.0

@@ -342,6 +342,13 @@ def test_no_tie_is_raised_above_the_wall(tmp_path: Path) -> None:
         assert tables["mechanisms"]["facade"]["loads"][0]["at"][2] == pytest.approx(height)
 
 
+def test_the_stiffness_of_a_restraint_without_a_bar_is_tolerated_as_an_area_is(tmp_path: Path) -> None:
+    project = load(facade(tmp_path, (BAR, 'stiffness = "2 MN/m", strength = "200 kN"')))
+    tables = _with_tolerance(project.raw, project.content, {}, ("facade",), Tolerance(area=0.9))
+    (tie,) = read_content(tables, project.folder).mechanisms["facade"].loads
+    assert tie.stiffness == pytest.approx(1.8e6)
+
+
 @pytest.mark.parametrize(
     ("given", "error"),
     [

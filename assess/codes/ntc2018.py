@@ -338,7 +338,7 @@ def _nonlinear_capacity_steps(case: LimitStateCase, cap: clauses.Ntc2018Capacity
     elif (friction := _toothing_steps(case)) and case.context.toothing is not None:
         left = left_step(case.context.toothing, curve[0].value or 0.0, argument=f"φ({d})")
         curve = (*friction, left, *curve)
-    formula, given = f"{ultimate.factor:g} · π · √({d} / {a})", {d: (cap.d, "m"), a: (cap.a, "m/s2")}
+    formula, given = f"{cap.factor:g} · π · √({d} / {a})", {d: (cap.d, "m"), a: (cap.a, "m/s2")}
     return (
         *kinematic.displacement_capacity_steps(
             case.curves, cap.displacements, ultimate.rule, d, "displacement capacity"

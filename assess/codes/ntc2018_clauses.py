@@ -72,15 +72,23 @@ ULTIMATE: Mapping[str, UltimateState] = {
 }
 
 
+OF_SECANT = 2.0
+"""T = 2 pi sqrt(d / a): the period of the secant itself."""
+
+
 @dataclass(frozen=True)
 class Ntc2018Capacity:
-    """The equivalent oscillator of one branch in a limit state: e* [-]; a0*, a [m/s2]; T0, T [s]; thresholds d0*, d."""
+    """The equivalent oscillator of one branch in a limit state: e* [-]; a0*, a [m/s2]; T0, T [s]; thresholds d0*, d.
+
+    factor : of the period, T = factor pi sqrt(d / a)
+    """
 
     e: float
     a0: float
     a: float
     T0: float
     T: float
+    factor: float
     displacements: DisplacementCapacity
 
     @property
@@ -96,6 +104,10 @@ class Ntc2018Capacity:
 
 def capacity_of(curves: BranchCurves, *, state: str, confidence_factor: float, T0: float = 0.0) -> Ntc2018Capacity:
     """Return the capacity of one branch in a limit state: d_LS, a(d_LS), T = 1.68 or 1.56 pi sqrt(d / a(d)).
+
+    Where a tie that breaks ends d_LS, the period is that of the secant itself, 2 pi sqrt(d / a(d)): the factors of the
+    clause are those of a wall that softens up to 0.4 or 0.6 d0*, and would allow what breaks at a 1.42 times that
+    acceleration. That is our reading, on the safe side.
 
     d0* is that of the actions shown to last, a0* counts every action at rest, a(d) those that have not ended at d;
     a(d) is read on the model's own curve, or on its elastic branch where that is lower.
@@ -117,12 +129,15 @@ def capacity_of(curves: BranchCurves, *, state: str, confidence_factor: float, T
     d = displacements.displacement
     on_curve = acceleration_at(curves.breaking, d, mass=mass, confidence_factor=FC)
     a = on_curve if T0 == 0.0 else min(on_curve, elastic_branch(d, T0=T0))
+    breaks = any(each.limit.kind == "break" and each.displacement <= d for each in displacements.local_limits)
+    factor = OF_SECANT if breaks else ultimate.factor
     return Ntc2018Capacity(
         e=participation_ratio(curves.lasting, mass=mass),
         a0=activation(curves.starting, mass=mass, confidence_factor=FC),
         a=a,
         T0=T0,
-        T=float(ultimate.factor * np.pi * np.sqrt(d / a)),
+        T=float(factor * np.pi * np.sqrt(d / a)),
+        factor=factor,
         displacements=displacements,
     )
 

@@ -63,6 +63,7 @@ def loads_of(
     Raises GeometryError for a body that touches nothing of its block.
     """
     blocks = _blocks_of(name, definition, pieces)
+    _require_places_of_ties(definition.loads, pieces, blocks)
     carried = dict.fromkeys(load.body for load in definition.loads if isinstance(load, BodyLoad) and load.mass is None)
     known = [solid for body in carried if (solid := bodies[body].solid) is not None]
     remainders = {solid.name: None for solid in known} | {solid.name: solid for solid in count_once(known)}
@@ -86,6 +87,41 @@ def loads_of(
         warnings=distinct(warnings),
         block_by_place=tuple(each for part in parts for each in part.block_by_place),
     )
+
+
+def _require_places_of_ties(loads: Sequence[LoadDefinition], pieces: Sequence[Piece], blocks: MechanismBlocks) -> None:
+    """Raise MechanismError for a tie that is stated twice, or holds beside its block, seen along the direction."""
+    across = np.array([-blocks.along[1], blocks.along[0], 0.0])
+    known: list[tuple[int, TieLoad]] = []
+    for number, load in enumerate(loads, start=1):
+        if not isinstance(load, TieLoad) or len(load.at) != 3 or load.plate is not None:  # plates look for themselves
+            continue
+        for earlier, other in known:
+            if _near(load.at, other.at) and (load.direction == other.direction) and _near(load.anchor, other.anchor):
+                raise MechanismError(
+                    f"{blocks.where}: loads[{number}].at: a tie with the ends of loads[{earlier}], which would count "
+                    "twice; remove one, and give the other the section of both"
+                )
+        known.append((number, load))
+        solids = pieces[min(load.block, len(pieces) - 1)].solids
+        if solids:
+            reach = np.concatenate([solid.vertices @ across for solid in solids])
+            low, high, at = float(reach.min()), float(reach.max()), float(np.array(load.at) @ across)
+            if not low - SAME_END <= at <= high + SAME_END:
+                beside = max(low - at, at - high)
+                raise MechanismError(
+                    f"{blocks.where}: loads[{number}].at: {beside:.3g} m beside the block that it holds, which is "
+                    f"{high - low:.4g} m long across the direction; give the place where it holds"
+                )
+
+
+SAME_END = 0.05  # m: ends of ties no farther apart are one
+
+
+def _near(one: Sequence[float] | None, other: Sequence[float] | None) -> bool:
+    if one is None or other is None or len(one) != len(other):
+        return one is other
+    return float(np.linalg.norm(np.subtract(one, other))) < SAME_END
 
 
 def surroundings(load: BodyLoad, blocks: MechanismBlocks, number: int, bodies: Bodies) -> Surroundings:

@@ -78,9 +78,10 @@ def rocking_oscillators(mechanism: Mechanism, equation: Equation) -> tuple[Oscil
 
 def _with_friction(oscillator: Oscillator, moment: float, toothing: Toothing) -> Oscillator:
     """Return an oscillator with friction outwards, of a moment at rest [N m]."""
-    outwards = moment * friction_left(toothing, oscillator.positive.rotation)
-    inwards = tuple(np.zeros_like(branch.rotation) for branch in oscillator.branches[1:])
     memory = oscillator.memory or Memory(replace(oscillator, memory=None))
+    first, *others = memory.bare.branches
+    outwards = moment * friction_left(toothing, first.rotation)
+    inwards = tuple(np.zeros_like(branch.rotation) for branch in others)
     return replace(oscillator, memory=replace(memory, friction=(outwards, *inwards)))
 
 

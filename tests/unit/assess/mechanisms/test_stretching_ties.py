@@ -10,7 +10,7 @@ import pytest
 from scipy.constants import g
 
 import assess
-from assess.errors import AssessError
+from assess.errors import AssessError, MechanismError
 from assess.loads.load import Tie
 from assess.mechanisms.branch_table import rigid_branch
 from assess.mechanisms.chain import Chain, RigidBlock
@@ -240,3 +240,21 @@ def test_what_does_not_go_with_a_stiffness(changes: dict[str, Any], words: str) 
     wall = assess.box(thickness=THICKNESS, length=4.0, height=HEIGHT, density=2000.0)
     with pytest.raises(AssessError, match=words):
         assess.single_block(wall, direction=[1, 0, 0], loads=[assess.TieLoad(**given)])
+
+
+@pytest.mark.parametrize(
+    ("more", "words"),
+    [
+        ({"at": [0, 1.0, 5.5], "anchor": [-10, 1.0, 5.5]}, r"loads\[2\].at: a tie with the ends of loads\[1\]"),
+        ({"at": [0, 2.6, 5.5], "anchor": [-10, 2.6, 5.5]}, r"loads\[2\].at: 0.6 m beside the block that it holds"),
+    ],
+)
+def test_a_tie_stated_twice_or_beside_its_wall_is_refused(more: dict[str, Any], words: str) -> None:
+    """Twice it would count twice; a wall 4 m long reaches to 2 m from its middle."""
+    wall = assess.box(thickness=THICKNESS, length=4.0, height=HEIGHT, density=2000.0)
+    first = assess.TieLoad(at=[0, 1.0, 5.5], anchor=[-10, 1.0, 5.5], stiffness=5e6, strength=20e3)
+    second = assess.TieLoad(**more, stiffness=5e6, strength=20e3)
+    with pytest.raises(MechanismError, match=words):
+        assess.single_block(wall, direction=[1, 0, 0], loads=[first, second])
+    apart = assess.TieLoad(at=[0, -1.0, 5.5], anchor=[-10, -1.0, 5.5], stiffness=5e6, strength=20e3)
+    assert len(assess.single_block(wall, direction=[1, 0, 0], loads=[first, apart]).mechanism.positive.loads) == 2

@@ -119,3 +119,17 @@ def test_what_they_lack_is_told_with_its_key(tmp_path: Path) -> None:
         results(tmp_path, 'side_walls = { bond = "toothed", overlap = "0.1 m", thickness = "0.5 m" }')
     with pytest.raises(ProjectError, match=r'side_walls.bond: .*write "toothed" or "detached"'):
         results(tmp_path, 'side_walls = { bond = "keyed" }')
+
+
+def test_friction_and_ties_that_stretch_go_together_in_histories(tmp_path: Path) -> None:
+    """A tie cuts its own kinks into the curve; friction is that of the wall without it."""
+    bar = (
+        'loads = [{ kind = "tie", force = "5 kN", at = [0, 0, 5.0], anchor = [-9, 0, 5.0], area = "113 mm^2", '
+        'young_modulus = "210 GPa", yield_stress = "235 MPa", length = "9 m", fracture_strain = 0.1, strength = "90 kN" }]'
+    )
+    suite = {"synthetic": {"count": 2, "duration": "10 s", "seed": 1}, "scale_to": "none"}
+    sources = {**SURVEY, "mechanisms.wall.loads[1]": "measured: certificate"}
+    found = results(
+        tmp_path, f"{TOOTHED}\n{bar}", sources=sources, methods=("ntc2018-history",), records=suite, a_g="0.3 g"
+    )
+    assert all(each.max_rotation_ratio < 1.0 for each in found.mechanisms[0].histories)

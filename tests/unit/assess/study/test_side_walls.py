@@ -125,7 +125,8 @@ def test_friction_and_ties_that_stretch_go_together_in_histories(tmp_path: Path)
     """A tie cuts its own kinks into the curve; friction is that of the wall without it."""
     bar = (
         'loads = [{ kind = "tie", force = "5 kN", at = [0, 0, 5.0], anchor = [-9, 0, 5.0], area = "113 mm^2", '
-        'young_modulus = "210 GPa", yield_stress = "235 MPa", length = "9 m", fracture_strain = 0.1, strength = "90 kN" }]'
+        'young_modulus = "210 GPa", yield_stress = "235 MPa", length = "9 m", fracture_strain = 0.1, '
+        'strength = "90 kN" }]'
     )
     suite = {"synthetic": {"count": 2, "duration": "10 s", "seed": 1}, "scale_to": "none"}
     sources = {**SURVEY, "mechanisms.wall.loads[1]": "measured: certificate"}

@@ -299,8 +299,13 @@ def interpolant(rotation: FloatArray, values: FloatArray) -> PPoly:
     coefficients = np.zeros((4, rotation.size - 1, *values.shape[1:]))
     ends = [0, *(np.flatnonzero(np.diff(rotation) == 0.0) + 1).tolist(), rotation.size]
     for first, last in pairwise(ends):
-        if last - first > 1:
-            coefficients[:, first : last - 1] = CubicSpline(rotation[first:last], values[first:last]).c
+        x, y = rotation[first:last], values[first:last]
+        if x.size == 3:  # by its width: scipy solves a parabola by equations that a narrow one makes ill-conditioned
+            width = x[-1] - x[0]
+            powers = (width ** np.arange(-3.0, 1.0)).reshape(4, *[1] * y.ndim)
+            coefficients[:, first : last - 1] = CubicSpline((x - x[0]) / width, y).c * powers
+        elif x.size > 1:
+            coefficients[:, first : last - 1] = CubicSpline(x, y).c
     return PPoly.construct_fast(coefficients, rotation)
 
 

@@ -11,7 +11,7 @@ from scipy.constants import g
 from assess.dynamics.history import peaks, product
 from assess.geometry.planar import planar_body_from_values
 from assess.mechanisms.single_block import single_block
-from assess.oscillator import Oscillator, RockingBlock, plain_branch
+from assess.oscillator import Oscillator, RockingBlock, interpolant, plain_branch
 from records.record import make_record
 
 BLOCK = RockingBlock(1200.0, 3.0, 0.14, 4.0 / 3.0 * 1200.0 * 9.0)
@@ -51,3 +51,12 @@ def test_what_is_derived_is_derived_once() -> None:
     made = single_block("wall", body, hinge=(0.4, 0.0), hinge_negative=(-0.4, 0.0))
     assert made.oscillator is made.oscillator is made.variants.starting
     assert made.oscillator.positive.linearised is made.oscillator.positive.linearised
+
+
+@pytest.mark.filterwarnings("error")
+@pytest.mark.parametrize("width", [1.0, 1e-9])
+def test_three_nodes_are_a_parabola_however_near_they_lie(width: float) -> None:
+    x = width * np.array([0.0, 0.4, 1.0])
+    found = interpolant(1.0 + x if width == 1.0 else x, (x / width) ** 2)
+    at = width * 0.7
+    assert float(found(1.0 + at if width == 1.0 else at)) == pytest.approx(0.49, rel=1e-9)

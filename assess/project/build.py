@@ -576,7 +576,12 @@ def _same_mechanisms(
     """Return those mechanisms of the whole project that a case builds of the same bodies, by the same definition."""
     if any((case.bodies != whole.bodies, case.materials != whole.materials, case.report != whole.report)):
         return {}
-    return {name: each for name, each in built.items() if case.mechanisms.get(name) == whole.mechanisms.get(name)}
+    before, after = definitions_of(whole), definitions_of(case)  # plates have FC, and those of other mechanisms
+    return {
+        name: each
+        for name, each in built.items()
+        if case.mechanisms.get(name) == whole.mechanisms.get(name) and after.get(name) == before.get(name)
+    }
 
 
 def _structure_below(section: sections.BuildingSection | None) -> Building | None:

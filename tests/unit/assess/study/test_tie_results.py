@@ -9,6 +9,7 @@ import pytest
 
 from assess.cli.tables.project import duration_text, tie_text
 from assess.codes.calculation_sheet import Step
+from assess.loads.load import Tie
 from assess.results import LoadResult
 from assess.study.mechanism_results import parameters
 from assess.study.study import Study
@@ -147,6 +148,14 @@ def test_a_thin_bar_with_an_upset_end_is_ductile(
 def test_the_level_of_knowledge_gives_fc(tmp_path: Path, level: str, factor: float) -> None:
     found = values(load_of(study_of(tmp_path, tie(PLATE), level=level)))
     assert found["N_4"] == pytest.approx(2.16 * 0.02e6 / (2.0 * factor), rel=1e-6)
+
+
+def test_a_level_of_knowledge_without_a_source_is_replaced_in_the_plate_too(tmp_path: Path) -> None:
+    """16.0 kN by LC1, where LC3 as typed gives 21.6."""
+    study = study_of(tmp_path, tie(PLATE), level="LC3")
+    (level,) = [each for each in study.replaceables if each.key == "procedures.ntc2018.knowledge_level"]
+    (load,) = [each for each in level.study_at("wall").mechanisms[0].positive.loads if isinstance(each, Tie)]
+    assert load.strength == pytest.approx(16e3, rel=1e-6)
 
 
 def test_what_a_plate_lacks_is_told_and_the_tie_does_not_last(tmp_path: Path) -> None:

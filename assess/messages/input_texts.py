@@ -349,6 +349,8 @@ RECORD_TEXTS: Mapping[str, str] = {
     "retrofit-spacing-allowed": "anchors up to {spacing} apart were allowed: check the wall between them",
     "retrofit-direction": "with the works another direction is the weakest: state it and search again",
     "retrofit-others": "these mechanisms, which the works do not change, stay short of the target: {mechanisms}",
+    "retrofit-tie-shared": "{mechanisms} count ties that the works change, and have them as they were: write the same "
+    "ties there, and take the verdict of that project",
     "retrofit-as-typed": "values that help and that no source vouches for count as typed here, and are replaced in a "
     "run of the project with the works: {keys}",
     "retrofit-tried": "{number} layouts were put to the proof on the same records, which thus chose among them: the "

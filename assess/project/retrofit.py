@@ -16,6 +16,8 @@ from math import nan, prod
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from assess.amplification import ModalFilter
 from assess.codes.procedures import uses_histories
 from assess.codes.question import find_limit_states, methods_of, missing_action
@@ -34,6 +36,7 @@ from assess.project.toml_text import with_changes
 from assess.project.units import to_si
 from assess.project.works import Axis, Subject, Tables, at_height, axis_of, in_order, subject_of, ties_by_level
 from assess.results.retrofit import Layout, Place, Reached, RetrofitResults, Target, TargetKind, Tolerance, VariedKey
+from assess.study.drawn_ties import SAME_PLACE
 from assess.study.retrofit import (
     AS_DRAWN,
     Found,
@@ -274,7 +277,7 @@ class _Designs:
         return study
 
     def messages(self) -> Iterator[Message]:
-        """Yield what ties lack to count up to collapse."""
+        """Yield what ties lack to count up to collapse, and the mechanisms that count the same ties, as they were."""
         content = self._built.project.content
         if not any(axis.of_steel for axis in self.axes):
             return
@@ -286,6 +289,12 @@ class _Designs:
                 yield warning(
                     "retrofit-tie-lacks", key_text(("mechanisms", name, "loads", place)), keys=", ".join(lacks)
                 )
+
+        others = [name for name in content.mechanisms if name not in self.mechanisms]
+        changed = [tie for _, _, tie in _ties(content, self.mechanisms)]
+        shared = {name: None for name, _, tie in _ties(content, others) if any(_is_same(tie, each) for each in changed)}
+        if shared:
+            yield warning("retrofit-tie-shared", "mechanisms", mechanisms=", ".join(shared))
 
     def _content(self, tables: Tables) -> sections.Content:
         return read_content(tables, self._built.project.folder)
@@ -359,6 +368,12 @@ def _ties(content: sections.Content, names: Sequence[str]) -> Iterator[tuple[str
         for place, load in enumerate(getattr(content.mechanisms[name], "loads", ())):
             if load.kind == "tie":
                 yield name, place, load
+
+
+def _is_same(one: TieLoad, other: TieLoad) -> bool:
+    """Return whether the loads of two mechanisms are one tie of the building."""
+    places = zip((one.at, one.anchor or ()), (other.at, other.anchor or ()), strict=True)
+    return all(len(a) == len(b) and np.allclose(a, b, rtol=0.0, atol=SAME_PLACE) for a, b in places)
 
 
 def _with_tolerance(

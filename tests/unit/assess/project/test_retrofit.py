@@ -228,6 +228,19 @@ def test_probability_is_proved_on_the_other_records(tmp_path: Path) -> None:
         assess.retrofit(path, target="probability", reach=0.3, vary=vary)
 
 
+def test_a_tie_that_another_mechanism_counts_as_it_was_is_told(tmp_path: Path) -> None:
+    tie = f'{{ kind = "tie", force = "8 kN", at = [-0.3, 0, 5.5], anchor = [-10.3, 0, 5.5], {BAR} }}'
+    upper = (
+        '[mechanisms.upper]\nkind = "single-block"\nblocks = ["wall"]\ndirection = [1, 0, 0]\nsides = "one"\n'
+        f'cut = "3 m"\nloads = [{tie}]\n\n[records]'
+    )
+    for text, told in ((upper, ["upper"]), (upper.replace("5.5]", "4.5]"), [])):
+        path = facade(tmp_path, ("[records]", text))
+        found = assess.retrofit(path, target="index", reach=0.3, vary={AREA: "150 mm^2", COUNT: "3"}).results
+        shared = [each for each in found.warnings if each.key == "retrofit-tie-shared"]
+        assert [str(each.values["mechanisms"]) for each in shared] == told
+
+
 def test_values_without_a_source_are_named_where_histories_count_them(tmp_path: Path) -> None:
     """A rebound of 0.5 is less than the formula gives, which no source vouches for."""
     path = facade(tmp_path, ('sides = "one"', 'sides = "one"\nrestitution = 0.5'))

@@ -240,11 +240,14 @@ def frame() -> Oscillator:
 def held(ties: int) -> Memory:
     """A wall 6 m high and 0.6 m thick with ties of 20 mm in all that yield, shared out on so many bars."""
     block = assess.box(thickness=0.6, length=4.0, height=6.0, density=2000.0)
-    bar = assess.TieLoad(
-        force=10e3 / ties, at=[0, 0, 5.5], anchor=[-10, 0, 5.5], area=314e-6 / ties, young_modulus=210e9,
-        yield_stress=235e6, length=10.0, fracture_strain=0.1, strength=120e3 / ties, evidence="assumed",
-    )  # fmt: skip
-    made = assess.single_block(block, direction=[1, 0, 0], loads=[bar] * ties)
+    bars = [
+        assess.TieLoad(
+            force=10e3 / ties, at=[0, y / 4, 5.5], anchor=[-10, y / 4, 5.5], area=314e-6 / ties, young_modulus=210e9,
+            yield_stress=235e6, length=10.0, fracture_strain=0.1, strength=120e3 / ties, evidence="assumed",
+        )
+        for y in range(ties)
+    ]  # fmt: skip
+    made = assess.single_block(block, direction=[1, 0, 0], loads=bars)
     memory = made.mechanism.variants.of_histories[0].memory
     assert memory is not None
     return memory

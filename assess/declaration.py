@@ -235,6 +235,16 @@ class Scatters(Mark):
     crosses_zero: bool = False
 
 
+@dataclass(frozen=True)
+class OfWorks(Mark):
+    """What works on a building may change: a size, a place or steel that one chooses, and nothing that was measured.
+
+    priced : whether it takes more than the steel of its bar shows, so that it is varied only at a price
+    """
+
+    priced: bool = False
+
+
 class Safe(Enum):
     """What a run does in place of taking a value that no source vouches for."""
 
@@ -389,6 +399,7 @@ StatedPlace = Annotated[tuple[Coordinate, ...], IsPlace()]
 StatedDirection = Annotated[tuple[Component, ...], IsDirection()]
 
 UNCERTAIN = Scatters()
+CHOSEN, BOUGHT = OfWorks(), OfWorks(priced=True)
 UNCERTAIN_COORDINATE = Scatters(crosses_zero=True)
 UNCERTAIN_RESTITUTION = Scatters(most=1.0)
 UNCERTAIN_UPLIFT = Scatters(most=pi / 2)

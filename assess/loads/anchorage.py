@@ -24,6 +24,7 @@ import numpy as np
 import shapely
 
 from assess.declaration import (
+    BOUGHT,
     UNCERTAIN,
     Evidence,
     Fault,
@@ -72,21 +73,21 @@ AS_SURVEYED = Evidence("measured", "up", STATED_ALONE)  # where no source vouche
 class Plate:
     """The plate of a tie on the outer face of the wall, what it presses on, and what holds the other end."""
 
-    width: Annotated[PlateSide | None, AS_SURVEYED] = None
+    width: Annotated[PlateSide | None, BOUGHT, AS_SURVEYED] = None
     """level side of a rectangular plate, or of a bar in place of one, like "300 mm\""""
-    height: Annotated[PlateSide | None, AS_SURVEYED] = None
+    height: Annotated[PlateSide | None, BOUGHT, AS_SURVEYED] = None
     """upright side of a rectangular plate"""
-    diameter: Annotated[PlateSide | None, AS_SURVEYED] = None
+    diameter: Annotated[PlateSide | None, BOUGHT, AS_SURVEYED] = None
     """of a round plate"""
-    thickness: Annotated[PlateDepth | None, AS_SURVEYED] = None
+    thickness: Annotated[PlateDepth | None, BOUGHT, AS_SURVEYED] = None
     """of the plate, like "15 mm\""""
-    yield_stress: Annotated[SteelStress | None, AS_SURVEYED] = None
+    yield_stress: Annotated[SteelStress | None, BOUGHT, AS_SURVEYED] = None
     """of the plate, like "235 MPa\""""
-    nut: Annotated[PositiveLength | None, AS_SURVEYED] = None
+    nut: Annotated[PositiveLength | None, BOUGHT, AS_SURVEYED] = None
     """width of the nut, washer or rib that the plate bends about"""
-    thread_area: Annotated[SteelArea | None, AS_SURVEYED] = None
+    thread_area: Annotated[SteelArea | None, BOUGHT, AS_SURVEYED] = None
     """weakest section of the bar's end: of its thread or key hole; more than the bar's where the end is upset"""
-    tensile_strength: Annotated[SteelStress | None, AS_SURVEYED] = None
+    tensile_strength: Annotated[SteelStress | None, BOUGHT, AS_SURVEYED] = None
     """of the bar, f_u, like "360 MPa\""""
     shear_strength: Annotated[ShearStrength | None, UNCERTAIN, AS_SURVEYED] = None
     """of the masonry without compression, f_v0, like "0.02 MPa\""""
@@ -104,9 +105,9 @@ class Plate:
     the outermost tie of a row"""
     far_strength: Annotated[PositiveForce | None, AS_SURVEYED] = None
     """of what holds the other end: plate, masonry and wall there; or hole, embedment and bond_strength"""
-    hole: Annotated[PositiveLength | None, AS_SURVEYED] = None
+    hole: Annotated[PositiveLength | None, BOUGHT, AS_SURVEYED] = None
     """diameter of the hole of an injected far end"""
-    embedment: Annotated[PositiveLength | None, AS_SURVEYED] = None
+    embedment: Annotated[PositiveLength | None, BOUGHT, AS_SURVEYED] = None
     """length of an injected far end in its wall"""
     bond_strength: Annotated[ShearStrength | None, AS_SURVEYED] = None
     """of grout and masonry around that hole, tested"""

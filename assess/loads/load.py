@@ -19,6 +19,8 @@ from typing import Annotated, Any, ClassVar, Literal, get_args
 import numpy as np
 
 from assess.declaration import (
+    BOUGHT,
+    CHOSEN,
     NO_THEN_YES,
     UNCERTAIN,
     Evidence,
@@ -174,19 +176,22 @@ class TieLoad:
     kind: ClassVar[Literal["tie"]] = "tie"
     term: ClassVar[Term] = Term("a tie of given force")
     varied: ClassVar[VariedKey] = ("force", "tie_force")
-    at: Annotated[StatedPlace, WHERE_DRAWN]
+    at: Annotated[StatedPlace, CHOSEN, WHERE_DRAWN]
     """where it holds the block: [x, y, z], or [distance along the direction, elevation]"""
     force: Annotated[
-        PositiveForce | None, UNCERTAIN, Evidence("measured", "up", "the wall without the tie", safe=Safe.WITHOUT)
+        PositiveForce | None,
+        UNCERTAIN,
+        CHOSEN,
+        Evidence("measured", "up", "the wall without the tie", safe=Safe.WITHOUT),
     ] = None
     """pretension, like "30 kN"; only a tie that stretches may have none"""
-    slack: Annotated[NotNegativeLength, Evidence("measured", "down", "as stated: without it the tie pulls at once")] = (
-        0.0
-    )
+    slack: Annotated[
+        NotNegativeLength, CHOSEN, Evidence("measured", "down", "as stated: without it the tie pulls at once")
+    ] = 0.0
     """of a tie that stretches: how far its ends move apart before it pulls, like "5 mm"; 0 if absent"""
     direction: Annotated[StatedDirection | None, ITS_WAY] = None
     """the way it pulls: [x, y, z], or [along the direction, up]; or give anchor"""
-    anchor: Annotated[StatedPlace | None, ITS_WAY] = None
+    anchor: Annotated[StatedPlace | None, CHOSEN, ITS_WAY] = None
     """the fixed end: [x, y, z], or [distance along the direction, elevation]; a tie askew to the motion in plan holds
     with what of its pull lies in the plane of motion"""
     both: Annotated[bool, Evidence("measured", NO_THEN_YES, "false: slack where it shortens", safe=Safe.FIRST)] = False
@@ -199,7 +204,7 @@ class TieLoad:
     ] = None
     """least of bar, plate, masonry and far wall; it never pulls with more. With `area`: of all but the bar"""
     area: Annotated[
-        BarArea | None, UNCERTAIN, Evidence("measured", "up", "the wall without the tie", safe=Safe.WITHOUT)
+        BarArea | None, UNCERTAIN, CHOSEN, Evidence("measured", "up", "the wall without the tie", safe=Safe.WITHOUT)
     ] = None
     """of the bar's section, like "314 mm^2"; the tie then stretches, by young_modulus and yield_stress, to an anchor"""
     young_modulus: Annotated[
@@ -207,7 +212,7 @@ class TieLoad:
     ] = None
     """of the bar, like "210 GPa\""""
     yield_stress: Annotated[
-        BarYield | None, UNCERTAIN, Evidence("measured", "up", "the wall without the tie", safe=Safe.ABSENT)
+        BarYield | None, UNCERTAIN, BOUGHT, Evidence("measured", "up", "the wall without the tie", safe=Safe.ABSENT)
     ] = None
     """of the bar, like "235 MPa\""""
     stiffness: Annotated[

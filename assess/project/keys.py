@@ -21,7 +21,7 @@ from pydantic import ValidationError
 from pydantic.fields import FieldInfo
 from pydantic_core import ErrorDetails
 
-from assess.declaration import BOUNDS, Safe, Scatters, marks_of
+from assess.declaration import BOUNDS, OfWorks, Safe, Scatters, marks_of
 from assess.errors import Faults, ProjectError, one_of_several
 from assess.loads.load import bodies_of as loading_bodies
 from assess.messages.message import escape_text
@@ -37,8 +37,8 @@ from spectra.arrays import is_number
 
 _NOT_SWEPT = (("analysis", "sweep"), ("analysis", "sensitivity"), ("analysis", "uncertainty"), ("format",), ("report",))
 WrittenNumber = int | float | str
-Marks = tuple[QuantityKind | None, Scatters | None]
-NO_MARKS: Marks = (None, None)
+Marks = tuple[QuantityKind | None, Scatters | None, OfWorks | None]
+NO_MARKS: Marks = (None, None, None)
 Setting = Mapping[KeyPath, Any]
 """Other values of numbers of a project, by their keys."""
 
@@ -47,12 +47,16 @@ WITHOUT_UNCERTAIN_NUMBERS = ("analysis", "report", "format")
 
 
 class KeyedValue(NamedTuple):
-    """What stands at a key: the value as it was read, what it measures where that is known, whether it may scatter."""
+    """What stands at a key: the value as it was read, and what is known of it.
+
+    kind : what it measures; uncertain : set where it may scatter; of_works : where works may change it
+    """
 
     path: KeyPath
     value: Any
     kind: QuantityKind | None
     uncertain: Scatters | None = None
+    of_works: OfWorks | None = None
 
     @property
     def is_number(self) -> bool:
@@ -431,11 +435,12 @@ def _marks_of(table: type[ProjectSection]) -> tuple[tuple[str, str, Marks], ...]
 
 
 def _marks(field: FieldInfo) -> Marks:
-    """Return the quantity that a key holds and whether it may scatter, from its type; None if that is not unique."""
+    """Return what a key says of itself by its type: its quantity, None if that is not unique, and further marks."""
     found = (*field.metadata, *marks_of(field.annotation))
     kinds = {each for each in found if isinstance(each, QuantityKind)}
     uncertain = next((each for each in found if isinstance(each, Scatters)), None)
-    return (kinds.pop() if len(kinds) == 1 else None), uncertain
+    of_works = next((each for each in found if isinstance(each, OfWorks)), None)
+    return (kinds.pop() if len(kinds) == 1 else None), uncertain, of_works
 
 
 def _remedy(key: str, by_key: Mapping[str, KeyedValue]) -> str:

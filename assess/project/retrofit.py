@@ -352,7 +352,11 @@ def _designs(built: BuiltProject, question: RetrofitQuestion) -> _Designs:
     for axis in axes:
         if not axis.mechanisms:
             raise ProjectError(f"vary {value_text(axis.key)}: no mechanism depends on it; name another key")
-        shown = axis.of_steel and any(tie.area and tie.length for _, _, tie in _ties(content, axis.mechanisms))
+        shown = (
+            axis.of_steel
+            and not axis.priced
+            and any(tie.area and tie.length for _, _, tie in _ties(content, axis.mechanisms))
+        )
         shown |= axis.key.endswith(".ties.count") and PER_TIE in question.price
         if not shown and axis.key not in question.price:
             raise ProjectError(

@@ -30,7 +30,6 @@ from spectra.arrays import FloatArray, is_number
 Tables = Mapping[str, Any]
 _WORK = re.compile(r"mechanisms\.(.+)\.([a-z_]+)\.([a-z_]+)")
 _KIND = re.compile(rf"(mechanisms\..+\.loads)\.({'|'.join(LOADS)})\.(.+)")
-ALLOWED = ("mechanisms", "bodies", "materials")
 SAME_LEVEL = 0.1  # m
 STEEPNESS = 2.0  # height over width of masonry that widens a base: a load spreads in it at 27 degrees from the vertical
 
@@ -104,7 +103,7 @@ class Axis:
 
     key : as it was typed; unit : of the values, "" for none
     values : in that unit, rising as typed; present : that of the file, 0 of a declared work that it lacks
-    of_steel : whether it shows in the steel of ties
+    of_steel : whether it is of ties; priced : whether it takes what their steel does not show
     mechanisms : that it changes; change : returns tables with a value of it
     """
 
@@ -115,6 +114,7 @@ class Axis:
     of_steel: bool
     mechanisms: tuple[str, ...]
     change: Callable[[Tables, float], Tables]
+    priced: bool = False
 
 
 def axis_of(key: str, given: str | Sequence[float | str], subjects: Mapping[str, Subject], content: Any) -> Axis:
@@ -172,9 +172,11 @@ def _axis_of_key(key: str, given: Any, content: sections.Content, where: str) ->
     except ProjectError as error:
         raise ProjectError(f"vary {str(error).removeprefix(f'{where}.key: ')}") from None
     paths, first = [each.path for each in entries], entries[0]
-    if first.path[0] not in ALLOWED:
+    if first.of_works is None:
         raise ProjectError(
-            f"{where}: works change the building; vary a key of {', '.join(f'[{each}]' for each in ALLOWED)}"
+            f"{where}: no works change it, as it belongs to what stands or to what shakes it; vary a size, a place or "
+            "the steel of a tie or its plate, the thickness of a box, or a declared work, "
+            f"{', '.join('.'.join(work) for work in WORKS)}"
         )
     kind = first.kind or KINDS["ratio"]
     values, unit = values_of(given, kind, where=where)
@@ -187,7 +189,7 @@ def _axis_of_key(key: str, given: Any, content: sections.Content, where: str) ->
         return tables
 
     of_tie = len(first.path) > 3 and first.path[2] == "loads" and _load_at(content, first.path).kind == "tie"
-    return Axis(key, unit, values, present, of_tie, dependents(content, first.path), change)
+    return Axis(key, unit, values, present, of_tie, dependents(content, first.path), change, first.of_works.priced)
 
 
 def _load_at(content: sections.Content, path: KeyPath) -> Any:
@@ -353,7 +355,7 @@ def _widen_base(tables: Tables, subject: Subject, width: float) -> Tables:
     if min(abs(subject.along[0]), abs(subject.along[1])) > 1e-6 or getattr(section, "hinges", None) is not None:
         raise ProjectError(
             f"mechanisms.{subject.name}: its base can be widened where it turns along x or y and its hinges follow its "
-            "bodies; draw the wider base as a body and vary its size"
+            "bodies; draw the wider base as a box and vary its thickness"
         )
     blocks: tuple[tuple[str, ...], ...] = getattr(section, "blocks", ())
     material = getattr(content.bodies[blocks[0][0]], "material", None)

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal
 
 from pydantic import Discriminator, Tag
 
-from assess.declaration import UNCERTAIN, Evidence, Name, PositiveLength, SpacePoint
+from assess.declaration import BOUGHT, UNCERTAIN, Evidence, Name, PositiveLength, SpacePoint
 from assess.geometry.solid import Corners
 from assess.loads.load import LOADS, LoadDefinition
 from assess.model.bodies import Material, PointValues
@@ -54,7 +54,7 @@ else:
 class BoxSection(ProjectSection):
     """A rectangular block: thickness along x, length along y."""
 
-    thickness: Annotated[PositiveLength, UNCERTAIN, THICKNESS]
+    thickness: Annotated[PositiveLength, UNCERTAIN, BOUGHT, THICKNESS]
     """size along x, like "1.25 m\""""
     length: Annotated[PositiveLength, UNCERTAIN, SIZE]
     """size along y, like "3.0 m\""""

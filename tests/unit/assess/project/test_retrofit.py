@@ -187,6 +187,23 @@ def test_anchorages_from_plates_follow_their_places(tmp_path: Path) -> None:
     assert [each.key for each in found.warnings] == []
 
 
+def test_of_a_plate_works_change_its_sizes_and_steel_at_a_price(tmp_path: Path) -> None:
+    """What was measured of masonry, and calculations of others, are no works."""
+    path, plate = facade(tmp_path, ('strength = "200 kN"', PLATE)), "mechanisms.facade.loads[1].plate"
+    asked: dict[str, Any] = {"target": "index", "reach": 0.1}
+    for key in ("shear_strength", "friction", "normal_stress", "bearing_strength", "leaf", "between", "far_strength"):
+        with pytest.raises(AssessError, match="no works change it"):
+            assess.retrofit(path, **asked, vary={f"{plate}.{key}": "0.1, 0.2"}, price={f"{plate}.{key}": 1.0})
+    vary = {f"{plate}.width": "300, 400 mm", COUNT: "3"}
+    with pytest.raises(AssessError, match="shows in no steel"):
+        assess.retrofit(path, **asked, vary=vary)
+    found = assess.retrofit(path, **asked, vary=vary, price={f"{plate}.width": 1.0, "steel": 4.0}).results
+    first, second = (each.reached.value for each in found.layouts if each.reached)
+    assert first is not None
+    assert second is not None
+    assert first < second
+
+
 def test_histories_of_many_layouts_are_those_of_each_alone(tmp_path: Path) -> None:
     """Packed into one call, with ties that are merged, against the solver of a run for each study."""
     project = load(facade(tmp_path, ('amplification = { method = "modal-filter" }\n', "")))
@@ -373,7 +390,16 @@ def test_the_stiffness_of_a_restraint_without_a_bar_is_tolerated_as_an_area_is(t
         ({"vary": {AREA: "9**9**9"}}, "is not a unit"),
         ({"vary": {AREA: "0..1e9 mm^2 by 1"}}, "200 at most"),
         ({"vary": {COUNT: "1.5, 2"}}, "whole numbers"),
-        ({"vary": {"site.spectrum.f_0": "2..3"}}, "works change the building"),
+        ({"vary": {"site.spectrum.f_0": "2..3"}}, "no works change it"),
+        ({"vary": {"materials.stone.density": "500, 2000 kg/m^3"}}, "no works change it"),
+        ({"vary": {"bodies.wall.box.height": "3, 6 m"}}, "no works change it"),
+        ({"vary": {"mechanisms.facade.restitution": "0.5, 0.9"}}, "no works change it"),
+        *(
+            ({"vary": {f"mechanisms.facade.loads.tie.{key}": "0.1, 0.2"}}, "no works change it")
+            for key in ("strength", "fracture_strain", "young_modulus", "length", "stiffness")
+        ),
+        ({"vary": {"mechanisms.facade.loads[1].yield_stress": "235, 900 MPa"}}, "shows in no steel"),
+        ({"vary": {"bodies.wall.box.thickness": "0.6, 0.9 m"}}, "shows in no steel"),
         ({"vary": {BASE: "0.1..0.5 m"}}, "shows in no steel"),
         ({"target": "luck"}, "choose one of index"),
         ({"reach": float("nan")}, "write a number above 0"),

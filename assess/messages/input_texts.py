@@ -154,6 +154,8 @@ GEOMETRY_TEXTS: Mapping[str, str] = {
     "tie-not-lasting": 'tie "{load}" is not shown to last: it counts only in the multiplier, with its pretension of '
     "{force}, not in displacements and histories; give {missing} (strength: the least of plate, masonry and far wall; "
     'source: a line for the tie in [report.sources], as "mechanisms.NAME.loads[1]")',
+    "one-bar-twice": "it has the ends of {other}, of another mechanism, and so is the same bar, with other values of "
+    "{keys}: state one bar alike wherever it holds, as each answer counts on its own numbers",
     "tie-brittle": 'tie "{load}": {link} at {strength}, where the bar yields at {yielding}: with less than {spare} '
     "times that it is not taken to yield, and the tie is gone when its ends have moved apart by {elongation}; "
     "strengthen the anchorage, or take a weaker bar. Where a tie that is lost takes more than half of the capacity "

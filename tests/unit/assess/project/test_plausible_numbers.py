@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.support.projects import NTC, block, project_toml, study_of, wall
+from tests.support.projects import NTC, block, lines, project_toml, study_of, wall
 
 
 @pytest.mark.parametrize(
@@ -50,3 +50,19 @@ def test_a_row_of_the_hazard_with_an_implausible_corner_is_named(tmp_path: Path)
 
 
 ROWS = ((30, "0.25 s"), (475, "0.03 s"), (2475, "0.35 s"))
+
+
+@pytest.mark.parametrize(("area", "told"), [("80 mm^2", []), ("800 mm^2", ["area"])])
+def test_one_bar_of_two_mechanisms_with_two_sections_is_told(tmp_path: Path, area: str, told: list[str]) -> None:
+    tie = (
+        'loads = [{{ kind = "tie", at = [0, 0, 2.5], anchor = [-9, 0, 2.5], area = "{}", young_modulus = "210 GPa", '
+        'yield_stress = "235 MPa", length = "9 m", fracture_strain = 0.1, strength = "90 kN" }}]'
+    )
+    whole = lines(block(direction=[1, 0, 0], sides="one"), tie.format("80 mm^2"))
+    upper = lines(block(direction=[1, 0, 0], sides="one", cut="1 m"), tie.format(area))
+    made = study_of(
+        tmp_path, project_toml(bodies={"wall": wall(0.5, 4.0, 3.0)}, mechanisms={"whole": whole, "upper": upper})
+    )
+    found = [each for each in made.messages if each.key == "one-bar-twice"]
+    assert [each.where for each in found] == ["mechanisms.upper.loads[1]" for _ in told]
+    assert ["area" in str(each) for each in found] == [True for _ in told]

@@ -59,11 +59,13 @@ class StateBefore:
     path : of their file, as the project names it
     index : of the building, the larger of its two states'; None where a mechanism has no answer
     indices : of each mechanism, by name; None where that has no answer
+    is_as_written : whether the list in the folder of that file shows it to be as the program wrote it
     """
 
     path: str
     index: float | None
     indices: Mapping[str, float | None]
+    is_as_written: bool = True
 
 
 @dataclass(frozen=True)

@@ -246,6 +246,10 @@ TEXTS: Mapping[str, str] = {
     "gone-since-before": "{mechanisms} of the state before the works: not examined here, so that the index may rise "
     "for want of the weakest; examine them, or name the source that shows them to be gone",
     "gone-by-source": "a pass is valid only if {mechanisms} of the state before the works are gone, as a source says",
+    "before-unlisted": "the index before the works: no list in the folder of {file} shows that it is as the program "
+    "wrote it; keep the folder of that run together, or name the source of its results",
+    "unlisted-by-source": "a pass is valid only if {file} is as the program wrote it: no list in its folder shows it, "
+    "a source vouches for it",
     "index-falls": "the works lower the index from {before} to {after} (NTC 8.4.1)",
     "missing-class-of-improvement": "the class of use, on which the target of an improvement depends (NTC 8.4.2)",
     "missing-class-of-hazard": "the class of use, on which the return period of the action depends; provisional: the "

@@ -10,7 +10,7 @@ from typing import Any
 
 from assess.codes.bases import Basis, IndexKind
 from assess.codes.question import SOURCES, Missing, Question, StateBefore, Works, find_limit_states, missing_input
-from assess.codes.verdict import Decision, Verdict
+from assess.codes.verdict import Decision, Verdict, index_of
 from assess.codes.works import LOCAL
 from assess.errors import ProjectError, ResultsError
 from assess.messages.message import Message, Severity, message
@@ -55,8 +55,8 @@ def read_before(content: sections.Content, question: Question, spectrum: Spectru
 
     Raises
     ------
-    ProjectError : the file holds no verdict, was changed since it was written, or is by another basis, limit state,
-        hazard or soil; the text names the number that differs
+    ProjectError : the file holds no verdict, was changed since it was written, holds numbers that contradict one
+        another, or is by another basis, limit state, hazard or soil; the text names the number that differs
     """
     file = content.verdict.before
     if file is None:
@@ -66,7 +66,8 @@ def read_before(content: sections.Content, question: Question, spectrum: Spectru
     try:
         found = open_results(file, tell=told.append)
         with found.blame_changes():
-            return _checked(found.results, path, told, content, question, spectrum, folder)
+            state = _checked(found.results, path, told, content, question, spectrum, folder)
+            return replace(state, state=replace(state.state, is_as_written=found.as_written))
     except ResultsError as error:
         raise ProjectError(f"{KEY}: {error}") from None
 
@@ -92,6 +93,12 @@ def _checked(
             f"{KEY}: {path}: {what}: {_shown(there)} there and {_shown(here)} in this project; both states are "
             "compared by the same hazard, basis and limit state: run the state before by those of this project"
         )
+    for what, there, here in _contradictions(results, results.verdict, question.basis):
+        if not _is_same(there, here):
+            raise ProjectError(
+                f"{KEY}: {path}: {what}: {_shown(there)} in its verdict and {_shown(here)} by its checks; run the "
+                "project of the state before again"
+            )
     indices = {each.mechanism: None if each.index is None else each.index.value for each in shown.mechanisms}
     open_ones = {each.mechanism for each in results.verdict.mechanisms if _is_open(each.answers)}
     known = {name: None if name in open_ones else index for name, index in indices.items()}
@@ -121,26 +128,58 @@ def at_another_site(before: Before | None) -> Before | None:
 
 def missing_since_before(content: sections.Content, question: Question) -> Iterator[Missing]:
     """Yield the mechanisms of the state before that are not examined here, where the index before sets the target."""
-    gone = _gone_since_before(content, question)
-    if gone and not content.report.source_of(KEY):
+    before = _compared_with(question)
+    if before is None or content.report.source_of(KEY):
+        return
+    line = f'"{KEY}" = "measured: …"'
+    if gone := _gone_since_before(content, before):
         why = message("gone-since-before", {"mechanisms": ", ".join(gone)})
-        yield missing_input(SOURCES, why, f'"{KEY}" = "measured: …"', enlarges=True)
+        yield missing_input(SOURCES, why, line, enlarges=True)
+    if not before.is_as_written:
+        yield missing_input(SOURCES, message("before-unlisted", {"file": before.path}), line, enlarges=True)
 
 
 def conditions_since_before(content: sections.Content, question: Question) -> Iterator[Message]:
-    """Yield the condition that mechanisms of the state before are gone, as a source says."""
-    gone = _gone_since_before(content, question)
-    if gone and content.report.source_of(KEY):
+    """Yield the conditions that mechanisms of the state before are gone, and its results genuine, as a source says."""
+    before = _compared_with(question)
+    if before is None or not content.report.source_of(KEY):
+        return
+    if gone := _gone_since_before(content, before):
         yield message("gone-by-source", {"mechanisms": ", ".join(gone)}, severity=Severity.WARNING)
+    if not before.is_as_written:
+        yield message("unlisted-by-source", {"file": before.path}, severity=Severity.WARNING)
 
 
-def _gone_since_before(content: sections.Content, question: Question) -> list[str]:
-    if question.before is None or question.works not in (*LOCAL, "improvement"):
-        return []
-    return [name for name in question.before.indices if name not in content.mechanisms]
+def _compared_with(question: Question) -> StateBefore | None:
+    """Return the state before where a pass depends on it; None where there is none, or the target is another."""
+    return question.before if question.works in (*LOCAL, "improvement") else None
+
+
+def _gone_since_before(content: sections.Content, before: StateBefore) -> list[str]:
+    return [name for name in before.indices if name not in content.mechanisms]
 
 
 Difference = tuple[str, Any, Any]
+
+
+def _contradictions(results: Results, verdict: Verdict, basis: Basis | None) -> Iterator[Difference]:
+    """Yield the numbers of the verdict beside those of the checks that decide: what it is, and either.
+
+    The index of a check at the limit state of the site is its PGA at capacity over that of the action.
+    """
+    checks = {each.name: each.checks for each in results.mechanisms}
+    for one in verdict.mechanisms:
+        deciding = [each for each in checks.get(one.mechanism, ()) if each.role == "deciding"]
+        for each in deciding:
+            own = each.limit_state == verdict.action.limit_state and each.level_pga_g == verdict.action.pga_g
+            if own and each.safety_index is not None and each.capacity_pga_g is not None:
+                yield f"index of {one.mechanism}", each.safety_index, each.capacity_pga_g / each.level_pga_g
+        for answer in one.answers:
+            same = (each for each in deciding if each.procedure == answer.procedure)
+            indices = [found.value for each in same if basis and (found := index_of(each, basis)) is not None]
+            if answer.index is not None and indices:
+                told = answer.index.value
+                yield f"index of {one.mechanism}", told, min(indices, key=lambda index: abs(index - told))
 
 
 def _differences(

@@ -8,7 +8,7 @@ from tempfile import mkdtemp
 
 import assess
 from assess.examples import copy_example
-from assess.outputs.manifest import RESULTS
+from assess.outputs.manifest import MANIFEST, RESULTS, Manifest, digest
 from assess.results import Results
 from assess.results.json import dumps
 
@@ -19,8 +19,15 @@ def folder() -> Path:
     made = copy_example("facade", Path(mkdtemp()) / "facade").parent
     place = made / "project-results"
     place.mkdir()
-    (place / RESULTS).write_text(dumps(assess.run(made / "project.toml").results), encoding="utf-8")
+    write_listed(place / RESULTS, dumps(assess.run(made / "project.toml").results))
     return made
+
+
+def write_listed(path: Path, text: str) -> None:
+    """Write results as the program does, with the list of its folder that vouches for them."""
+    path.write_text(text, encoding="utf-8")
+    listed = Manifest({RESULTS: {path.name: digest(path)}})
+    (path.parent / MANIFEST).write_text(listed.text(), encoding="utf-8")
 
 
 @cache

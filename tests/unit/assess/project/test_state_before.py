@@ -17,10 +17,11 @@ from assess.results.before import state_of
 from assess.results.json import dumps, loads
 from assess.study.run import find_outcome
 from tests.support.command import ended
-from tests.support.facade import folder, variant, with_ties
+from tests.support.facade import folder, variant, with_ties, write_listed
 
 BEFORE = 'before = "project-results/results.json"'
 WORKS = 'works = "improvement"'
+SOURCES, BY_WORD = "[report.sources]", '"verdict.before" = "measured: own run of March (example)"'
 
 
 def question_of(path: Path, **more):
@@ -95,7 +96,7 @@ def test_works_are_local_where_a_state_before_is_known_and_a_tie_is_new():
 
 def test_ties_that_were_there_before_are_not_new(tmp_path):
     old = tmp_path / RESULTS
-    old.write_text(dumps(with_ties()), encoding="utf-8")
+    write_listed(old, dumps(with_ties()))
     assert question_of(variant("again", **{WORKS: ""}), before=old).works == "none"
 
 
@@ -139,6 +140,34 @@ def test_results_that_were_changed_since_they_were_written_are_refused(tmp_path)
     written.write_text(json.dumps(tree), encoding="utf-8")
     with pytest.raises(ProjectError, match="changed since it was written"):
         question_of(made / "with-ties.toml", before=written)
+
+
+def test_results_that_no_list_vouches_for_carry_no_pass_without_a_source(tmp_path):
+    alone = tmp_path / RESULTS
+    shutil.copy(folder() / "project-results" / RESULTS, alone)
+    open_, vouched = folder() / "with-ties.toml", variant("by-word", **{SOURCES: f"{SOURCES}\n{BY_WORD}"})
+    found = find_outcome(build_to_decide(load(open_, before=alone)))
+    assert (found.outcome, found.provisional) == ("incomplete", "incomplete")
+    assert [(each.key, each.toml) for each in found.missing] == [("report.sources", '"verdict.before" = "measured: …"')]
+    assert "keep the folder of that run together" in found.missing[0].text
+    found = find_outcome(build_to_decide(load(vouched, before=alone)))
+    assert found.outcome == "pass"
+    assert "unlisted-by-source" in {each.key for each in found.conditions}
+    assert find_outcome(build_to_decide(load(open_))).outcome == "pass"
+
+
+@pytest.mark.parametrize("number", ["index", "capacity_pga_g", "safety_index"])
+def test_results_whose_numbers_contradict_one_another_are_refused(tmp_path, number):
+    """The index is the PGA at capacity over that of the action, so that either cannot be lowered alone."""
+    tree = json.loads((folder() / "project-results" / RESULTS).read_text(encoding="utf-8"))
+    if number == "index":
+        tree["verdict"]["mechanisms"][0]["answers"][0]["index"]["value"] = 0.3
+    for check in tree["mechanisms"][0]["checks"]:
+        if number in check and check["role"] == "deciding":
+            check[number] = 0.03
+    write_listed(tmp_path / RESULTS, json.dumps(tree))
+    with pytest.raises(ProjectError, match=r"index of facade: 0\.\d+ in its verdict and 0\.\d+ by its checks"):
+        question_of(folder() / "with-ties.toml", before=tmp_path / RESULTS)
 
 
 def test_what_is_no_results_file_is_refused(tmp_path):

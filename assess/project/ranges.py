@@ -89,6 +89,8 @@ def _spread(found: re.Match[str], *, where: str, given: str, whole: bool) -> tup
     """Return the values of a range, in its unit."""
     low, high, unit = float(found[1]), float(found[2]), found[3]
     step = float(found[4]) if found[4] else 1.0 if whole else (high - low) / (VALUES - 1)
+    if low == high and found[5] in (None, "", unit):
+        return [low], unit
     if not low < high or not step > 0.0 or found[5] not in (None, "", unit):
         raise ProjectError(
             f'{where}: {value_text(given)}: write the lesser end first and one unit, like "100..800 mm^2 by 50"'

@@ -17,6 +17,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+import shapely
 
 from assess.amplification import ModalFilter
 from assess.codes.procedures import uses_histories
@@ -207,9 +208,8 @@ def _check_question(question: RetrofitQuestion) -> None:
         raise ProjectError(f"target = {value_text(question.target)}: choose one of {', '.join(TARGETS)}")
     most = 1.0 if question.target == "probability" else 1e6
     if not 0.0 < question.reach <= most or (question.target == "probability" and question.reach == 1.0):
-        raise ProjectError(
-            f"reach = {question.reach:g}: write a number above 0{', below 1' * (most == 1.0)}, in the target's measure"
-        )
+        end = "below 1" if question.target == "probability" else "up to 1e6"
+        raise ProjectError(f"reach = {question.reach:g}: write a number above 0 and {end}, in the target's measure")
     if not question.vary:
         raise ProjectError('vary: nothing; write keys with their ranges, such as "mechanisms.NAME.ties.count = 2..6"')
     if not 0.0 < question.farthest <= 100.0:
@@ -257,7 +257,7 @@ class _Designs:
             content = self._content(self.apply(self._built.project.raw, place))
         except AssessError as error:
             return Layout(place, values, nan, nan, message("retrofit-not-built", {"error": str(error)}))
-        ties = [tie for _, _, tie in _ties(content, self.mechanisms)]
+        ties = _bars(content, self.mechanisms)
         steel = sum(STEEL * tie.area * tie.length for tie in ties if tie.area and tie.length)
         refused = next(self._refusals(content), None)
         return Layout(place, values, steel, self._objective(values, steel, len(ties)), refused)
@@ -374,6 +374,19 @@ def _ties(content: sections.Content, names: Sequence[str]) -> Iterator[tuple[str
                 yield name, place, load
 
 
+def _bars(content: sections.Content, names: Sequence[str]) -> list[TieLoad]:
+    """Return the ties of mechanisms, of those of several that are one bar the thickest alone."""
+    found: list[tuple[str, TieLoad]] = []
+    for name, _, tie in _ties(content, names):
+        same = next((k for k, (other, each) in enumerate(found)
+                     if other != name and len(tie.at) == 3 and _is_same(tie, each)), None)  # fmt: skip
+        if same is None:
+            found.append((name, tie))
+        elif (tie.area or 0.0) > (found[same][1].area or 0.0):
+            found[same] = name, tie
+    return [tie for _, tie in found]
+
+
 def _is_same(one: TieLoad, other: TieLoad) -> bool:
     """Return whether the loads of two mechanisms are one tie of the building."""
     places = zip((one.at, one.anchor or ()), (other.at, other.anchor or ()), strict=True)
@@ -387,7 +400,7 @@ def _with_tolerance(
     names: Sequence[str],
     tolerance: Tolerance,
 ) -> Tables:
-    """Return tables whose ties differ by a tolerance; none is raised so far that its plate is above what moves."""
+    """Return tables whose ties differ by a tolerance; none is raised to where its wall could not hold it."""
     mechanisms = dict(tables["mechanisms"])
     for name, place, tie in _ties(content, names):
         loads = list(mechanisms[name]["loads"])
@@ -397,11 +410,33 @@ def _with_tolerance(
                 changed[key] = value * getattr(tolerance, factor)
         if subject := subjects.get(name):
             height = subject.hinge + (tie.at[-1] - subject.hinge) * tolerance.height
-            plate = 0.0 if tie.plate is None else tie.plate.height or tie.plate.diameter or 0.0
-            changed = at_height(changed, tie, min(height, max(tie.at[-1], subject.top - plate / 2.0)))
+            changed = at_height(changed, tie, min(height, max(tie.at[-1], _highest(tie, subject))))
         loads[place] = changed
         mechanisms[name] = {**mechanisms[name], "loads": loads}
     return {**tables, "mechanisms": mechanisms}
+
+
+def _highest(tie: TieLoad, subject: Subject) -> float:
+    """Return the elevation up to which a tie may be raised: where its cone reaches the top of the wall above it [m].
+
+    A plate nearer the edge punches a cone that the drawing does not have. A tie without a plate may be raised to the
+    top, which is that of the hull of the bodies as seen along the direction.
+    """
+    plate = tie.plate
+    width, height = ((plate and (getattr(plate, side) or plate.diameter)) or 0.0 for side in ("width", "height"))
+    top = subject.top
+    if len(tie.at) == 3:
+        hull = shapely.MultiPoint(
+            np.column_stack([subject.corners @ subject.across, subject.corners[:, 2]])
+        ).convex_hull
+        station = float(np.dot(tie.at, subject.across))
+        for s in (station - width / 2.0, station + width / 2.0):
+            above = shapely.intersection(hull, shapely.LineString([(s, subject.hinge - 1.0), (s, top + 1.0)]))
+            top = top if above.is_empty else min(top, float(above.bounds[3]))
+    if plate is None:
+        return top
+    leaf = plate.leaf or float(np.ptp(subject.corners @ subject.along))
+    return top - height / 2.0 - leaf
 
 
 def _rises(study: Study, kind: TargetKind) -> bool:

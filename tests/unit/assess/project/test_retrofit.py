@@ -14,7 +14,7 @@ from assess.errors import AssessError, OutputError
 from assess.project.build import build, build_with_cases
 from assess.project.keys import read_content
 from assess.project.project_file import load
-from assess.project.retrofit import _with_tolerance
+from assess.project.retrofit import _bars, _with_tolerance
 from assess.project.works import WORKS, subject_of
 from assess.results.retrofit import Tolerance
 from assess.study.histories import rocking_case
@@ -372,6 +372,56 @@ def test_no_tie_is_raised_above_the_wall(tmp_path: Path) -> None:
         assert tables["mechanisms"]["facade"]["loads"][0]["at"][2] == pytest.approx(height)
 
 
+@pytest.mark.parametrize(
+    ("elevation", "highest"),
+    [(4.0, 4.4), (4.8, 6.0 - 0.15 - 0.6), (5.5, 5.5)],  # t = 0.6 m, plate 0.3 m high
+)
+def test_no_plate_is_raised_until_its_cone_meets_the_top(tmp_path: Path, elevation: float, highest: float) -> None:
+    path = facade(tmp_path, ('strength = "200 kN"', PLATE), ("at = [-0.3, 0, 5.5]", f"at = [-0.3, 0, {elevation}]"))
+    project = load(path)
+    subject = subject_of("facade", project.content, build_with_cases(project).solids)
+    assert subject is not None
+    for factor, height in ((0.9, 0.9 * elevation), (1.1, highest)):
+        tables = _with_tolerance(
+            project.raw, project.content, {"facade": subject}, ("facade",), Tolerance(height=factor)
+        )
+        assert tables["mechanisms"]["facade"]["loads"][0]["at"][2] == pytest.approx(height)
+
+
+def test_a_tie_in_a_gable_stays_below_its_slope(tmp_path: Path) -> None:
+    """The slope of a gable 8 m wide and 4 to 6 m high is at 5 m over a point 2 m from its middle."""
+    gable = "profile = [[-4, 0], [4, 0], [4, 4], [0, 6], [-4, 4]]\nlength = 0.6"
+    path = facade(
+        tmp_path,
+        ("box = { thickness = 0.6, length = 8.0, height = 6.0 }", gable),
+        ("direction = [1, 0, 0]", "direction = [0, 1, 0]"),
+        ("at = [-0.3, 0, 5.5], anchor = [-10.3, 0, 5.5]", "at = [2, 0.3, 4.8], anchor = [2, -9.7, 4.8]"),
+    )
+    project = load(path)
+    subject = subject_of("facade", project.content, build_with_cases(project).solids)
+    assert subject is not None
+    tables = _with_tolerance(project.raw, project.content, {"facade": subject}, ("facade",), Tolerance(height=1.1))
+    assert tables["mechanisms"]["facade"]["loads"][0]["at"][2] == pytest.approx(5.0)
+
+
+def test_one_bar_of_two_mechanisms_is_paid_once(tmp_path: Path) -> None:
+    """7850 kg/m3 x 314 mm2 x 10 m, however many mechanisms it holds; two bars where they are at two places."""
+    path = facade(tmp_path)
+    content = load(path).content
+    first = content.mechanisms["facade"]
+    (tie,) = first.loads  # type: ignore[union-attr]
+    other = first.model_copy(update={"loads": (tie.model_copy(update={"area": 400e-6}),)})
+    apart = first.model_copy(update={"loads": (tie.model_copy(update={"at": (-0.3, 1.0, 5.5)}),)})
+    for second, areas in ((other, [400e-6]), (apart, [314e-6, 314e-6])):
+        both = content.model_copy(update={"mechanisms": {"facade": first, "other": second}})
+        assert [each.area for each in _bars(both, ("facade", "other"))] == pytest.approx(areas)
+
+
+def test_a_range_of_one_value_is_that_value(tmp_path: Path) -> None:
+    found = assess.retrofit(facade(tmp_path), target="index", reach=0.1, vary={AREA: "314..314 mm^2", COUNT: "4..4"})
+    assert [each.values for each in found.results.layouts] == [(314.0, 4.0)]
+
+
 def test_the_stiffness_of_a_restraint_without_a_bar_is_tolerated_as_an_area_is(tmp_path: Path) -> None:
     project = load(facade(tmp_path, (BAR, 'stiffness = "2 MN/m", strength = "200 kN"')))
     tables = _with_tolerance(project.raw, project.content, {}, ("facade",), Tolerance(area=0.9))
@@ -403,6 +453,7 @@ def test_the_stiffness_of_a_restraint_without_a_bar_is_tolerated_as_an_area_is(t
         ({"vary": {BASE: "0.1..0.5 m"}}, "shows in no steel"),
         ({"target": "luck"}, "choose one of index"),
         ({"reach": float("nan")}, "write a number above 0"),
+        ({"reach": 1e9}, "above 0 and up to 1e6"),
         ({"target": "probability", "reach": 1.0}, "below 1"),
         ({"price": {"gold": 1.0}}, "write a price"),
         ({"spacing": "3 kg"}, "spacing"),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import threading
+from functools import partial
 from pathlib import Path
 from typing import Annotated
 
@@ -34,13 +35,17 @@ def serve(
         with progress() as shown:
             shown.step("building")
             project = _project_of(source, output)
-        with open_page(project, port=port) as page:
-            print(page.server.address, flush=True)
-            if not no_open:
-                import webbrowser
-
-                webbrowser.open(page.server.address)
+        with open_page(project, port=port, tell=partial(_tell, opens=not no_open)):
             threading.Event().wait()
+
+
+def _tell(address: str, *, opens: bool) -> None:
+    """Print the address of the page, and open it in a browser."""
+    print(address, flush=True)
+    if opens:
+        import webbrowser
+
+        webbrowser.open(address)
 
 
 def _project_of(source: Path, output: Path | None) -> Path:

@@ -113,7 +113,8 @@ class OpenedProject:
         self._built: BuiltProject = build_with_cases(self.project)
         self.changes = ()
         self.verdict: Verdict | None = None
-        self.found: FoundMechanisms | None = _found(self.project)
+        self.found: FoundMechanisms | None = None
+        self.is_searched = False
         self._results = {each.name: each for each in parameters(self._built.study)}
 
     @property
@@ -172,10 +173,19 @@ class OpenedProject:
         falls = next((f"falls at rest: {each.reason}" for each in self.study.falling if each.name == name), "")
         return ShownMechanism(name, self._results.get(name), (), self._verdict_of(name), falls)
 
+    def find_others(self) -> None:
+        """Find what the parts of the building are, and the mechanisms that they can have beside those of the file."""
+        project = self.project
+        found = _found(project)
+        if self.project is project:
+            self.found, self.is_searched = found, True
+
     def find_outcome(self) -> Verdict | None:
         """Find the verdict of the project as its file has it, and keep it; None without a site."""
+        project = self.project
         if self.study.spectrum is not None:
-            self.verdict = find_outcome(build_to_decide(self.project), jobs=0)
+            found = find_outcome(build_to_decide(project), jobs=0)
+            self.verdict = found if self.project is project else None
         return self.verdict
 
     def examine(self, name: str, *, histories: bool = False) -> ShownMechanism:

@@ -64,6 +64,9 @@ class Page:
         """Show a mechanism of the file, by its name, or one that was found."""
         with self._turn:
             self.picked = chosen
+            self.mechanisms.value = next(
+                text for text, each in self._options.items() if each is chosen or each == chosen
+            )
             self._show_picked()
 
     def _lay_out(self) -> None:
@@ -133,15 +136,26 @@ class Page:
             self.drawing.draw_building(self.opened.parts())
             self._list_mechanisms()
             self._show_picked()
-        self._thorough.ask(self._find_outcome)
 
-    def _find_outcome(self) -> None:
+    def start(self) -> None:
+        """Find beside the page what takes longer than to show it."""
+        self._thorough.ask(self._catch_up)
+
+    def _catch_up(self) -> None:
+        """Find what is not known yet: parts and mechanisms, the outcome, and that of what is tried."""
+        opened = self.opened
         with self._told():
-            self.opened.find_outcome()
-            with self._turn:
-                self._list_mechanisms()
-                self._list_missing()
-                self._recompute()
+            if not opened.is_searched:
+                opened.find_others()
+                with self._turn:
+                    self.drawing.draw_building(opened.parts())
+                    self._list_mechanisms()
+            if opened.verdict is None and opened.study.spectrum is not None:
+                opened.find_outcome()
+                with self._turn:
+                    self._list_mechanisms()
+                    self._list_missing()
+            self._recompute(histories=opened.by_histories and opened.study.spectrum is not None)
 
     def _list_mechanisms(self) -> None:
         opened, ranked = self.opened, self.opened.rank()
@@ -166,6 +180,7 @@ class Page:
             self.drawing.place_plane(None, None)
             self.drawing.mark_parts(place for place, name in enumerate(parts) if name in picked.parts)
             self.facts.content = words.candidate(picked)
+            self.elevation.disabled = self.angle.disabled = True
             return
         self.drawing.mark_parts(())
         if not picked:
@@ -226,12 +241,12 @@ class Page:
     def _ask(self, rests: bool) -> None:
         """Show what is tried, and where it rests find the outcome too."""
         self._quick.ask(self._recompute_told)
-        if rests and self.opened.study.spectrum is not None and self.opened.by_histories:
-            self._thorough.ask(partial(self._recompute_told, histories=True))
+        if rests:
+            self._thorough.ask(self._catch_up)
 
-    def _recompute_told(self, *, histories: bool = False) -> None:
+    def _recompute_told(self) -> None:
         with self._told():
-            self._recompute(histories=histories)
+            self._recompute()
 
     def _list_numbers(self) -> None:
         _remove(self._of_numbers)
@@ -279,6 +294,7 @@ class Page:
             said = what()
             if self.opened.project is not before:
                 self._show_project()
+                self.start()
             else:
                 self._show_picked()
             told.content = said
@@ -309,13 +325,14 @@ class Page:
 
 
 @contextmanager
-def open_page(project: Path, *, port: int = 0) -> Iterator[Page]:
+def open_page(project: Path, *, port: int = 0, tell: Callable[[str], object] = len) -> Iterator[Page]:
     """Serve the page of a project during the block.
 
     Parameters
     ----------
     project : its file or folder
     port : of the address; any free one where 0
+    tell : called with the address, before anything is read that may keep standard output for itself
 
     Raises
     ------
@@ -325,6 +342,8 @@ def open_page(project: Path, *, port: int = 0) -> Iterator[Page]:
     try:
         page = Page(server, OpenedProject(project))
         try:
+            tell(server.address)
+            page.start()
             yield page
         finally:
             page.close()

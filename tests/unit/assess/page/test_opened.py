@@ -166,9 +166,13 @@ def test_what_is_missing_is_tried_as_the_line_that_a_run_prints(tmp_path):
 def test_found_mechanisms_are_added_and_taken_back(tmp_path):
     path = copy_example("house", tmp_path / "house")
     opened = OpenedProject(path)
+    assert {each.kind for each in opened.parts()} == {"body"}
+    opened.find_others()
+    assert {each.kind for each in opened.parts()} >= {"wall", "floor", "roof"}
     before, found = path.read_bytes(), len(opened.proposed)
     assert found > 1
     assert opened.add_found() == f"{found} added to project.toml"
+    opened.find_others()
     assert (len(opened.project.content.mechanisms), len(opened.proposed)) == (2 + found, 0)
     opened.undo()
     assert path.read_bytes() == before

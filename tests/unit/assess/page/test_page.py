@@ -78,6 +78,15 @@ def test_picking_one_shows_its_numbers_and_each_method(at_rest):
         assert method in at_rest.facts.content
 
 
+def test_what_was_found_is_shown_beside_those_of_the_file(at_rest):
+    found = [text for text in at_rest.mechanisms.options if text.startswith("+ ")]
+    assert len(found) == len(at_rest.opened.proposed) > 0
+    by_hand(at_rest.mechanisms, found[0])
+    assert at_rest.picked is at_rest.opened.proposed[0]
+    assert "moves" in at_rest.facts.content
+    assert at_rest.elevation.disabled
+
+
 def test_a_crack_that_is_dragged_moves_the_numbers(at_rest):
     """As the handle of a browser tells it: a wall 0.6 m thick and 2 m high above its crack has 0.6 / 2."""
     drag(at_rest, (0.0, 0.0, 2.0), 0.0)
@@ -163,8 +172,10 @@ def test_in_a_browser(at_rest, tmp_path):
         assert "ntc2018-nonlinear" in shown
         assert driver.execute_script("return window.ran") is None
         assert "token" not in driver.current_url
-        lists = driver.find_elements(By.CSS_SELECTOR, 'input[aria-haspopup="listbox"]')
-        pick = next(each for each in lists if HOSTILE in (each.get_attribute("value") or ""))
+        lists = "return [...document.querySelectorAll('input[aria-haspopup=listbox]')]"
+        listed = f"{lists}.find((each) => each.value.includes(arguments[0]))"
+        wait_for(lambda: driver.execute_script(listed, HOSTILE) is not None)
+        pick = driver.execute_script(listed, HOSTILE)
         options = "return [...document.querySelectorAll('[role=option]')].filter((o) => o.checkVisibility()).length"
         pick.send_keys(Keys.ARROW_DOWN)
         wait_for(lambda: driver.execute_script(options) > 1)

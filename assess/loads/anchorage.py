@@ -15,9 +15,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from functools import reduce
 from itertools import product
-from math import inf, pi
+from math import inf, isfinite, pi
 from typing import Annotated, Literal
 
 import numpy as np
@@ -46,7 +45,8 @@ VERTICAL = 1.0  # |w_g''| / g, which no vertical motion of a design spectrum exc
 CLOSE = 3.0  # m: ties no farther apart hold the wall between them
 LEVEL = 1.0  # m: plates whose centres lie within it are of one row
 SLICES = 24  # of the depth of a cone, by the middle of each
-BEYOND = 2.0  # depths beyond the plate: what a cone runs out to an edge by; farther away its own outline is shorter
+COARSE = 4  # slices by which the ways are found, of those that a cone may run out, that can leave it least
+FEW = 4  # such ways: those that leave it least by these slices
 ON_EDGE = 1e-6  # m: a side this near an edge lies on it
 
 NO_PLATE = "of which no plate is made; check the value and its unit"
@@ -395,7 +395,8 @@ def cone_surface(figures: Sequence[Figure], depth: float, wall: shapely.Geometry
     """Return the surface along which plates punch a leaf together, seen along its depth [m2] (own derivation).
 
     At each depth the plates, grown by it on all sides, have one outline; where it lies outside the wall there is no
-    side. A cone may also run out straight to an edge, to either side, up or down, where that is shorter. For one
+    side. A cone may also run out straight to edges, to either side, up or down, however far, where that is shorter;
+    at a corner two sides of it are left. It does not run out to all edges: the wall itself would move. For one
     rectangle far from edges this is 2 (a + b + 2 t) t.
 
     Parameters
@@ -405,10 +406,22 @@ def cone_surface(figures: Sequence[Figure], depth: float, wall: shapely.Geometry
     wall : the wall with its openings as seen along its normal; None: without edges
     """
     within = None if wall is None else shapely.buffer(wall, -ON_EDGE)
-    grown = [depth * (place + 0.5) / SLICES for place in range(SLICES)]
-    ways = product(*((0, 1) if near else (0,) for near in _edges_near(figures, BEYOND * depth, within)))
-    outlines = [[_outline(figures, by, within, way, reach=BEYOND * depth) for by in grown] for way in ways]
-    return float(np.mean(outlines, axis=1).min()) * depth
+    ways = [way for way in product(*_edges_around(figures, depth, within)) if not all(isfinite(each) for each in way)]
+    for slices in (COARSE, SLICES):
+        grown = [depth * (place + 0.5) / slices for place in range(slices)]
+        outlines = np.mean([[_outline(figures, by, within, way) for by in grown] for way in ways], axis=1)
+        ways = [ways[number] for number in np.argsort(outlines)[:FEW]]
+    return float(outlines.min()) * depth
+
+
+def farthest_edge(figures: Sequence[Figure], depth: float) -> float:
+    """Return the distance beyond which no edge makes a cone less [m]: to run out so far is longer than all its sides.
+
+    Parameters
+    ----------
+    figures, depth : as of `cone_surface`
+    """
+    return sum(float(shapely.length(plate_shape(each, depth / 2.0))) for each in figures) + depth
 
 
 def cones_meet(one: Figure, other: Figure, depth: float) -> bool:
@@ -422,35 +435,54 @@ def cones_meet(one: Figure, other: Figure, depth: float) -> bool:
     return bool(shapely.intersects(plate_shape(one, depth), plate_shape(other, depth)))
 
 
-def _edges_near(figures: Sequence[Figure], reach: float, within: shapely.Geometry | None) -> list[bool]:
-    """Return whether an edge of the wall lies within reach of a plate [m] to its left, below, right and above."""
+Way = tuple[float, ...]
+"""Coordinates out to which a cone runs left, down, right and up [m]; inf, inf, -inf, -inf where it does not."""
+
+
+def _edges_around(figures: Sequence[Figure], depth: float, within: shapely.Geometry | None) -> tuple[list[float], ...]:
+    """Return the coordinates of the edges that cones may run out to, left, below, right and above, and of none [m]."""
+    found: tuple[list[float], ...] = ([inf], [inf], [-inf], [-inf])
     if within is None:
-        return [False] * 4
-    near = [False] * 4
+        return found
+    reach = farthest_edge(figures, depth)
+    west, south, east, north = shapely.bounds(shapely.union_all([plate_shape(each, reach) for each in figures]))
     for figure in figures:
         a, b, c, d = shapely.bounds(plate_shape(figure))
-        boxes = [(a - reach, b, a, d), (a, b - reach, c, b), (c, b, c + reach, d), (a, d, c, d + reach)]
-        near = [
-            one or not shapely.covers(within, shapely.box(*beside)) for one, beside in zip(near, boxes, strict=True)
-        ]
-    return near
+        for by in (-2.0 * ON_EDGE, depth):  # beside the plate, and beside all of its cone
+            strips = (
+                (west, b - by, a, d + by),
+                (a - by, south, c + by, b),
+                (c, b - by, east, d + by),
+                (a - by, d, c + by, north),
+            )
+            for side, strip in enumerate(strips):
+                found[side].extend(_edges_in(strip, side, within))
+    return tuple(sorted(set(np.round(each, 5))) for each in found)
 
 
-def _outline(
-    figures: Sequence[Figure],
-    by: float,
-    within: shapely.Geometry | None,
-    way: tuple[int, ...],
-    *,
-    reach: float,
-) -> float:
-    """Return the length of the outline at one depth, in the wall [m]; way: to which sides it runs out to an edge."""
+def _edges_in(strip: tuple[float, float, float, float], side: int, within: shapely.Geometry) -> Iterator[float]:
+    """Yield where masonry ends in a strip beside a plate, the nearest first, up to an end of its whole width."""
+    near, across = (side + 2) % 4, (1 - side % 2, 3 - side % 2)
+    sign = 1.0 if side > 1 else -1.0
+    gaps = shapely.get_parts(shapely.difference(shapely.box(*strip), within))
+    for gap in sorted(gaps, key=lambda each: sign * shapely.bounds(each)[near]):
+        bounds = shapely.bounds(gap)
+        if abs(bounds[near] - strip[near]) > 2.0 * ON_EDGE:
+            yield bounds[near] + 6.0 * sign * ON_EDGE  # beyond the edge, also when it is rounded
+        if shapely.area(gap) < 0.999 * (bounds[2] - bounds[0]) * (bounds[3] - bounds[1]):  # a sloping edge
+            yield bounds[side]
+        elif all(abs(bounds[each] - strip[each]) < 2.0 * ON_EDGE for each in across):
+            return
+
+
+def _outline(figures: Sequence[Figure], by: float, within: shapely.Geometry | None, way: Way) -> float:
+    """Return the length of the outline at one depth, in the wall [m]; way: out to which edges it runs."""
     shapes = [plate_shape(each, by) for each in figures]
-    west, south, east, north = (reach * each for each in way)
-    if any(way):
+    if any(isfinite(each) for each in way):
+        west, south, east, north = way
         bounds = [shapely.bounds(each) for each in shapes]
-        shapes += [shapely.box(a - west, b - south, c + east, d + north) for a, b, c, d in bounds]
-    border = shapely.boundary(reduce(shapely.union, shapes))
+        shapes = [shapely.box(min(a, west), min(b, south), max(c, east), max(d, north)) for a, b, c, d in bounds]
+    border = shapely.boundary(shapely.union_all(shapes))
     return float(shapely.length(border if within is None else shapely.intersection(border, within)))
 
 

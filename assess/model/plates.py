@@ -24,7 +24,6 @@ from assess.geometry.cut import Piece, section_edges, section_moments
 from assess.geometry.solid import Solid
 from assess.geometry.surface import volume
 from assess.loads.anchorage import (
-    BEYOND,
     CLOSE,
     LEVEL,
     Anchorage,
@@ -32,6 +31,7 @@ from assess.loads.anchorage import (
     PlateSite,
     cone_surface,
     cones_meet,
+    farthest_edge,
     plate_area,
     plate_shape,
 )
@@ -42,6 +42,7 @@ from spectra.gravity import g
 LAYERS = 200  # of the masonry above a plate, whose weight is summed up
 INSET = 0.37  # of half a plate: places behind it where the leaf is measured, beside its centre
 SLIVER = 1e-6  # m: by which triangles that meet are joined
+STICKS_OUT = 1e-3  # m: by which a plate may do so within rounding of a drawing
 SAME_FACE = 0.87  # cosine of 30 degrees: ties that are less askew are on one face of a wall
 MORE = 1.001  # times the drawn thickness, beyond which a leaf that is stated contradicts the drawing
 
@@ -66,7 +67,7 @@ def anchorages_of(loads: Sequence[LoadDefinition], pieces: Sequence[Piece], *, w
 
     Raises
     ------
-    GeometryError : no masonry behind a plate, or a leaf thicker than the body that is drawn
+    GeometryError : no masonry behind a plate or a part of it, or a leaf thicker than the body that is drawn
     """
     plates = {place: each for place, each in enumerate(loads) if isinstance(each, TieLoad) and each.plate is not None}
     return {
@@ -125,8 +126,14 @@ def _site(tie: TieLoad, row: Sequence[Figure], others: Sequence[Figure], wall: _
         )
     leaf = drawn if plate.leaf is None else plate.leaf
     figures = _group(figure, [*row, *others], leaf)
-    reach = (BEYOND + 1.0) * leaf + max(max(each[0].sides) for each in figures)
+    reach = farthest_edge(figures, leaf) + leaf + max(max(each[0].sides) for each in figures)
     seen = _elevation(wall, [(each[1], each[2]) for each in figures], reach)
+    behind = shapely.intersection(plate_shape(figure), seen)
+    if (beyond := float(shapely.hausdorff_distance(plate_shape(figure), behind))) > STICKS_OUT:
+        raise GeometryError(
+            f"{where}: sticks out by {beyond * 1e3:.0f} mm beyond the edge of the wall, its top or into an "
+            "opening, and masonry behind a part of it does not bear evenly; move it, or take a smaller one"
+        )
     alone = cone_surface([figure], leaf, seen)
     together, number = min(
         ((cone_surface(figures[:n], leaf, seen), n) for n in range(2, len(figures) + 1)),
@@ -136,7 +143,7 @@ def _site(tie: TieLoad, row: Sequence[Figure], others: Sequence[Figure], wall: _
     bay, at_end = _bay(figure, row, wall)
     return PlateSite(
         leaf=drawn,
-        bearing_area=min(plate_area(plate), float(shapely.area(shapely.intersection(plate_shape(figure), seen)))),
+        bearing_area=min(plate_area(plate), float(shapely.area(behind))),
         surface=(alone, together),
         group=number,
         weight_stress=_weight_stress(wall, z, z + plate.sides[1] / 2.0 + leaf),

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from math import inf, pi
 
+import numpy as np
 import pytest
 import shapely
 
@@ -92,6 +93,34 @@ def test_near_an_edge_it_runs_straight_out_where_that_is_shorter() -> None:
     wall = shapely.box(-5, -5, 5, 0.45)
     assert cone_surface([(SQUARE, 0.0, 0.0)], 0.6, wall) == pytest.approx(1.62, rel=1e-4)
     assert cone_surface([(SQUARE, 0.0, 0.0)], 0.6, shapely.box(-5, -5, 5, 5)) == pytest.approx(2.16, rel=1e-4)
+
+
+def test_at_a_corner_two_sides_are_left_however_far_it_is() -> None:
+    """0.4 m wide, 0.8 m below the top and d from an end, 0.55 m deep, on average over the depth.
+
+    Two sides, to the top and to the end: (0.4 + 0.8 + 0.275) + (0.4 + d + 0.275) = 2.15 + d, least up to d = 1.65,
+    where all four have 4 x 0.4 + 4 x 0.55 = 3.8. Three sides, without that to the end, have
+    2 (0.4 + d + 0.275) + 0.4 + 0.55 = 2.3 + 2 d, never less than two.
+    """
+    plate, wall = Plate(width=0.4, height=0.4), shapely.box(-4.5, 0, 4.5, 7.8)
+    ends = np.linspace(0.3, 2.0, 35)
+    found = [cone_surface([(plate, 4.3 - d, 6.8)], 0.55, wall) for d in ends]
+    assert found == pytest.approx(list(np.minimum(2.15 + ends, 3.8) * 0.55), rel=1e-4)
+
+
+def test_an_opening_far_beside_a_plate_is_run_out_to_as_an_end_is() -> None:
+    """A window higher than the cone, 1.2 m beside a plate 0.8 m below the top: 2.15 + 1.2 m, by the test above."""
+    wall = shapely.box(-4.5, 0, 4.5, 7.8) - shapely.box(3.0, 5.5, 4.0, 7.6)
+    plate = Plate(width=0.4, height=0.4)
+    assert cone_surface([(plate, 1.6, 6.8)], 0.55, wall) < 3.6 * 0.55
+    open_to_top = shapely.box(-4.5, 0, 4.5, 7.8) - shapely.box(3.0, 5.5, 4.0, 8.0)
+    assert cone_surface([(plate, 1.6, 6.8)], 0.55, open_to_top) == pytest.approx(3.35 * 0.55, rel=1e-4)
+
+
+def test_between_two_edges_two_sides_are_left() -> None:
+    """A pier 1.2 m wide: above and below the plate it is cut across, 2 x 1.2 m, where four sides have 3.8 m."""
+    pier = shapely.box(-0.6, -9, 0.6, 9)
+    assert cone_surface([(Plate(width=0.4, height=0.4), 0.0, 0.0)], 0.55, pier) == pytest.approx(2.4 * 0.55, rel=1e-4)
 
 
 def test_an_opening_takes_the_sides_that_would_lie_in_it() -> None:

@@ -56,9 +56,13 @@ def test_at_the_top_a_side_is_lacking() -> None:
     assert surface(found) == pytest.approx(1.26, rel=1e-3)
 
 
-def test_over_an_edge_only_what_has_masonry_behind_it_presses() -> None:
-    (found,) = facade(tie(0, HEIGHT - 0.05))
-    assert found.site.bearing_area == pytest.approx(0.3 * 0.2, rel=1e-4)
+@pytest.mark.parametrize(("y", "z"), [(0, HEIGHT - 0.05), (LENGTH / 2 - 0.05, 5), (1.7, 5)])
+def test_a_plate_that_sticks_out_over_an_edge_is_refused(y: float, z: float) -> None:
+    """By 0.1 m each: half of 0.3 m less the 0.05 m to the top, to the end, and to a window that begins at y = 1.75."""
+    wall = assess.box(thickness=THICKNESS, length=LENGTH, height=HEIGHT, density=2000.0)
+    window = assess.box(thickness=2.0, length=1.5, height=1.5, base=[0, 2.5, 4.25], density=1.0)
+    with pytest.raises(AssessError, match="sticks out by 100 mm"):
+        facade(tie(y, z), body=replace(wall, solid=subtract(wall.solid, [window.solid])))
 
 
 def test_masonry_above_the_cone_presses_on_it() -> None:

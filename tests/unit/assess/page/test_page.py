@@ -204,6 +204,62 @@ def test_in_a_browser(at_rest, tmp_path):
         ] == []
 
 
+@pytest.mark.skipif(DRIVER is None, reason="needs chromium and chromedriver: .venv/browser of the Makefile")
+def test_the_handle_of_the_crack_is_dragged_in_a_browser(at_rest, tmp_path, monkeypatch):
+    """With the mouse: viser had releases whose handle said nothing."""
+    from selenium.webdriver.common.action_chains import ActionChains
+
+    told, dragged = [], at_rest.drawing._moved
+    monkeypatch.setattr(at_rest.drawing, "_moved", lambda *moved: (told.append(moved), dragged(*moved)))
+    with browser(tmp_path) as driver:
+        driver.get(at_rest.server.address)
+        awaited(driver, lambda text: "Verdict: FAIL" in text)
+        wait_for(lambda: has_camera(at_rest))
+        (client,) = at_rest.server.viser.get_clients().values()
+        handle = at_rest.drawing._plane
+        for reach in (0.5, 0.7, 0.3, 0.6, 0.9):  # of its size: an arrow or a ring lies there, as the camera has it
+            rect = "const r = document.querySelector('canvas').getBoundingClientRect()"
+            box = driver.execute_script(f"{rect}; return [r.x, r.y, r.width, r.height]")
+            x, y, z = handle.position
+            ends = [on_screen(client.camera, box, (x, y, z + reach * handle.scale + up)) for up in (0, 0.7)]
+            driven = ActionChains(driver, duration=300)
+            mouse = driven.w3c_actions.pointer_action
+            mouse.move_to_location(*ends[0]).pause(0.5).pointer_down().pause(0.3)
+            for share in (0.25, 0.5, 0.75, 1.0):
+                mouse.move_to_location(*(int(a + share * (b - a)) for a, b in zip(*ends, strict=True))).pause(0.3)
+            mouse.release()
+            driven.perform()
+            if told:
+                break
+        wait_for(lambda: bool(told) and told[-1][2])
+        assert not told[0][2]
+        assert at_rest.wait(PATIENCE)
+        (setting,) = at_rest.opened.changes
+        assert list(setting) == [("mechanisms", "thin", "cut")]
+        awaited(driver, lambda text: "1 value tried, not written" in text)
+
+
+def has_camera(page: Page) -> bool:
+    """Return whether a browser has said from where it looks."""
+    clients = page.server.viser.get_clients().values()
+    return bool(clients) and all(each.camera._state.update_timestamp > 0.0 for each in clients)
+
+
+def on_screen(camera, box, place) -> tuple[int, int]:
+    """Return where a place lies on the screen [px], by the pinhole of the camera: x to the right, y down, z ahead."""
+    w, x, y, z = camera.wxyz
+    turned = np.array(
+        [
+            [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
+            [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
+            [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
+        ]
+    )
+    right, down, ahead = turned.T @ (np.asarray(place) - camera.position)
+    focal = box[3] / 2 / np.tan(camera.fov / 2)
+    return int(box[0] + box[2] / 2 + focal * right / ahead), int(box[1] + box[3] / 2 + focal * down / ahead)
+
+
 @contextmanager
 def browser(folder):
     from selenium import webdriver

@@ -29,9 +29,7 @@ from assess.declaration import (
     Fault,
     MasonryStrength,
     NotAKey,
-    NotNegativeStress,
     Number,
-    PositiveForce,
     PositiveLength,
     RatioToOne,
 )
@@ -61,10 +59,41 @@ ShearStrength = Annotated[
     Number(
         "stress",
         above=0,
-        most=1e6,
-        beyond="must be greater than 0 and 1 MPa or less: of masonry in shear without compression",
+        most=0.5e6,
+        beyond="must be greater than 0 and 0.5 MPa or less: of masonry in shear without compression",
     ),
 ]
+BondStrength = Annotated[
+    float,
+    Number(
+        "stress",
+        above=0,
+        most=1e6,
+        beyond="must be greater than 0 and 1 MPa or less: of grout around a hole in masonry",
+    ),
+]
+Compression = Annotated[
+    float,
+    Number(
+        "stress", least=0, most=1e6, beyond="not 0 to 1 MPa, which no wall has at a plate; check the value and its unit"
+    ),
+]
+AnchorForce = Annotated[
+    float,
+    Number(
+        "force",
+        above=0,
+        most=1e6,
+        beyond="not above 0 and up to 1 MN, which no wall bears; check the value and its unit",
+    ),
+]
+HoleWidth = Annotated[
+    float, Number("length", above=0, least=0.01, most=0.2, beyond="not 10 to 200 mm, which no hole of a bar has")
+]
+Embedment = Annotated[
+    float, Number("length", above=0, most=2.0, beyond="not above 0 and up to 2 m, which no wall is thicker than")
+]
+NUT_SHARE = 0.5  # of the lesser side of a plate, above which its nut, washer or rib is not one of it
 STATED_ALONE = "the stated strength alone"
 AS_SURVEYED = Evidence("measured", "up", STATED_ALONE)  # where no source vouches for it, the table is left out
 
@@ -93,23 +122,23 @@ class Plate:
     """of the masonry without compression, f_v0, like "0.02 MPa\""""
     friction: Annotated[RatioToOne, UNCERTAIN, AS_SURVEYED] = 0.0
     """mu, with which the weight above adds to f_v0, like 0.4; 0, no part of it, if absent"""
-    normal_stress: Annotated[NotNegativeStress | None, AS_SURVEYED] = None
+    normal_stress: Annotated[Compression | None, AS_SURVEYED] = None
     """in the wall at the plate, least in the earthquake; if absent 0.6 of the weight of the masonry above the cone"""
     bearing_strength: Annotated[MasonryStrength | None, UNCERTAIN, AS_SURVEYED] = None
     """of the masonry across the face of the wall, f_h: tested, else half of its strength in compression"""
     leaf: Annotated[PositiveLength | None, AS_SURVEYED] = None
     """thickness of the leaf that the plate grips, no more than is drawn; that of the drawn body if absent"""
-    between: Annotated[PositiveForce | None, AS_SURVEYED] = None
+    between: Annotated[AnchorForce | None, AS_SURVEYED] = None
     """pull of the tie that the wall between it and the next one, or its end, can bring to it, by a calculation of its
     own; needed where that is farther than 3 m between ties, or 1.5 m to an end, and no arch spans it: none does beside
     the outermost tie of a row"""
-    far_strength: Annotated[PositiveForce | None, AS_SURVEYED] = None
+    far_strength: Annotated[AnchorForce | None, AS_SURVEYED] = None
     """of what holds the other end: plate, masonry and wall there; or hole, embedment and bond_strength"""
-    hole: Annotated[PositiveLength | None, BOUGHT, AS_SURVEYED] = None
+    hole: Annotated[HoleWidth | None, BOUGHT, AS_SURVEYED] = None
     """diameter of the hole of an injected far end"""
-    embedment: Annotated[PositiveLength | None, BOUGHT, AS_SURVEYED] = None
+    embedment: Annotated[Embedment | None, BOUGHT, AS_SURVEYED] = None
     """length of an injected far end in its wall"""
-    bond_strength: Annotated[ShearStrength | None, AS_SURVEYED] = None
+    bond_strength: Annotated[BondStrength | None, AS_SURVEYED] = None
     """of grout and masonry around that hole, tested"""
     confidence: Annotated[float, NotAKey()] = LEAST_KNOWLEDGE
     """FC, that of the level of knowledge"""
@@ -129,8 +158,8 @@ class Plate:
         for key in ("width", "height"):
             if (getattr(self, key) is None) == (self.diameter is None):
                 yield key, "give width and height of a rectangular plate, or diameter of a round one"
-        if self.nut is not None and self.nut > min(self.sides):
-            yield "nut", "wider than the plate; give the width of nut, washer or rib"
+        if self.nut is not None and self.nut > NUT_SHARE * min(self.sides):
+            yield "nut", "wider than half of the plate's lesser side; give the width of nut, washer or rib"
         injected = {key: getattr(self, key) for key in ("hole", "embedment", "bond_strength")}
         if any(injected.values()):
             for key, value in injected.items():

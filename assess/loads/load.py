@@ -57,6 +57,7 @@ Spring = Annotated[
     ),
 ]
 BarStrain = Annotated[float, Number("ratio", above=0, most=0.4)]
+LEAST_THREAD, MOST_THREAD = 0.5, 2.0  # times the area of the bar: a thread cut into it, and an end that is upset
 LONGER = 1.25
 """Length over which a tie stretches, over the distance of its ends, beyond which the two contradict each other."""
 
@@ -265,6 +266,13 @@ class TieLoad:
                     "missing; a tie that stretches needs area, young_modulus, yield_stress, length, fracture_strain",
                 )
         if self.plate is not None:
+            thread = self.plate.thread_area
+            if self.area and thread and not LEAST_THREAD <= thread / self.area <= MOST_THREAD:
+                yield (
+                    "area",
+                    f"{self.area * 1e6:.0f} mm^2, where the thread of its plate has {thread * 1e6:.4g} mm^2, not "
+                    f"{LEAST_THREAD:g} to {MOST_THREAD:g} times as much; check both and their units",
+                )
             for key in ("at", "anchor"):
                 if len(getattr(self, key) or (0, 0, 0)) != 3:
                     yield key, "beside a plate it must be [x, y, z], by which it lies on its wall"

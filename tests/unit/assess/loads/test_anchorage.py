@@ -195,7 +195,7 @@ def test_an_injected_end_has_the_lesser_of_bond_and_cone() -> None:
     [
         ({"width": None}, "width"),
         ({"diameter": 0.3}, "width"),
-        ({"nut": 0.4}, "nut"),
+        ({"nut": 0.16}, "nut"),
         ({"hole": 0.05}, "embedment"),
     ],
 )
@@ -209,3 +209,51 @@ def test_python_hears_of_them_too() -> None:
     tie = assess.TieLoad(force=1e3, at=[0, 0, 5], anchor=[-9, 0, 5], plate=Plate(**FULL))  # type: ignore[arg-type]
     with pytest.raises(AssessError, match="of a tie that stretches"):
         assess.single_block(wall, direction=[1, 0, 0], loads=[tie])
+
+
+@pytest.mark.parametrize(
+    ("key", "most"),
+    [
+        ("shear_strength", 0.5e6),
+        ("normal_stress", 1e6),
+        ("bearing_strength", 50e6),
+        ("friction", 1.0),
+        ("between", 1e6),
+        ("far_strength", 1e6),
+        ("embedment", 2.0),
+        ("hole", 0.2),
+    ],
+)
+def test_what_no_wall_bears_is_refused(key: str, most: float) -> None:
+    """Taken up to the most that masonry can have; a little more is an error of its own key."""
+    wall = assess.box(thickness=0.6, length=4.0, height=6.0, density=2000.0)
+    far = {"far_strength": None, "hole": 0.05, "embedment": 0.5, "bond_strength": 0.3e6}
+
+    def build(value: float) -> None:
+        plate = Plate(**{**FULL, **(far if key in far and key != "far_strength" else {}), key: value})  # type: ignore[arg-type]
+        assess.single_block(wall, direction=[1, 0, 0], sides="one", loads=[stretching(plate)])
+
+    build(most)
+    with pytest.raises(AssessError, match=key):
+        build(1.01 * most)
+
+
+def stretching(plate: Plate, *, area: float = 314e-6) -> assess.TieLoad:
+    return assess.TieLoad(
+        at=[0.3, 0, 4], anchor=[-9.7, 0, 4], length=10.0, area=area, young_modulus=210e9, yield_stress=235e6,
+        fracture_strain=0.1, plate=plate,
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("square_millimetres", "taken"), [(20_000, False), (491, False), (489, True), (124, True), (121, False)]
+)
+def test_a_bar_goes_with_its_thread(square_millimetres: float, *, taken: bool) -> None:
+    """A thread of 245 mm2 is that of a bar of 122.5 to 490 mm2; of 200 cm2 it is not."""
+    wall = assess.box(thickness=0.6, length=4.0, height=6.0, density=2000.0)
+    tie = stretching(Plate(**FULL), area=square_millimetres * 1e-6)  # type: ignore[arg-type]
+    if taken:
+        assess.single_block(wall, direction=[1, 0, 0], sides="one", loads=[tie])
+    else:
+        with pytest.raises(AssessError, match=r"area = .* where the thread of its plate has 245 mm"):
+            assess.single_block(wall, direction=[1, 0, 0], sides="one", loads=[tie])

@@ -175,7 +175,7 @@ PLATE = (
 
 def test_anchorages_from_plates_follow_their_places(tmp_path: Path) -> None:
     """The wall between the plates is a part of them, so none is refused for it; plates that crowd in a cone are."""
-    path = facade(tmp_path, ('strength = "200 kN"', PLATE))
+    path = facade(tmp_path, ('strength = "200 kN"', PLATE), ('force = "8 kN"', 'force = "3 kN"'))
     found = assess.retrofit(path, target="index", reach=0.2, vary={AREA: "314 mm^2", COUNT: "2, 3, 12"}).results
     two, three, twelve = found.layouts
     assert two.refused is None

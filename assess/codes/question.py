@@ -60,12 +60,14 @@ class StateBefore:
     index : of the building, the larger of its two states'; None where a mechanism has no answer
     indices : of each mechanism, by name; None where that has no answer
     is_as_written : whether the list in the folder of that file shows it to be as the program wrote it
+    differences : values of its project and of this one that differ, by their keys
     """
 
     path: str
     index: float | None
     indices: Mapping[str, float | None]
     is_as_written: bool = True
+    differences: tuple[Message, ...] = ()
 
 
 @dataclass(frozen=True)

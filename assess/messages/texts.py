@@ -250,6 +250,12 @@ TEXTS: Mapping[str, str] = {
     "wrote it; keep the folder of that run together, or name the source of its results",
     "unlisted-by-source": "a pass is valid only if {file} is as the program wrote it: no list in its folder shows it, "
     "a source vouches for it",
+    "differs-before": "{before} in the state before the works, {here} here",
+    "only-before": "in the state before the works alone",
+    "only-here": "here alone, not in the state before the works",
+    "same-building": "a pass is valid only if the state before the works is of the same building: {differences}",
+    "differs-there": "{key} was {before} there and is {here} here",
+    "differs-more": "{number} more in the list of differences",
     "index-falls": "the works lower the index from {before} to {after} (NTC 8.4.1)",
     "missing-class-of-improvement": "the class of use, on which the target of an improvement depends (NTC 8.4.2)",
     "missing-class-of-hazard": "the class of use, on which the return period of the action depends; provisional: the "

@@ -504,6 +504,7 @@ def _input_messages(
     """
     return (
         *project.messages,
+        *(() if study.before is None else study.before.differences),
         *uncertainty_messages(project),
         *locate(files.spectrum.warnings if files.spectrum else (), "site.spectrum"),
         *project_messages(project.content, files.solids, study),

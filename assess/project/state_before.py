@@ -16,6 +16,7 @@ from assess.errors import ProjectError, ResultsError
 from assess.messages.message import Message, Severity, message
 from assess.project import sections
 from assess.project.project_file import resolved_values
+from assess.project.same_building import differences_since_before, same_building_conditions
 from assess.results import CapacitiesResult, Results
 from assess.results.before import state_of
 from assess.results.json import open_results
@@ -102,8 +103,9 @@ def _checked(
     indices = {each.mechanism: None if each.index is None else each.index.value for each in shown.mechanisms}
     open_ones = {each.mechanism for each in results.verdict.mechanisms if _is_open(each.answers)}
     known = {name: None if name in open_ones else index for name, index in indices.items()}
-    state = StateBefore(path, _larger_index(results.verdict, known), known)
-    return Before(state, shown, _has_new_ties(resolved, results))
+    differences = differences_since_before(results.project, resolved, inputs=results.inputs, folder=folder)
+    state = StateBefore(path, _larger_index(results.verdict, known), known, differences=differences)
+    return Before(state, replace(shown, differences=differences), _has_new_ties(resolved, results))
 
 
 def works_of(content: sections.Content, basis: Basis | None, before: Before | None) -> Works:
@@ -140,9 +142,12 @@ def missing_since_before(content: sections.Content, question: Question) -> Itera
 
 
 def conditions_since_before(content: sections.Content, question: Question) -> Iterator[Message]:
-    """Yield the conditions that mechanisms of the state before are gone, and its results genuine, as a source says."""
+    """Yield the conditions that the building is the same, and what of the state before a source alone vouches for."""
     before = _compared_with(question)
-    if before is None or not content.report.source_of(KEY):
+    if before is None:
+        return
+    yield from same_building_conditions(before.differences)
+    if not content.report.source_of(KEY):
         return
     if gone := _gone_since_before(content, before):
         yield message("gone-by-source", {"mechanisms": ", ".join(gone)}, severity=Severity.WARNING)

@@ -9,6 +9,7 @@ from assess.codes.calculation_sheet import Bound
 from assess.codes.check import Check
 from assess.codes.procedures import uses_histories
 from assess.codes.verdict import Decision, Index, MechanismVerdict, Verdict, least_index
+from assess.messages.message import Message
 from assess.short_repr import ShortRepr
 
 if TYPE_CHECKING:
@@ -45,6 +46,8 @@ class CapacitiesResult(ShortRepr):
     path : of the results that it is from; empty for those that hold it; stamp : of them
     index : of the building; weakest : the mechanism that holds up to the lowest action, empty where none is known
     suite : each record by its id with its scale factor [-], where histories decide; else empty
+    differences : of a state before the works, from that which holds it: a warning for each value of the building that
+        differs, by its key, and a note for each load and body that one state alone has
     """
 
     path: str
@@ -55,6 +58,7 @@ class CapacitiesResult(ShortRepr):
     weakest: str
     mechanisms: tuple[CapacityResult, ...]
     suite: tuple[tuple[str, float], ...] = ()
+    differences: tuple[Message, ...] = ()
 
     def of(self, mechanism: str) -> CapacityResult | None:
         """Return what a mechanism holds; None for one that this state does not have."""

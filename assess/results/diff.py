@@ -262,7 +262,13 @@ COMPARED: tuple[Callable[[Results, Results], Iterator[Difference]], ...] = (
 
 
 def same(one: Any, other: Any, *, tolerance: float) -> bool:
-    """Return whether two values of a results file are equal but for rounding; lists and tables item by item."""
+    """Return whether two values of a results file are equal but for rounding; lists and tables item by item.
+
+    Parameters
+    ----------
+    one, other : the values
+    tolerance : relative difference of numbers [-]
+    """
     if isinstance(one, Mapping) and isinstance(other, Mapping):
         return one.keys() == other.keys() and all(same(one[key], other[key], tolerance=tolerance) for key in one)
     if isinstance(one, list | tuple) and isinstance(other, list | tuple):

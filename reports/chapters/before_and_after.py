@@ -13,7 +13,7 @@ from assess.codes.works import SAME_INDEX
 from assess.results import CapacitiesResult, CapacityResult, Results
 from assess.results.before import state_of
 from reports.chapters import cells
-from reports.document import Cell, Column, Facts, Field, Figure, OutcomeCell, Prose, Section, Table, tabulate
+from reports.document import Block, Cell, Column, Facts, Field, Figure, OutcomeCell, Prose, Section, Table, tabulate
 from reports.figures import before_and_after as figure
 from reports.language.texts import Text, Verbatim, listing, quantity, say
 from reports.mechanisms import procedure_title, title_in_either_state
@@ -32,11 +32,12 @@ def sections(results: Results) -> list[Section]:
         "PGA up to which each mechanism holds before and after the works, by the method that decides; the line is the "
         "site’s own action. Where there is no bar, it is not known."
     )
-    blocks = (
+    blocks: tuple[Block, ...] = (
         Facts(tuple(_facts(results, before, after))),
         states_table(results),
         Figure("before-and-after", caption, partial(figure.draw_states, results)),
         Prose(tuple(findings(results, before, after))),
+        *_differences(before),
     )
     return [Section(say("Before and after the works"), 0, blocks, starts_page=True)]
 
@@ -56,6 +57,17 @@ def states_table(results: Results) -> Table:
     caption = say("Each mechanism before and after the works, both at the site’s own action.")
     rows = [] if before is None or after is None else list(_rows(before, after))
     return tabulate("before-and-after", caption, fields, rows, small=True)
+
+
+def _differences(before: CapacitiesResult) -> Iterator[Table]:
+    """Yield the table of what differs of the building and of its loads; none where nothing does."""
+    if before.differences:
+        caption = say(
+            "What differs between the two states: values of the building, which are to be the same, and works."
+        )
+        columns = (Column(say("Where"), share=0.45), Column(say("Message")))
+        rows = tuple((Verbatim(each.where), each) for each in before.differences)
+        yield Table("differences-before", caption, columns, rows, small=True)
 
 
 def findings(results: Results, before: CapacitiesResult, after: CapacitiesResult) -> Iterator[Text]:

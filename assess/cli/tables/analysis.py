@@ -256,6 +256,10 @@ def _before(results: Results) -> Iterator[str]:
         index = "" if before.index is None else f", at most {named_index_text(before.index)}"
         weakest = f"; weakest: {on_one_line(escape_text(before.weakest), 40)}" if before.weakest else ""
         yield f"before: {before.outcome.value}{index}{weakest}"
+        works = [each.where for each in before.differences if each.severity == Severity.NOTE]
+        if works:
+            more = f" and {len(works) - 3} more" if len(works) > 3 else ""
+            yield f"works: {', '.join(works[:3])}{more}"
 
 
 def _unexamined(report: ReportMatter) -> str:

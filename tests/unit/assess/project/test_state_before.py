@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 import json
 import shutil
 from pathlib import Path
@@ -13,6 +14,8 @@ from assess.errors import ProjectError
 from assess.outputs.manifest import RESULTS
 from assess.project.build import build_to_decide
 from assess.project.project_file import load
+from assess.project.same_building import differences_since_before
+from assess.results import Input, ResolvedValue
 from assess.results.before import state_of
 from assess.results.json import dumps, loads
 from assess.study.run import find_outcome
@@ -168,6 +171,51 @@ def test_results_whose_numbers_contradict_one_another_are_refused(tmp_path, numb
     write_listed(tmp_path / RESULTS, json.dumps(tree))
     with pytest.raises(ProjectError, match=r"index of facade: 0\.\d+ in its verdict and 0\.\d+ by its checks"):
         question_of(folder() / "with-ties.toml", before=tmp_path / RESULTS)
+
+
+def test_a_tie_is_the_works_and_no_other_value_differs():
+    before, warnings = with_ties().before, with_ties().warnings
+    assert [(each.key, each.where) for each in before.differences] == [
+        ("only-here", "mechanisms.facade.loads[1]"),
+        ("only-here", "mechanisms.facade.loads[2]"),
+    ]
+    assert set(before.differences) <= set(warnings)
+    assert "same-building" not in {each.key for each in with_ties().verdict.conditions}
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "told"),
+    [
+        ("length = 0.50", "length = 0.55", "bodies.facade.length was 0.5 m there and is 0.55 m here"),
+        ("[4.0, 6.5]", "[4.0, 6.4]", "bodies.facade.profile[3][2] was 6.5 m there and is 6.4 m here"),
+        ('"2000 kg/m^3"', '"2100 kg/m^3"', "materials.stone.density was 2000 kg/m3 there and is 2100 kg/m3 here"),
+        ('cut = "6.5 m"', 'cut = "6.6 m"', "mechanisms.gable.cut was 6.5 m there and is 6.6 m here"),
+        ("storeys = 2", "storeys = 3", "building.storeys was 2 there and is 3 here"),
+    ],
+)
+def test_a_state_before_of_another_wall_is_told_and_a_condition_of_a_pass(old, new, told):
+    study = build_to_decide(load(variant("another-wall", **{old: new})))
+    found = find_outcome(study)
+    where = told.split(" was ")[0]
+    assert ("differs-before", where) in {(each.key, each.where) for each in study.before.differences}
+    assert [told in each.text for each in found.conditions if each.key == "same-building"] == [True]
+
+
+def test_a_wall_of_another_name_and_material_is_no_works():
+    """Its mechanism has the same name, so that its index is that of the wall before."""
+    other = {"[bodies.facade]": "[bodies.front]", 'blocks = ["facade"]': 'blocks = ["front"]'}
+    study = build_to_decide(load(variant("renamed-wall", **other)))
+    places = {each.where for each in study.before.differences if each.key == "differs-before"}
+    assert {"bodies.facade.length", "bodies.front.length", "mechanisms.facade.blocks[1][1]"} <= places
+
+
+def test_models_are_the_same_by_their_content(tmp_path):
+    (tmp_path / "new.obj").write_text("v 0 0 0\n", encoding="utf-8")
+    values = [{"bodies.a.mesh": ResolvedValue(name, given=True)} for name in ("old.obj", "new.obj")]
+    (sha,) = (hashlib.sha256(b"v 0 0 0\n").hexdigest(),)
+    for digest, keys in ((sha, []), ("0" * 64, ["bodies.a.mesh"])):
+        found = differences_since_before(*values, inputs=(Input("old.obj", digest),), folder=tmp_path)
+        assert [each.where for each in found] == keys
 
 
 def test_what_is_no_results_file_is_refused(tmp_path):

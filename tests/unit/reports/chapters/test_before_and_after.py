@@ -20,7 +20,13 @@ ENGLISH, ITALIAN = Locale(), Locale("it")
 def words(results: Results, locale: Locale = ENGLISH) -> str:
     """What the page says below its figure."""
     (page,) = before_and_after.sections(results)
-    return " ".join(map(locale.text, page.blocks[-1].paragraphs))
+    return " ".join(map(locale.text, page.blocks[3].paragraphs))
+
+
+def test_the_page_lists_what_differs_of_the_two_states():
+    (page,) = before_and_after.sections(with_ties())
+    table = page.blocks[-1]
+    assert [row[0].text for row in table.rows] == [f"mechanisms.facade.loads[{n}]" for n in (1, 2)]
 
 
 def test_results_without_a_state_before_have_no_such_page():

@@ -8,7 +8,7 @@ from math import isinf
 from typing import cast
 
 from assess.results.provenance import describe_program
-from assess.results.retrofit import Layout, Proof, Reached, RetrofitResults
+from assess.results.retrofit import Layout, Reached, RetrofitResults, Trial
 from reports.chapters.cells import OUTCOMES
 from reports.document import (
     BulletList,
@@ -144,38 +144,59 @@ def _amount(results: RetrofitResults, layout: Layout) -> Text:
 
 
 def _proof(results: RetrofitResults) -> Iterator[Prose | Table]:
-    """Yield how many layouts were tried, and what the last of them reaches with every tolerance."""
+    """Yield how many layouts were tried, how each fell short, and what the least reaches with every tolerance."""
     sentence = say_count(
         "{number} layout was put to the proof.", "{number} layouts were put to the proof.", number=results.tried
     )
     yield Prose((sentence,))
-    if results.proofs:
+    if results.trials:
         keys = (say("Area"), say("Length"), say("Height"), say("Yield stress"))
-        fields: list[Field[Proof]] = [(Column(say("Outcome")), _holds)]
+        fields: list[Field[Trial]] = [
+            (Column(heading, figures=6), cast(Callable[[Trial], Cell], partial(_tried, place)))
+            for place, heading in enumerate(_headings(results))
+        ]
+        fields.append((Column(say("Outcome")), _holds))
         for key, name in zip(keys, ("area", "length", "height", "yield_stress"), strict=True):
-            fields.append((Column(key, "ratio", 3), cast(Callable[[Proof], Cell], partial(_factor, name))))
-        fields.append((Column(MEASURES[results.target.kind], "ratio", 3), lambda proof: _value(proof.reached.value)))
+            fields.append((Column(key, "ratio", 3), cast(Callable[[Trial], Cell], partial(_factor, name))))
+        fields.append(
+            (Column(MEASURES[results.target.kind], "ratio", 3), lambda trial: _value(trial.proof.reached.value))
+        )
         if results.proof_records:
-            fields.append((Column(say("Records that overturn")), lambda proof: proof.reached.overturned))
-        yield tabulate("proof", say("The last layout put to the proof, by factors on its ties"), fields, results.proofs)
+            fields.append((Column(say("Records that overturn")), lambda trial: trial.proof.reached.overturned))
+        caption = say(
+            "Layouts put to the proof, by factors on their ties: those with which one first fell short, and all of the "
+            "one that did not"
+        )
+        yield tabulate("proof", caption, fields, results.trials)
 
 
-def _holds(proof: Proof) -> Cell:
-    return say("holds") if proof.holds else say("falls short")
+def _tried(place: int, trial: Trial) -> Cell:
+    return trial.layout.values[place]
 
 
-def _factor(name: str, proof: Proof) -> Cell:
-    return float(getattr(proof.tolerance, name))
+def _holds(trial: Trial) -> Cell:
+    return say("holds") if trial.proof.holds else say("falls short")
+
+
+def _factor(name: str, trial: Trial) -> Cell:
+    return float(getattr(trial.proof.tolerance, name))
+
+
+def _headings(results: RetrofitResults) -> list[Verbatim]:
+    """Return what was varied with its unit; without the name of the mechanism where that is one."""
+    common = f"mechanisms.{results.mechanisms[0]}."
+    shared = all(varied.key.startswith(common) for varied in results.varied)
+    keys = [varied.key.removeprefix(common) if shared else varied.key for varied in results.varied]
+    return [
+        Verbatim(f"{key} [{varied.unit}]" if varied.unit else key)
+        for key, varied in zip(keys, results.varied, strict=True)
+    ]
 
 
 def _table(name: str, caption: Text, results: RetrofitResults, layouts: tuple[Layout, ...]) -> Table:
     """Return the table of layouts."""
     fields: list[Field[Layout]] = []
-    common = f"mechanisms.{results.mechanisms[0]}."
-    shared = all(varied.key.startswith(common) for varied in results.varied)
-    for place, varied in enumerate(results.varied):
-        key = varied.key.removeprefix(common) if shared else varied.key
-        heading = Verbatim(f"{key} [{varied.unit}]" if varied.unit else key)
+    for place, heading in enumerate(_headings(results)):
         fields.append((Column(heading, figures=6), cast(Callable[[Layout], Cell], partial(_typed, place))))
     fields.append((Column(STEEL, "mass", 4), lambda layout: _value(layout.steel)))
     if results.priced:
@@ -183,9 +204,16 @@ def _table(name: str, caption: Text, results: RetrofitResults, layouts: tuple[La
     fields.append((Column(MEASURES[results.target.kind], "ratio", 4), lambda layout: _value(_reached(layout).value)))
     if results.search_records:
         fields.append((Column(say("Records that overturn")), lambda layout: _reached(layout).overturned))
+    if results.trials:
+        fields.append((Column(say("Proof")), partial(_outcome, results)))
     if any(layout.refused for layout in layouts):
         fields.append((Column(say("Refused")), lambda layout: layout.refused))
     return tabulate(name, caption, fields, layouts)
+
+
+def _outcome(results: RetrofitResults, layout: Layout) -> Cell:
+    """Say how the proof of a layout ended; None of one that was not put to it."""
+    return say("falls short") if results.fell_short(layout) else say("holds") if layout == results.best else None
 
 
 def _typed(place: int, layout: Layout) -> Cell:

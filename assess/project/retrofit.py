@@ -198,6 +198,7 @@ def find_retrofit(project: Project, question: RetrofitQuestion, *, jobs: int, pr
         proof_records=tuple(each.record.id for each in rest),
         verdict=outcome,
         warnings=tuple(warnings),
+        failed=found.failed,
     )
     return Retrofit(results, project, with_works if found.best is not None else None)
 

@@ -96,6 +96,14 @@ class Proof:
 
 
 @dataclass(frozen=True)
+class Trial:
+    """A layout put to the proof, and what it reaches with one tolerance."""
+
+    layout: Layout
+    proof: Proof
+
+
+@dataclass(frozen=True)
 class VariedKey:
     """What was varied: a key or a declared work, its unit, "" for none, and its value in the file, if it has one."""
 
@@ -115,6 +123,7 @@ class RetrofitResults(ShortRepr):
     best : the least that is proved; None where none is; nearest : the best of those examined
     proofs : of `best`, else of the last that was tried, up to its failure
     tried : how many were put to the proof; candidates : how many reached the target in the search
+    failed : those that fell short, the least first, each with the tolerance that was the first to show it
     search_records, proof_records : their names
     verdict : of the project with the best works: "pass", "fail" or "incomplete"; "" where it was not asked
     """
@@ -140,11 +149,23 @@ class RetrofitResults(ShortRepr):
     proof_records: tuple[str, ...] = ()
     verdict: str = ""
     warnings: tuple[Message, ...] = ()
+    failed: tuple[Trial, ...] = ()
 
     @property
     def front(self) -> tuple[Layout, ...]:
         """The Pareto front: layouts for which none of less steel or cost reaches as much, rising in it."""
         return pareto_front(self.layouts, self.target)
+
+    @property
+    def trials(self) -> tuple[Trial, ...]:
+        """Those that fell short in the proof, and of the layout that did not what it reaches with every tolerance."""
+        kept = self.best or self.nearest
+        proved = kept is not None and all(proof.holds for proof in self.proofs)
+        return (*self.failed, *(Trial(kept, proof) for proof in self.proofs if kept is not None and proved))
+
+    def fell_short(self, layout: Layout) -> bool:
+        """Return whether a layout was put to the proof and fell short."""
+        return any(each.layout.place == layout.place for each in self.failed)
 
     def table(self) -> DataFrame:
         """Return a row for each layout: its values, steel, cost, what it reaches, and why it was refused."""
@@ -162,6 +183,7 @@ class RetrofitResults(ShortRepr):
             self.target.kind: reached.value,
             "overturned": reached.overturned,
             "refused": "" if layout.refused is None else layout.refused.text,
+            "proof": "falls short" if self.fell_short(layout) else "holds" if layout == self.best else "",
         }
 
 

@@ -25,7 +25,7 @@ from assess.dynamics.packing import Equation
 from assess.errors import AssessError, ProjectError
 from assess.messages.message import message
 from assess.oscillator import Memory, Oscillator, TieLaw
-from assess.results.retrofit import Layout, Place, Proof, Reached, Target, Tolerance
+from assess.results.retrofit import Layout, Place, Proof, Reached, Target, Tolerance, Trial
 from assess.study import level_peaks
 from assess.study.assessment import building_states, on_building
 from assess.study.histories import rocking_case
@@ -89,6 +89,7 @@ class Found:
     best : the least that is proved; None where none is
     nearest : the best of those examined; proofs : of `best`, else of the last that was tried, up to its failure
     tried : how many were put to the proof; candidates : how many reached the target on the records of the search
+    failed : those that fell short in the proof, each with the tolerance that showed it
     """
 
     layouts: tuple[Layout, ...]
@@ -97,6 +98,7 @@ class Found:
     proofs: tuple[Proof, ...]
     tried: int
     candidates: int
+    failed: tuple[Trial, ...] = ()
 
 
 def find_least(
@@ -128,15 +130,17 @@ def find_least(
     ranked = sorted(known.values(), key=lambda each: merit(each, target))
     candidates = [each for each in ranked if each.reached is not None and target.may_hold(each.reached)]
     proofs: tuple[Proof, ...] = ()
+    failed: list[Trial] = []
     order = list(tolerances() if designs.has_ties else (AS_DRAWN,))
     for tried, layout in enumerate(candidates[:MOST_TRIES], start=1):
         progress("proof", tried - 1, min(len(candidates), MOST_TRIES))
         proofs = prove_layout(designs, layout.place, target, order, glance=glance, prove=prove)
         if all(each.holds for each in proofs):
-            return Found(_in_order(known), layout, layout, proofs, tried, len(candidates))
+            return Found(_in_order(known), layout, layout, proofs, tried, len(candidates), tuple(failed))
+        failed.append(Trial(layout, proofs[-1]))
         order.sort(key=lambda each: each != proofs[-1].tolerance)  # it may well be the one that fails the next
     nearest = next((each for each in ranked if each.reached is not None), None)
-    return Found(_in_order(known), None, nearest, proofs, min(len(candidates), MOST_TRIES), len(candidates))
+    return Found(_in_order(known), None, nearest, proofs, len(failed), len(candidates), tuple(failed))
 
 
 def prove_layout(

@@ -35,10 +35,12 @@ def draw_front(results: RetrofitResults, locale: Locale) -> Figure:
         axes.plot(*points(known), "o", color=MUTED, markersize=2.5, label=locale.text(say("examined")))
         front = [each for each in results.front if each in known]
         axes.plot(*points(front), "-o", color=INK, markersize=3.5, label=locale.text(say("Pareto front")))
+        if failed := [each for each in known if results.fell_short(each)]:
+            axes.plot(*points(failed), "x", color=FAIL, markersize=5, label=locale.text(say("falls short")))
         if results.best is not None:
             axes.plot(*points([results.best]), "*", color=PASS, markersize=10, label=locale.text(say("least, proved")))
         axes.axhline(results.target.reach, color=FAIL, linestyle="--", label=locale.text(say("target")))
         axes.set_xlabel(locale.text(COST) if results.priced else locale.heading(STEEL, "mass"))
         axes.set_ylabel(locale.text(MEASURES[results.target.kind]))
-        legend_below(figure, columns=4)
+        legend_below(figure, columns=5)
         return figure

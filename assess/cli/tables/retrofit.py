@@ -9,10 +9,10 @@ from math import isfinite
 
 from assess.cli.tables import messages_text, text_table
 from assess.messages.message import count_noun, escape_text
-from assess.results.retrofit import Layout, RetrofitResults
+from assess.results.retrofit import Layout, Reached, RetrofitResults, Trial
 from reports.render.table_text import csv_lines
 
-MOST_SHOWN = 12
+MOST_SHOWN, MOST_FAILED = 12, 5
 MEASURES = {
     "index": "index",
     "ratio": "largest rotation over that which overturns",
@@ -42,10 +42,15 @@ def retrofit_text(results: RetrofitResults) -> str:
     if shown is not None:
         pairs = zip(results.varied, shown.values, strict=True)
         lines += [escape_text(f"  {each.key} = {value:.6g} {each.unit}".rstrip()) for each, value in pairs]
-        lines.append(f"  {_amount(results, shown)}; reaches {_reached(shown)}{_worst(results)}")
+        lines.append(f"  {_amount(results, shown)}; reaches {_reached(shown.reached)}{_worst(results)}")
     if results.verdict:
         lines.append(f"  verdict of the project with these works: {results.verdict}")
     text = "".join(f"{line}\n" for line in lines)
+    if results.best is None and results.failed:
+        shown_of = f" (the first {MOST_FAILED} of {len(results.failed)})" * (len(results.failed) > MOST_FAILED)
+        text += f"fell short in the proof, with these factors on their ties{shown_of}:\n" + text_table(
+            *_failed_rows(results, results.failed[:MOST_FAILED])
+        )
     if results.front:
         text += "layouts for which none that takes less reaches as much (Pareto front):\n" + text_table(
             *_rows(results, results.front[:MOST_SHOWN])
@@ -86,9 +91,25 @@ def retrofit_json(results: RetrofitResults) -> str:
 
 def _rows(results: RetrofitResults, layouts: Sequence[Layout]) -> tuple[list[str], list[list[str]]]:
     keys = [f"{each.key} [{each.unit}]" if each.unit else each.key for each in results.varied]
-    header = ["cost" if results.priced else "steel [kg]", results.target.kind, *keys]
+    header = ["cost" if results.priced else "steel [kg]", results.target.kind, *keys, "proof"]
+    proof = ["falls short" if results.fell_short(each) else "holds" * (each == results.best) for each in layouts]
     return header, [
-        [f"{each.objective:.5g}", _reached(each), *(f"{value:.6g}" for value in each.values)] for each in layouts
+        [f"{each.objective:.5g}", _reached(each.reached), *(f"{value:.6g}" for value in each.values), said]
+        for each, said in zip(layouts, proof, strict=True)
+    ]
+
+
+def _failed_rows(results: RetrofitResults, failed: Sequence[Trial]) -> tuple[list[str], list[list[str]]]:
+    header, rows = _rows(results, [each.layout for each in failed])
+    names = ("area", "length", "height", "yield_stress")
+    return [*header[:-1], *names, "in the proof", "overturn"], [
+        [
+            *row[:-1],
+            *(f"{getattr(each.proof.tolerance, name):g}" for name in names),
+            _reached(each.proof.reached),
+            str(each.proof.reached.overturned),
+        ]
+        for row, each in zip(rows, failed, strict=True)
     ]
 
 
@@ -96,8 +117,8 @@ def _amount(results: RetrofitResults, layout: Layout) -> str:
     return f"{f'cost {layout.objective:.6g}, ' * results.priced}{layout.steel:.4g} kg of steel"
 
 
-def _reached(layout: Layout) -> str:
-    value = None if layout.reached is None else layout.reached.value
+def _reached(reached: Reached | None) -> str:
+    value = None if reached is None else reached.value
     return "not known" if value is None else f"{value:.4g}" if isfinite(value) else "overturns"
 
 
@@ -105,6 +126,6 @@ def _worst(results: RetrofitResults) -> str:
     """Say what the best reaches in its proof, the worst of all tolerances."""
     values = [each.reached.value for each in results.proofs if each.reached.value is not None]
     if results.best is None or not values:
-        return ""
+        return " in the search" if results.failed else ""
     worst = min(values) if results.target.rising else max(values)
     return f" in the search and {worst:.4g} at the worst of the proof"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import csv
 import tomllib
 from pathlib import Path
 from typing import Any
@@ -10,6 +11,7 @@ import numpy as np
 import pytest
 
 import assess
+from assess.cli.tables.retrofit import retrofit_text
 from assess.errors import AssessError, OutputError
 from assess.project.build import build, build_with_cases
 from assess.project.keys import read_content
@@ -276,6 +278,33 @@ def test_a_target_beyond_all_layouts_is_not_reached(tmp_path: Path) -> None:
     written = assess.write_retrofit(found, tmp_path / "out", jobs=1)
     assert written == tmp_path / "out" / "retrofit.pdf"
     assert not (tmp_path / "out" / "project.toml").exists()
+
+
+def test_what_falls_short_in_the_proof_says_with_which_tolerance(tmp_path: Path) -> None:
+    """Area and yield stress a tenth less take a bar below what it needs; the front marks it, and proof.csv lists it."""
+    path = facade(tmp_path)
+    every = assess.retrofit(path, target="index", reach=0.1, vary={AREA: "100 mm^2", COUNT: "3"}).results
+    assert every.best is not None
+    assert every.best.reached is not None
+    found = assess.retrofit(
+        path, target="index", reach=0.999 * (every.best.reached.value or 0.0), vary={AREA: "100 mm^2", COUNT: "3"}
+    )
+    results = found.results
+    assert results.best is None
+    (failed,) = results.trials
+    assert failed.layout.values == (100.0, 3.0)
+    assert not failed.proof.holds
+    assert failed.proof.tolerance.yield_stress == 0.9
+    assert failed.proof.reached.value is not None
+    assert failed.proof.reached.value < results.target.reach
+    assert results.table()["proof"].tolist() == ["falls short"]
+    shown = retrofit_text(results)
+    assert "fell short in the proof, with these factors on their ties:\n" in shown
+    assert f"{failed.proof.reached.value:.4g}" in shown
+    assess.write_retrofit(found, tmp_path / "out", jobs=1)
+    (row,) = csv.DictReader((tmp_path / "out/tables/proof.csv").read_text(encoding="utf-8-sig").splitlines())
+    assert row["ties.area [mm^2]"] == "100.0"
+    assert row["Outcome"] == "falls short"
 
 
 def test_least_cost_may_be_other_works_than_least_steel(tmp_path: Path) -> None:

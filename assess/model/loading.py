@@ -71,6 +71,8 @@ def loads_of(
         _loads_of_entry(number, load, _at_load(number, blocks), definition, bodies, remainders, find=find)
         for number, load in enumerate(definition.loads, start=1)
     ]
+    if definition.sides == "one":
+        _require_anchors_behind(parts, blocks)
     for place, anchorage in anchorages_of(definition.loads, pieces, where=blocks.where).items():
         tie = replace(cast(Tie, parts[place].loads[0]), anchorage=anchorage, strength=anchorage.strength)
         if tie.tension < tie.pull:
@@ -113,6 +115,19 @@ def _require_places_of_ties(loads: Sequence[LoadDefinition], pieces: Sequence[Pi
                     f"{blocks.where}: loads[{number}].at: {beside:.3g} m beside the block that it holds, which is "
                     f"{high - low:.4g} m long across the direction; give the place where it holds"
                 )
+
+
+def _require_anchors_behind(parts: Sequence[LoadSet], blocks: MechanismBlocks) -> None:
+    """Raise MechanismError for a tie that stretches to an anchor towards which a one-sided mechanism moves."""
+    for number, part in enumerate(parts, start=1):
+        for tie in part.loads:
+            if isinstance(tie, Tie) and tie.stretches and tie.anchor is not None:
+                ahead, up = tie.anchor[0] - tie.at[0], tie.anchor[1] - tie.at[1]
+                if ahead > abs(up):
+                    raise MechanismError(
+                        f"{blocks.where}: loads[{number}].anchor: {ahead:.4g} m in front of the wall, which shortens "
+                        "the tie as it overturns, so that it never holds; give an anchor behind it"
+                    )
 
 
 SAME_END = 0.05  # m: ends of ties no farther apart are one

@@ -42,6 +42,7 @@ from spectra.gravity import g
 LAYERS = 200  # of the masonry above a plate, whose weight is summed up
 INSET = 0.37  # of half a plate: places behind it where the leaf is measured, beside its centre
 SLIVER = 1e-6  # m: by which triangles that meet are joined
+OFF_FACE = 0.05  # m: of an uneven wall, by which a plate may be off the face that is drawn
 STICKS_OUT = 1e-3  # m: by which a plate may do so within rounding of a drawing
 SAME_FACE = 0.87  # cosine of 30 degrees: ties that are less askew are on one face of a wall
 MORE = 1.001  # times the drawn thickness, beyond which a leaf that is stated contradicts the drawing
@@ -67,7 +68,8 @@ def anchorages_of(loads: Sequence[LoadDefinition], pieces: Sequence[Piece], *, w
 
     Raises
     ------
-    GeometryError : no masonry behind a plate or a part of it, or a leaf thicker than the body that is drawn
+    GeometryError : a plate off the outer face or the edge of the wall, no masonry behind it, or a leaf thicker than the
+        body that is drawn
     """
     plates = {place: each for place, each in enumerate(loads) if isinstance(each, TieLoad) and each.plate is not None}
     return {
@@ -115,6 +117,13 @@ def _site(tie: TieLoad, row: Sequence[Figure], others: Sequence[Figure], wall: _
     drawn = _leaf(wall, figure)
     if drawn is None:
         raise GeometryError(f"{where}: no masonry behind it at the place of the tie; check `at`, and block")
+    face, given = _outer_face(wall, figure), float(np.dot(tie.at, wall.out))
+    if abs(face - given) > OFF_FACE:
+        right = np.round(np.array(tie.at) + (face - given) * wall.out, 3) + 0.0
+        raise GeometryError(
+            f"{where}: `at` is {abs(face - given):.3g} m off the outer face, on which a plate lies, on the side away "
+            f"from the anchor; there it is at = [{', '.join(f'{each:g}' for each in right)}]"
+        )
     if plate.leaf is not None and plate.leaf > MORE * drawn:
         raise GeometryError(
             f"{where}.leaf = {plate.leaf:.4g} m: the body that is drawn is {drawn:.4g} m thick there; give the "
@@ -188,15 +197,25 @@ def _faces(wall: _Wall) -> Iterator[tuple[Solid, FloatArray, FloatArray]]:
 
 def _leaf(wall: _Wall, figure: Figure) -> float | None:
     """Return the least thickness of the outermost solid behind a plate [m]; None where there is none."""
+    return min((thickness for _, thickness in _behind(wall, figure)), default=None)
+
+
+def _outer_face(wall: _Wall, figure: Figure) -> float:
+    """Return how far outwards the face of the wall behind a plate is, its middle where there is masonry [m]."""
+    return _behind(wall, figure)[0][0]
+
+
+def _behind(wall: _Wall, figure: Figure) -> list[tuple[float, float]]:
+    """Return the outermost solid behind the middle of a plate and its quarters, where there is one, as `_run` does."""
     plate, s, z = figure
     width, height = plate.sides
     shifts = [(0.01, 0.013), *((x, y) for x in (-INSET, INSET) for y in (-INSET * 1.01, INSET * 0.99))]
-    found = [_thickness(wall, s + x * width / 2.0, z + y * height / 2.0) for x, y in shifts]
-    return min((each for each in found if each is not None), default=None)
+    found = [_run(wall, s + x * width / 2.0, z + y * height / 2.0) for x, y in shifts]
+    return [each for each in found if each is not None]
 
 
-def _thickness(wall: _Wall, s: float, z: float) -> float | None:
-    """Return the thickness of the outermost solid along a line through it [m]; None where the line misses all."""
+def _run(wall: _Wall, s: float, z: float) -> tuple[float, float] | None:
+    """Return face and thickness of the outermost solid along a line through it [m]; None if the line misses all."""
     runs = []
     for _, seen, depth in _faces(wall):
         a, b, c = seen[:, 0], seen[:, 1], seen[:, 2]
@@ -209,7 +228,7 @@ def _thickness(wall: _Wall, s: float, z: float) -> float | None:
         met = np.unique(np.round((depth[:, 0] * (1.0 - v - w) + depth[:, 1] * v + depth[:, 2] * w)[hit], 9))
         if met.size > 1:
             runs.append((float(met[-1]), float(met[-1] - met[-2])))
-    return max(runs)[1] if runs else None
+    return max(runs) if runs else None
 
 
 def _elevation(wall: _Wall, places: Sequence[tuple[float, float]], reach: float) -> shapely.Geometry:

@@ -26,7 +26,7 @@ FULL: dict[str, Any] = {
 
 def tie(y: float, z: float, **changes: Any) -> assess.TieLoad:
     plate = Plate(**{**FULL, **changes})
-    return assess.TieLoad(at=[0, y, z], anchor=[-10, y, z], length=10.0, evidence="tests", plate=plate, **BAR)
+    return assess.TieLoad(at=[0.3, y, z], anchor=[-9.7, y, z], length=10.0, evidence="tests", plate=plate, **BAR)
 
 
 def facade(*ties: assess.TieLoad, body: Any = None) -> list[Anchorage]:
@@ -142,6 +142,14 @@ def test_beside_the_wall_it_is_refused() -> None:
         facade(tie(7, 5))
 
 
+@pytest.mark.parametrize("x", [-0.3, 0.0])
+def test_off_the_outer_face_it_is_refused_with_its_place(x: float) -> None:
+    """The wall, 0.6 m thick, is about x = 0, and the anchor at -x: the outer face is at 0.3 m."""
+    with pytest.raises(AssessError, match=r"off the outer face.*it is at = \[0\.3, 1, 5\]"):
+        facade(replace(tie(1, 5), at=[x, 1, 5]))
+    facade(replace(tie(1, 5), at=[0.27, 1, 5]))
+
+
 def test_the_outer_of_two_leaves_is_gripped() -> None:
     """Two solids of 0.25 and 0.35 m: the plate is on the side away from the anchor, at +x, and grips the 0.25 m."""
     outer = assess.box(thickness=0.25, length=LENGTH, height=HEIGHT, base=[0.175, 0, 0], density=2000.0, name="outer")
@@ -157,11 +165,11 @@ def test_the_outer_of_two_leaves_is_gripped() -> None:
 def test_it_does_not_depend_on_the_way_the_wall_moves() -> None:
     """Nor do ties of another face, as at a corner, punch with it."""
     corner = assess.TieLoad(
-        at=[0.1, 5.9, 5], anchor=[-0.1, -4, 5], length=9.9, evidence="tests", plate=Plate(**FULL), **BAR
+        at=[0.1, 6.0, 5], anchor=[-0.1, -4, 5], length=9.9, evidence="tests", plate=Plate(**FULL), **BAR
     )
     wall = assess.box(thickness=THICKNESS, length=LENGTH, height=HEIGHT, density=2000.0)
     for direction in ([1, 0, 0], [-1, 0, 0]):
-        block = assess.single_block(wall, direction=direction, sides="one", loads=[tie(0, 5), corner])
+        block = assess.single_block(wall, direction=direction, sides="two", loads=[tie(0, 5), corner])
         found = next(load for load in block.mechanism.positive.loads if isinstance(load, Tie))
         assert found.anchorage is not None
         assert surface(found.anchorage) == pytest.approx(2.16, rel=1e-6)
@@ -183,3 +191,15 @@ def test_places_of_two_numbers_do_not_say_where_a_plate_is() -> None:
     given = assess.TieLoad(at=[0, 5], anchor=[-10, 5], length=10.0, plate=Plate(**FULL), **BAR)
     with pytest.raises(AssessError, match=r"it must be \[x, y, z\]"):
         facade(given)
+
+
+@pytest.mark.parametrize(("direction", "held"), [([1, 0, 0], True), ([-1, 0, 0], False)])
+def test_an_anchor_in_front_of_a_wall_is_refused(direction: list[float], *, held: bool) -> None:
+    """The anchor is at x = -9.7 m: a wall that overturns to +x lengthens the tie, one to -x shortens it."""
+    wall = assess.box(thickness=THICKNESS, length=LENGTH, height=HEIGHT, density=2000.0)
+    if held:
+        assess.single_block(wall, direction=direction, sides="one", loads=[tie(0, 5)])
+    else:
+        with pytest.raises(AssessError, match="10 m in front of the wall"):
+            assess.single_block(wall, direction=direction, sides="one", loads=[tie(0, 5)])
+    assess.single_block(wall, direction=direction, sides="two", loads=[tie(0, 5)])

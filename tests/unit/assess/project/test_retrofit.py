@@ -173,11 +173,12 @@ PLATE = (
     'thread_area = "400 mm^2", tensile_strength = "360 MPa", shear_strength = "0.1 MPa", bearing_strength = "2 MPa", '
     'far_strength = "150 kN" }'
 )
+OUTSIDE = ("at = [-0.3, 0, 5.5]", "at = [0.3, 0, 5.5]")
 
 
 def test_anchorages_from_plates_follow_their_places(tmp_path: Path) -> None:
     """The wall between the plates is a part of them, so none is refused for it; plates that crowd in a cone are."""
-    path = facade(tmp_path, ('strength = "200 kN"', PLATE), ('force = "8 kN"', 'force = "3 kN"'))
+    path = facade(tmp_path, ('strength = "200 kN"', PLATE), OUTSIDE, ('force = "8 kN"', 'force = "3 kN"'))
     found = assess.retrofit(path, target="index", reach=0.2, vary={AREA: "314 mm^2", COUNT: "2, 3, 12"}).results
     two, three, twelve = found.layouts
     assert two.refused is None
@@ -191,7 +192,7 @@ def test_anchorages_from_plates_follow_their_places(tmp_path: Path) -> None:
 
 def test_of_a_plate_works_change_its_sizes_and_steel_at_a_price(tmp_path: Path) -> None:
     """What was measured of masonry, and calculations of others, are no works."""
-    path, plate = facade(tmp_path, ('strength = "200 kN"', PLATE)), "mechanisms.facade.loads[1].plate"
+    path, plate = facade(tmp_path, ('strength = "200 kN"', PLATE), OUTSIDE), "mechanisms.facade.loads[1].plate"
     asked: dict[str, Any] = {"target": "index", "reach": 0.1}
     for key in ("shear_strength", "friction", "normal_stress", "bearing_strength", "leaf", "between", "far_strength"):
         with pytest.raises(AssessError, match="no works change it"):
@@ -406,7 +407,9 @@ def test_no_tie_is_raised_above_the_wall(tmp_path: Path) -> None:
     [(4.0, 4.4), (4.8, 6.0 - 0.15 - 0.6), (5.5, 5.5)],  # t = 0.6 m, plate 0.3 m high
 )
 def test_no_plate_is_raised_until_its_cone_meets_the_top(tmp_path: Path, elevation: float, highest: float) -> None:
-    path = facade(tmp_path, ('strength = "200 kN"', PLATE), ("at = [-0.3, 0, 5.5]", f"at = [-0.3, 0, {elevation}]"))
+    path = facade(
+        tmp_path, ('strength = "200 kN"', PLATE), OUTSIDE, ("at = [0.3, 0, 5.5]", f"at = [0.3, 0, {elevation}]")
+    )
     project = load(path)
     subject = subject_of("facade", project.content, build_with_cases(project).solids)
     assert subject is not None

@@ -198,8 +198,8 @@ TEXTS: Mapping[str, str] = {
     "side-walls-part": "with the friction of its side walls the upper {height} of the wall resists least, in front of "
     "cracks in them at tan(β) = {slope} from the vertical: no more friction counts than gives the wall the multiplier "
     "of that part, {multiplier}; examine it as a mechanism of its own",
-    "holds-to-its-end": "a pass is valid only if {what} acts in full up to the displacement at which it ends, and what "
-    "it is anchored to holds it",
+    "holds-to-its-end": "a pass is valid only if each of these acts in full up to the displacement at which it ends, "
+    "and what it is anchored to holds it: {what}",
     "seats-hold": "a pass at {state} is valid only if the seats that are not given are longer than what moves on them "
     "at the displacement capacity: {seats}",
     "seat-travel": "{what}: {moved}",

@@ -173,6 +173,13 @@ def test_results_whose_numbers_contradict_one_another_are_refused(tmp_path, numb
         question_of(folder() / "with-ties.toml", before=tmp_path / RESULTS)
 
 
+def test_the_example_and_the_condition_of_its_pass_name_its_two_ties():
+    assert "the same wall with two ties" in (folder() / "project.toml").read_text(encoding="utf-8")
+    (ends,) = (each.text for each in with_ties().verdict.conditions if each.key == "holds-to-its-end")
+    assert ends.startswith("a pass is valid only if each of these acts in full")
+    assert ends.endswith(": tie 1, tie 2")
+
+
 def test_a_tie_is_the_works_and_no_other_value_differs():
     before, warnings = with_ties().before, with_ties().warnings
     assert [(each.key, each.where) for each in before.differences] == [

@@ -458,7 +458,7 @@ def _conditions(content: sections.Content, name: str, solids: Mapping[str, Solid
         *_not_drawn(content, name),
         *_not_sought(content, name),
         *(message("thrust-is-tied", {"what": body}, severity=Severity.WARNING) for body in tied),
-        *(message("anchorage-computed", {"what": tie}, severity=Severity.WARNING) for tie in plates),
+        *([message("anchorage-computed", {"what": ", ".join(plates)}, severity=Severity.WARNING)] if plates else []),
         *(message("slope-as-beam", {"what": body}, severity=Severity.WARNING) for body in slopes),
     )
 

@@ -7,6 +7,7 @@ from functools import partial
 from operator import attrgetter
 from typing import Any
 
+from assess.codes.calculation_sheet import Step
 from assess.codes.check import Check
 from assess.messages.message import Quantity
 from assess.results import ContactSheet, HingeForceResult, LoadResult, MechanismResult, OscillatorResult, Results
@@ -200,16 +201,21 @@ def ties_table(mechanism: MechanismResult, *, name: str) -> Table:
 
 
 def anchorage_sheets(mechanism: MechanismResult, stem: str) -> Iterator[Sheet]:
-    """Yield the calculation sheet of each anchorage that is computed."""
+    """Yield the calculation sheet of each anchorage that is computed and unlike those before it."""
+    found: dict[tuple[str, ...], list[tuple[int, str, tuple[Step, ...]]]] = {}
     for place, load in enumerate(mechanism.loads, start=1):
-        if load.tie is not None and load.tie.steps:
-            caption = say(
-                "Anchorage of {tie}: what each part of it bears. No clause gives formulas for plates of ties: those "
-                "derived for this program, or from memory of a printed text, are marked and left to the engineer’s "
-                "judgement.",
-                tie=Verbatim(load.name),
-            )
-            yield Sheet(f"{stem}-anchorage-{place:02d}", caption, load.tie.steps)
+        if load.tie is not None and (steps := load.tie.steps):
+            printed = (*_as_printed(steps), *("" if each.value is None else f"{each.value:.5g}" for each in steps))
+            found.setdefault(printed, []).append((place, load.name, steps))
+    for alike in found.values():
+        place, _, steps = alike[0]
+        caption = say(
+            "Anchorage of {tie}: what each part of it bears. No clause gives formulas for plates of ties: those "
+            "derived for this program, or from memory of a printed text, are marked and left to the engineer’s "
+            "judgement.",
+            tie=Listing(tuple(Verbatim(name) for _, name, _ in alike)),
+        )
+        yield Sheet(f"{stem}-anchorage-{place:02d}", caption, steps)
 
 
 def joint_blocks(mechanism: MechanismResult, stem: str) -> list[Block]:
@@ -238,12 +244,12 @@ def contact_sheets(mechanism: MechanismResult, stem: str) -> list[Sheet]:
     """Return the calculation sheet of each joint that is unlike those before it, its force at rest to its stresses."""
     found: dict[tuple[str, ...], list[ContactSheet]] = {}
     for each in mechanism.contact_sheets:
-        found.setdefault(_as_printed(each), []).append(each)
+        found.setdefault(_as_printed(each.steps), []).append(each)
     return [_contact_sheet(alike, stem) for alike in found.values()]
 
 
-def _as_printed(sheet: ContactSheet) -> tuple[str, ...]:
-    return tuple(f"{each.symbol} {each.subject} {each.substituted}" for each in sheet.steps)
+def _as_printed(steps: Sequence[Step]) -> tuple[str, ...]:
+    return tuple(f"{each.symbol} {each.subject} {each.substituted}" for each in steps)
 
 
 def _contact_sheet(alike: Sequence[ContactSheet], stem: str) -> Sheet:

@@ -137,8 +137,8 @@ def test_an_anchorage_that_is_computed_is_a_condition(tmp_path):
     plate = 'plate = { width = "0.3 m", height = "0.3 m" }'
     tie = f'kind = "tie", at = [0.2, 0, 5], anchor = [-9.8, 0, 5], length = "10 m", fracture_strain = 0.1, {plate}'
     bar = 'area = "314 mm^2", young_modulus = "210 GPa", yield_stress = "235 MPa"'
-    conditions = facts(tmp_path, more=f"loads = [{{ {tie}, {bar} }}]")[1]
-    assert [(each.key, each.values) for each in conditions] == [("anchorage-computed", {"what": "tie 1"})]
+    conditions = facts(tmp_path, more=f"loads = [{{ {tie}, {bar} }}, {{ {tie.replace('0, 5]', '2, 5]')}, {bar} }}]")[1]
+    assert [(each.key, each.values) for each in conditions] == [("anchorage-computed", {"what": "tie 1, tie 2"})]
 
 
 @pytest.mark.parametrize(

@@ -92,7 +92,7 @@ def commands(command: Any, name: str = "") -> Iterator[tuple[str, Any]]:
 OPTIONS = [
     (name, one.opts[-1], one.nargs)
     for name, command in commands(typer.main.get_command(app))
-    if name != "spectrum"
+    if name not in ("spectrum", "serve")  # the one has a test of its own below, the other runs until it is stopped
     for one in command.params
     for annotation in [one.type_descriptor.annotation]
     if one.opts[-1].startswith("--")  # an option that takes numbers, or the unit of numbers

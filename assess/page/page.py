@@ -79,7 +79,7 @@ class Page:
         self.mechanisms = gui.add_dropdown("Mechanism", ("-",), hint="The worst first.")
         self.facts = gui.add_html("")
         empty = np.zeros(2)
-        line = {"label": "restoring moment [N m]", "stroke": "#0072b2", "width": 2}
+        line = {"label": "restoring moment [kN m]", "stroke": "#0072b2", "width": 2}
         self.curve = gui.add_uplot(
             (empty, empty), ({"label": "rotation [rad]"}, line), title="Capacity curve", aspect=1.8,
             scales={"x": {"time": False}},
@@ -375,9 +375,9 @@ def _remove(handles: list[Any]) -> None:
 
 
 def _curve(result: MechanismResult) -> tuple[np.ndarray, np.ndarray]:
-    """Return rotation [rad] and restoring moment [N m] of both branches, the negative one mirrored back."""
+    """Return rotation [rad] and restoring moment [kN m] of both branches, the negative one mirrored back."""
     curves = [(1.0, result.curve.positive)] + ([] if result.curve.negative is None else [(-1.0, result.curve.negative)])
     rotation = np.concatenate([sign * np.array(each.rotation_rad) for sign, each in reversed(curves)])
-    moment = np.concatenate([sign * np.array(each.restoring_n_m) for sign, each in reversed(curves)])
+    moment = np.concatenate([sign * np.array(each.restoring_n_m) / 1e3 for sign, each in reversed(curves)])
     order = np.argsort(rotation, kind="stable")
     return rotation[order], moment[order]

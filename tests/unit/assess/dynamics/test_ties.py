@@ -136,7 +136,7 @@ def solved(case: dict[str, float], record: Record, *, scale: float = 1.0) -> tup
                 return [y[1], -(moment + push * np.cos(SLENDERNESS - y[0]) * sign * ground(t)) / INERTIA]
 
             if phi == 0.0:
-                if side == 0 and 0.0 < reached and v > 0.0:  # no event is looked for in the first piece
+                if side == 0 and reached > 0.0 and v > 0.0:  # no event is looked for in the first piece
                     off = min(off, 0.4 * reached / v)
                 begun = solve_ivp(rates, (x, min(x + off, DT)), [0.0, v], method="DOP853", rtol=1e-12, atol=1e-18)
                 x, (phi, v), off = begun.t[-1], begun.y[:, -1], 1e-4

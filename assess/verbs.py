@@ -452,10 +452,8 @@ def write_retrofit(
 
     if not isinstance(found, Known):
         raise OutputError(f"found: {type(found).__name__} given; give what assess.retrofit returns")
-    if not isinstance(folder, str | Path) or "\0" in str(folder):
-        raise OutputError(f"folder = {folder!r:.60}: give the path of a folder")
     _check_jobs(jobs, progress)
-    place, show = Path(folder), progress or _ignore_progress
+    place, show = _output_place(folder), progress or _ignore_progress
     expected = (FILE_NAME, *FILES)
     with output_folder(
         place, command="assess retrofit", owner=RETROFIT, expected=expected, tell=tell or (lambda _: None)
@@ -521,12 +519,10 @@ def write_report(
 
     if not isinstance(run, Run):
         raise OutputError(f"run: {type(run).__name__} given; give what assess.run returns")
-    if not isinstance(folder, str | Path) or "\0" in str(folder):
-        raise OutputError(f"folder = {folder!r:.60}: give the path of a folder")
     if language is not None and language not in languages():
         raise OutputError(f"language = {language!r:.60}: choose one of {', '.join(languages())}")
     _check_jobs(jobs, progress)
-    place, show = Path(folder), progress or _ignore_progress
+    place, show = _output_place(folder), progress or _ignore_progress
     with output_folder(place, command="write_report", expected=(RESULTS, *REPORT)) as stage:
         (stage / RESULTS).write_bytes(dumps(run.results).encode())
         pdf = write_all(run.results, stage, language=language, jobs=jobs, progress=lambda step: show(step, 0, 1))
@@ -689,6 +685,15 @@ def _check_jobs(jobs: int, progress: Progress | None = None) -> None:
         raise AssessError(f"jobs = {jobs!r:.60}: give a whole number, 0 for all cores")
     if progress is not None and not callable(progress):
         raise AssessError(f"progress = {progress!r:.60}: give a function of (stage, done, total)")
+
+
+def _output_place(folder: object) -> Path:
+    """Return a folder to write to; raise OutputError for what is no path."""
+    from assess.errors import OutputError
+
+    if not isinstance(folder, str | Path) or "\0" in str(folder):
+        raise OutputError(f"folder = {folder!r:.60}: give the path of a folder")
+    return Path(folder)
 
 
 def _check_site(target: Spectrum, building: Building | None) -> None:

@@ -13,7 +13,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass, replace
-from math import hypot, inf
+from math import dist, hypot, inf
 from typing import Annotated, Any, ClassVar, Literal, get_args
 
 import numpy as np
@@ -63,6 +63,9 @@ LONGER = 1.25
 
 ON_PLANE = 1e-9
 """Part of a vector across the plane of motion that is rounding."""
+
+SAME_END = 0.05
+"""Distance up to which ends of ties are one [m]."""
 
 DUCTILE = 1.25
 """Anchorage over yield force of the bar, from which on the bar is taken to yield first."""
@@ -309,6 +312,19 @@ class TieLoad:
             yield "slack", "a slack tie has no pretension; remove slack, or force"
         if self.force is not None and self.strength is not None and self.force > self.strength:
             yield "force", f"a pretension above its strength, {self.strength / 1e3:.4g} kN"
+
+
+def share_ends(one: TieLoad, other: TieLoad) -> bool:
+    """Return whether two ties have the same ends, and so are one bar.
+
+    Parameters
+    ----------
+    one, other : as an engineer states them, each with its places in space or in its own plane
+    """
+    pairs = ((one.at, other.at), (one.anchor, other.anchor))
+    return one.direction == other.direction and all(
+        a is b if a is None or b is None else len(a) == len(b) and dist(a, b) <= SAME_END for a, b in pairs
+    )
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -26,6 +26,7 @@ from assess.loads.body_loads import (
     loaded_blocks,
 )
 from assess.loads.load import (
+    SAME_END,
     BodyLoad,
     Force,
     ForceLoad,
@@ -39,6 +40,7 @@ from assess.loads.load import (
     TieLoad,
     out_of_plane,
     point_in_plane,
+    share_ends,
     unit_in_plane,
 )
 from assess.mechanisms.chain import point_values
@@ -99,7 +101,7 @@ def _require_places_of_ties(loads: Sequence[LoadDefinition], pieces: Sequence[Pi
         if not isinstance(load, TieLoad) or len(load.at) != 3 or load.plate is not None:  # plates look for themselves
             continue
         for earlier, other in known:
-            if _near(load.at, other.at) and (load.direction == other.direction) and _near(load.anchor, other.anchor):
+            if share_ends(load, other):
                 raise MechanismError(
                     f"{blocks.where}: loads[{number}].at: a tie with the ends of loads[{earlier}], which would count "
                     "twice; remove one, and give the other the section of both"
@@ -128,15 +130,6 @@ def _require_anchors_behind(parts: Sequence[LoadSet], blocks: MechanismBlocks) -
                         f"{blocks.where}: loads[{number}].anchor: {ahead:.4g} m in front of the wall, which shortens "
                         "the tie as it overturns, so that it never holds; give an anchor behind it"
                     )
-
-
-SAME_END = 0.05  # m: ends of ties no farther apart are one
-
-
-def _near(one: Sequence[float] | None, other: Sequence[float] | None) -> bool:
-    if one is None or other is None or len(one) != len(other):
-        return one is other
-    return float(np.linalg.norm(np.subtract(one, other))) < SAME_END
 
 
 def surroundings(load: BodyLoad, blocks: MechanismBlocks, number: int, bodies: Bodies) -> Surroundings:

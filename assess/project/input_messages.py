@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 
-import numpy as np
-
 from assess.codes.bases import BASES
 from assess.codes.check import Family
 from assess.codes.italian_limit_states import LARGEST_FACTOR, ItalianOptions
@@ -15,7 +13,7 @@ from assess.dynamics.packing import Equation
 from assess.geometry.formats.readers import WITHOUT_UNIT
 from assess.geometry.mesh import size_warning
 from assess.geometry.solid import Solid
-from assess.loads.load import TieLoad
+from assess.loads.load import TieLoad, share_ends
 from assess.mechanisms.mechanism import Mechanism
 from assess.messages.message import Message, Quantity, locate, note, warning
 from assess.project import sections
@@ -26,7 +24,6 @@ from assess.project.sections.content import TO_FILL_IN
 from assess.results.provenance import count_from_0, tables_that_hold
 from assess.study.mechanism_results import load_messages
 from assess.study.study import Study, follows_motion
-from spectra.arrays import FloatArray
 from spectra.gravity import g
 from spectra.spectrum import LARGEST_PLAUSIBLE
 
@@ -166,24 +163,21 @@ def _crushing_messages(
 OF_A_BAR = (
     "area", "young_modulus", "yield_stress", "length", "fracture_strain", "stiffness", "strength", "force", "slack",
 )  # fmt: skip
-SAME_END = 0.05  # m
 
 
 def _one_bar_twice(content: sections.Content) -> Iterator[Message]:
     """Yield a warning for each tie that two mechanisms have, one bar by its ends, with other numbers in each."""
-    known: list[tuple[str, TieLoad, FloatArray]] = []
+    known: list[tuple[str, TieLoad]] = []
     for name, mechanism in content.mechanisms.items():
         for number, load in enumerate(getattr(mechanism.plain, "loads", ()), start=1):
             if not isinstance(load, TieLoad) or load.anchor is None or {len(load.at), len(load.anchor)} != {3}:
                 continue
             where = f"mechanisms.{name}.loads[{number}]"
-            ends = np.array([load.at, load.anchor])
-            for earlier, other, its_ends in known:
+            for earlier, other in known:
                 differing = [key for key in OF_A_BAR if getattr(load, key) != getattr(other, key)]
-                apart = float(np.linalg.norm(ends - its_ends, axis=1).max())
-                if apart < SAME_END and differing and not earlier.startswith(f"mechanisms.{name}."):
+                if differing and share_ends(load, other) and not earlier.startswith(f"mechanisms.{name}."):
                     yield warning("one-bar-twice", where, other=earlier, keys=", ".join(differing))
-            known.append((where, load, ends))
+            known.append((where, load))
 
 
 def _implausible_numbers(content: sections.Content) -> Iterator[Message]:

@@ -25,7 +25,7 @@ from assess.codes.question import find_limit_states, methods_of, missing_action
 from assess.codes.verdict import Verdict
 from assess.errors import AssessError, ProjectError
 from assess.loads.anchorage import CLOSE
-from assess.loads.load import Tie, TieLoad
+from assess.loads.load import Tie, TieLoad, share_ends
 from assess.messages.message import Message, Quantity, escape_text, message, note, warning, whole_number
 from assess.project import sections
 from assess.project.build import BuiltProject, build_to_decide, build_with_cases
@@ -37,7 +37,6 @@ from assess.project.toml_text import with_changes
 from assess.project.units import to_si
 from assess.project.works import Axis, Subject, Tables, at_height, axis_of, in_order, subject_of, ties_by_level
 from assess.results.retrofit import Layout, Place, Reached, RetrofitResults, Target, TargetKind, Tolerance, VariedKey
-from assess.study.drawn_ties import SAME_PLACE
 from assess.study.retrofit import (
     AS_DRAWN,
     Found,
@@ -293,7 +292,9 @@ class _Designs:
 
         others = [name for name in content.mechanisms if name not in self.mechanisms]
         changed = [tie for _, _, tie in _ties(content, self.mechanisms)]
-        shared = {name: None for name, _, tie in _ties(content, others) if any(_is_same(tie, each) for each in changed)}
+        shared = {
+            name: None for name, _, tie in _ties(content, others) if any(share_ends(tie, each) for each in changed)
+        }
         if shared:
             yield warning("retrofit-tie-shared", "mechanisms", mechanisms=", ".join(shared))
 
@@ -380,18 +381,12 @@ def _bars(content: sections.Content, names: Sequence[str]) -> list[TieLoad]:
     found: list[tuple[str, TieLoad]] = []
     for name, _, tie in _ties(content, names):
         same = next((k for k, (other, each) in enumerate(found)
-                     if other != name and len(tie.at) == 3 and _is_same(tie, each)), None)  # fmt: skip
+                     if other != name and len(tie.at) == 3 and share_ends(tie, each)), None)  # fmt: skip
         if same is None:
             found.append((name, tie))
         elif (tie.area or 0.0) > (found[same][1].area or 0.0):
             found[same] = name, tie
     return [tie for _, tie in found]
-
-
-def _is_same(one: TieLoad, other: TieLoad) -> bool:
-    """Return whether the loads of two mechanisms are one tie of the building."""
-    places = zip((one.at, one.anchor or ()), (other.at, other.anchor or ()), strict=True)
-    return all(len(a) == len(b) and np.allclose(a, b, rtol=0.0, atol=SAME_PLACE) for a, b in places)
 
 
 def _with_tolerance(

@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 
 from assess.codes.procedures import uses_histories
-from assess.loads.load import Tie
+from assess.loads.load import SAME_END, Tie
 from assess.mechanisms.branch_table import tie_elongation
 from assess.mechanisms.mechanism import Mechanism
 from assess.oscillator import BranchName
@@ -34,7 +34,6 @@ from assess.results.before import governing_check
 from assess.results.mechanism import WORST_FIRST
 from spectra.arrays import FloatArray
 
-SAME_PLACE = 0.05  # m: ends no farther apart are one
 ALONG_BAR = 0.3  # m: a load whose end lies no farther from a drawn bar is of that bar
 PARALLEL = 0.98  # cosine, of a load and the bar that it is of
 DRAWN_LENGTH = 1.0  # m: of a tie of which the direction alone is given
@@ -219,7 +218,7 @@ def _lies_along(ends: FloatArray, axis: FloatArray) -> bool:
 def _is_same(tie: TieResult, ends: FloatArray, body: str) -> bool:
     if body and tie.body == body:
         return True
-    return bool(np.linalg.norm(np.array(tie.ends) - ends, axis=1).max() <= SAME_PLACE)
+    return bool(np.linalg.norm(np.array(tie.ends) - ends, axis=1).max() <= SAME_END)
 
 
 def _rounded(ends: FloatArray) -> tuple[Place, Place]:

@@ -14,7 +14,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass, replace
 from math import dist, hypot, inf
-from typing import Annotated, Any, ClassVar, Literal, get_args
+from typing import Annotated, Any, ClassVar, Literal, TypeGuard, get_args
 
 import numpy as np
 
@@ -587,11 +587,6 @@ class Tie:
         return source_phrase(self.source_parts)
 
     @property
-    def stretches(self) -> bool:
-        """Whether its force follows its elongation."""
-        return self.stiffness is not None
-
-    @property
     def is_spring(self) -> bool:
         """Whether it is a restraint of a stiffness and no bar: at its strength it lets go."""
         return self.stiffness is not None and self.length is None
@@ -639,7 +634,7 @@ class Tie:
     @property
     def missing(self) -> tuple[str, ...]:
         """The keys of the project file that are missing before it counts as lasting to collapse."""
-        keys = ("strength",) if self.stretches else ("until", "strength", "length", "fracture_strain")
+        keys = ("strength",) if stretches(self) else ("until", "strength", "length", "fracture_strain")
         if self.anchorage is not None:
             return (*self.anchorage.missing, *_missing_keys({"source": self.evidence}))
         return _missing_keys({**{key: getattr(self, key) for key in keys}, "source": self.evidence})
@@ -647,6 +642,11 @@ class Tie:
 
 ForceOrTie = Force | Tie
 Load = PointMass | Force | Tie
+
+
+def stretches(load: Load) -> TypeGuard[Tie]:
+    """Return whether a load is a tie whose force follows its elongation."""
+    return isinstance(load, Tie) and load.stiffness is not None
 
 
 def pull_at_rest(tie: Tie) -> Point:
@@ -672,7 +672,7 @@ def length_to_anchor(tie: Tie, to_x: FloatArray, to_z: FloatArray) -> FloatArray
 
 def lasts(action: ForceOrTie) -> bool:
     """Return whether it is shown to last to collapse (NTC 2018, C8.7.1.2.1.6), but for a tie's fracture strain."""
-    until = "collapse" if isinstance(action, Tie) and action.stretches else action.until
+    until = "collapse" if stretches(action) else action.until
     return until == "collapse" and not action.missing
 
 

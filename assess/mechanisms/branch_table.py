@@ -16,7 +16,7 @@ from math import hypot, inf
 import numpy as np
 
 from assess.errors import MechanismError
-from assess.loads.load import Force, ForceOrTie, PointMass, Tie, lasts, length_to_anchor
+from assess.loads.load import Force, ForceOrTie, PointMass, Tie, lasts, length_to_anchor, stretches
 from assess.mechanisms.chain import (
     FLAT,
     Chain,
@@ -149,7 +149,7 @@ def single_stage(chain: Chain) -> Stages:
 
     A stage begins where such a tie begins to yield, is slack or breaks.
     """
-    bars = [(number, each) for number, each in enumerate(chain.actions) if isinstance(each, Tie) and each.stretches]
+    bars = [(number, each) for number, each in enumerate(chain.actions) if stretches(each)]
     ends = {number: _breaking_rotation(chain, tie) for number, tie in bars}
     found = []
     for start in sorted({0.0, *_kinks(chain), *(end for end in ends.values() if end < inf)}):

@@ -54,6 +54,7 @@ from assess.loads.load import (
     length_to_anchor,
     mirror_load,
     pull_at_rest,
+    stretches,
 )
 from assess.messages.message import Value, lengths
 from assess.short_repr import ShortRepr
@@ -443,7 +444,7 @@ def generalised_moment(load: Force | Tie, moved: PointPath) -> FloatArray:
     else:
         to_x, to_z = load.anchor[0] - moved.x, load.anchor[1] - moved.z
         far = length_to_anchor(load, to_x, to_z)
-        if load.stretches:
+        if stretches(load):
             at_rest = hypot(load.anchor[0] - load.at[0], load.anchor[1] - load.at[1], load.aside)
             return load.pull_at(far - at_rest) * (to_x * moved.dx + to_z * moved.dz) / far
         work = load.tension * (to_x * moved.dx + to_z * moved.dz) / far

@@ -8,7 +8,7 @@ from math import isclose
 
 import numpy as np
 
-from assess.loads.load import Force, Load, Point, PointMass, Tie, pull_at_rest, upward
+from assess.loads.load import Force, Load, Point, PointMass, Tie, pull_at_rest, stretches, upward
 from assess.mechanisms.chain import Chain, hinge_names, move, trace_point
 from assess.mechanisms.flexible_chain import FlexibleChain
 from assess.mechanisms.mechanism import Face, Mechanism
@@ -182,4 +182,4 @@ def _pull(tie: Tie, chain: Chain) -> Point:
     along, up = pull_at_rest(tie)
     leaving = trace_point(move(chain, np.zeros(1)), block=tie.block, at=tie.at)
     shortens = along * leaving.dx[0] + up * leaving.dz[0] > 0.0
-    return (0.0, 0.0) if shortens and not (tie.both or tie.stretches) else (along, up)
+    return (0.0, 0.0) if shortens and not (tie.both or stretches(tie)) else (along, up)

@@ -15,7 +15,7 @@ from math import radians, sin
 import numpy as np
 
 from assess.errors import MechanismError
-from assess.loads.load import Tie, length_to_anchor
+from assess.loads.load import Tie, length_to_anchor, stretches
 from assess.mechanisms.branch_table import Stages, staged_branch
 from assess.mechanisms.chain import Chain, ChainPair, move, trace_point
 from assess.mechanisms.flexible_oscillator import flexible_oscillator
@@ -31,7 +31,7 @@ NEVER = -1.0  # m: elongation of a tie that one side does not have
 def stretching_ties(stages: Stages) -> dict[str, Tie]:
     """Return the ties that stretch and are there at rest, by their names."""
     actions = stages[0].chain.actions
-    return {each.name: each for each in actions if isinstance(each, Tie) and each.stretches}
+    return {each.name: each for each in actions if stretches(each)}
 
 
 def tie_laws(ties: Sequence[Tie], elongation: Sequence[Sequence[tuple[FloatArray, FloatArray]]]) -> tuple[TieLaw, ...]:

@@ -41,6 +41,7 @@ from assess.loads.load import (
     out_of_plane,
     point_in_plane,
     share_ends,
+    stretches,
     unit_in_plane,
 )
 from assess.mechanisms.chain import point_values
@@ -123,7 +124,7 @@ def _require_anchors_behind(parts: Sequence[LoadSet], blocks: MechanismBlocks) -
     """Raise MechanismError for a tie that stretches to an anchor towards which a one-sided mechanism moves."""
     for number, part in enumerate(parts, start=1):
         for tie in part.loads:
-            if isinstance(tie, Tie) and tie.stretches and tie.anchor is not None:
+            if stretches(tie) and tie.anchor is not None:
                 ahead, up = tie.anchor[0] - tie.at[0], tie.anchor[1] - tie.at[1]
                 if ahead > abs(up):
                     raise MechanismError(

@@ -24,7 +24,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from assess.loads.load import Force, Point, PointMass, Tie, pull_at_rest
+from assess.loads.load import Force, Point, PointMass, Tie, pull_at_rest, stretches
 from assess.mechanisms.chain import Chain, move, trace_point
 from assess.mechanisms.hinge_forces import chain_at_start, hinge_forces
 from assess.mechanisms.mechanism import Mechanism
@@ -99,7 +99,7 @@ def multiplier_control(mechanism: Mechanism, oscillator: Oscillator) -> Control:
     """
     if mechanism.flexible:
         alone = (
-            replace(chain, loads=tuple(each for each in chain.loads if not (isinstance(each, Tie) and each.stretches)))
+            replace(chain, loads=tuple(each for each in chain.loads if not stretches(each)))
             for chain in mechanism.chains
         )
         sides = list(zip(alone, oscillator.bare.branches, strict=False))
@@ -299,7 +299,7 @@ def _forces_at_rest(chain: Chain) -> list[ForceAtRest]:
             forces.append(ForceAtRest(load.block, load.at, (0.0, down * weight if load.bearing else 0.0), weight))
         elif isinstance(load, Force):
             forces.append(ForceAtRest(load.block, load.at, load.force, 0.0))
-        elif load.both or load.stretches or not _shortens(load, chain):
+        elif load.both or stretches(load) or not _shortens(load, chain):
             forces.append(ForceAtRest(load.block, load.at, pull_at_rest(load), 0.0))
     return forces
 

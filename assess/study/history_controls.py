@@ -39,7 +39,7 @@ from assess.dynamics.history import (
 )
 from assess.dynamics.packing import Equation
 from assess.dynamics.ties import memory_energy, tied_trace
-from assess.loads.load import Force, PointMass, Tie, length_to_anchor
+from assess.loads.load import Force, PointMass, Tie, length_to_anchor, stretches
 from assess.mechanisms.chain import Chain, PointPath, move, trace_point
 from assess.mechanisms.mechanism import Mechanism
 from assess.messages.message import Message, Quantity, note, whole_number
@@ -352,7 +352,7 @@ def every_second(rotation: FloatArray) -> FloatArray:
 
 def _is_rigid_chain_throughout(mechanism: Mechanism) -> bool:
     """Return whether the histories are those of the rigid chain with every action that is there at rest."""
-    bars = any(isinstance(load, Tie) and load.stretches for load in mechanism.positive.loads)
+    bars = any(stretches(load) for load in mechanism.positive.loads)
     return not mechanism.flexible and not bars and mechanism.variants.deciding is mechanism.oscillator
 
 

@@ -18,7 +18,7 @@ from assess.codes.histories import FIGURES, standing_figures
 from assess.dynamics.packing import Equation
 from assess.errors import locate_errors
 from assess.geometry.cut import Scene
-from assess.loads.load import Force, Load, PointMass, Tie, pull_at_rest, source_phrase
+from assess.loads.load import Force, Load, PointMass, Tie, pull_at_rest, source_phrase, stretches
 from assess.mechanisms.branch_table import load_displacement, rigid_branch
 from assess.mechanisms.hinge_forces import hinge_forces
 from assess.mechanisms.mechanism import Mechanism
@@ -260,7 +260,7 @@ def load_messages(mechanism: Mechanism) -> Iterator[Message]:
     A force that drives one way and resists the other is a thrust and gets no warning.
     """
     where = f"mechanisms.{mechanism.name}"
-    ties = {each.name: each for each in mechanism.positive.loads if isinstance(each, Tie) and each.stretches}
+    ties = {each.name: each for each in mechanism.positive.loads if stretches(each)}
     for mass in mechanism.positive.loads:
         if isinstance(mass, PointMass) and mass.seat is not None and mass.seat > WIDEST_SEAT:
             seat = Quantity(mass.seat, "length")

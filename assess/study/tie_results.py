@@ -25,7 +25,7 @@ from assess.loads.anchorage import (
     round_cone,
     shear_strength,
 )
-from assess.loads.load import DUCTILE, Tie
+from assess.loads.load import DUCTILE, Tie, stretches
 from assess.mechanisms.mechanism import Mechanism
 from assess.messages.message import Message, Quantity, Severity, Term, Value, message
 from assess.results import StretchingTie
@@ -71,13 +71,7 @@ def tie_result(tie: Tie) -> StretchingTie | None:
 def tie_messages(mechanism: Mechanism) -> Iterator[Message]:
     """Yield a warning for each tie that stretches whose anchorage fails before its bar yields."""
     for tie in mechanism.positive.loads:
-        if (
-            isinstance(tie, Tie)
-            and tie.stretches
-            and not tie.is_spring
-            and tie.strength is not None
-            and not tie.ductile
-        ):
+        if stretches(tie) and not tie.is_spring and tie.strength is not None and not tie.ductile:
             values: dict[str, Value] = {
                 "load": tie.name,
                 "link": _link(tie),

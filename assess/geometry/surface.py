@@ -384,3 +384,26 @@ def _cluster_points(vertices: FloatArray, triangles: IntArray, group: IntArray, 
     shift = np.einsum("kij,kj->ki", np.linalg.pinv(A, rcond=SHARP, hermitian=True), b)
     length = np.linalg.norm(shift, axis=1, keepdims=True)
     return np.asarray(mean + shift * np.minimum(1.0, cell / np.maximum(length, cell)), dtype=np.float64)
+
+
+def parallel_sections(corners: FloatArray, *, normal: FloatArray, spacing: float) -> FloatArray:
+    """Return the segments [k, 2, 3] in which parallel planes cut triangles, as they hatch a surface.
+
+    Parameters
+    ----------
+    corners : of the triangles [m, 3, 3] [m]
+    normal : of the planes [3]
+    spacing : from one plane to the next, one of them through the origin [m]
+    """
+    height = corners @ (normal / np.linalg.norm(normal)) / spacing
+    first = np.ceil(height.min(axis=1))
+    count = np.maximum(0, np.floor(height.max(axis=1)) - first + 1).astype(np.int64)
+    cut = np.repeat(np.arange(len(corners)), count)
+    level = first[cut] + np.arange(cut.size) - (np.cumsum(count) - count)[cut]
+    start, end = corners[cut], np.roll(corners[cut], -1, axis=1)
+    below, above = height[cut] - level[:, None], np.roll(height[cut], -1, axis=1) - level[:, None]
+    crossed = (below < 0.0) != (above < 0.0)  # a corner in the plane is above it: of no edge or of two
+    share = np.where(crossed, below, 0.0) / np.where(crossed, below - above, 1.0)
+    points = start + share[:, :, None] * (end - start)
+    both = crossed.sum(axis=1) == 2
+    return np.asarray(points[both][crossed[both]].reshape(-1, 2, 3))

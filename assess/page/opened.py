@@ -20,7 +20,7 @@ from assess.codes.question import Missing, methods_of, toml_lines
 from assess.codes.verdict import RANKS, MechanismVerdict, Verdict, at_action
 from assess.errors import AssessError, OutputError, ProjectError
 from assess.geometry.solid import Solid
-from assess.mechanisms.mechanism import CutAngle, CutPlane
+from assess.mechanisms.mechanism import CutAngle, CutPlane, Mechanism
 from assess.mechanisms.single_block import SingleBlock
 from assess.model.candidates import Candidate
 from assess.outputs.writing import replace_file
@@ -36,6 +36,7 @@ from assess.results import MechanismResult
 from assess.study.assessment import checks_without_twins
 from assess.study.checks import decide
 from assess.study.mechanism_results import parameters
+from assess.study.rocking_motion import RockingMotion, governing_motion
 from assess.study.run import CheckedMechanism, find_outcome
 from assess.study.study import Study
 from spectra.arrays import is_number
@@ -67,6 +68,7 @@ class ShownMechanism:
     checks : its answers by spectra; empty without a site
     verdict : its outcome as far as it is known
     fault : why it falls or cannot be built; empty otherwise
+    mechanism : as it is built; None where it is not
     """
 
     name: str
@@ -74,6 +76,7 @@ class ShownMechanism:
     checks: tuple[Check, ...] = ()
     verdict: MechanismVerdict | None = None
     fault: str = ""
+    mechanism: Mechanism | None = None
 
 
 @dataclass(frozen=True)
@@ -171,7 +174,8 @@ class OpenedProject:
     def outline(self, name: str) -> ShownMechanism:
         """Return a mechanism as the file has it, without its checks."""
         falls = next((f"falls at rest: {each.reason}" for each in self.study.falling if each.name == name), "")
-        return ShownMechanism(name, self._results.get(name), (), self._verdict_of(name), falls)
+        built = next((each for each in self.study.mechanisms if each.name == name), None)
+        return ShownMechanism(name, self._results.get(name), (), self._verdict_of(name), falls, built)
 
     def find_others(self) -> None:
         """Find what the parts of the building are, and the mechanisms that they can have beside those of the file."""
@@ -209,7 +213,16 @@ class OpenedProject:
                 verdict = next(each for each in found.mechanisms if each.mechanism == name)
         except (AssessError, SpectrumError) as error:
             return ShownMechanism(name, None, fault=str(error))
-        return ShownMechanism(name, result, checks, verdict)
+        return ShownMechanism(name, result, checks, verdict, mechanism=study.mechanisms[0])
+
+    def motion(self, name: str) -> RockingMotion | None:
+        """Return how a mechanism moves under the record that governs, with what is tried; None where none is answered.
+
+        Raises
+        ------
+        AssessError, SpectrumError or RecordError : it cannot be followed
+        """
+        return governing_motion(self._built.study_at(self._content(), (name,)))
 
     def numbers(self, name: str) -> tuple[Number, ...]:
         """Return the numbers that the file gives and a mechanism depends on, as they are tried, but for places.

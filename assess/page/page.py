@@ -20,6 +20,7 @@ from assess.errors import AssessError
 from assess.model.candidates import Candidate
 from assess.page import words
 from assess.page.jobs import Newest, ProjectRun
+from assess.page.movement import Movement
 from assess.page.opened import Number, OpenedProject, ShownMechanism
 from assess.page.scene import Drawing
 from assess.page.server import PageServer
@@ -51,6 +52,7 @@ class Page:
 
     def close(self) -> None:
         """End what is being done for the page."""
+        self.movement.stop()
         self._quick.close()
         self._thorough.close()
         if self._run is not None:
@@ -84,6 +86,9 @@ class Page:
             (empty, empty), ({"label": "rotation [rad]"}, line), title="Capacity curve", aspect=1.8,
             scales={"x": {"time": False}},
         )  # fmt: skip
+        self.movement = Movement(
+            gui, self.drawing, find=lambda: opened.motion(self.picked) if isinstance(self.picked, str) else None
+        )
         with gui.add_folder("Crack"):
             self.elevation = gui.add_number(
                 "Elevation [m]", 0.0, step=0.01, hint="Of the crack, or of the point it turns about."
@@ -111,14 +116,12 @@ class Page:
             self.links = gui.add_html("")
         with gui.add_folder("Drawing", expand_by_default=False):
             labels = gui.add_checkbox("Names of parts", True)
-            self.displaced = gui.add_checkbox("Outline after a rotation", True)
         self.mechanisms.on_update(
             lambda event: self._if_by_hand(event, lambda: self.pick(self._options[self.mechanisms.value]))
         )
         for each in (self.elevation, self.angle):
             each.on_update(lambda event: self._if_by_hand(event, self._typed_crack))
         labels.on_update(lambda _: self.drawing.label_parts(labels.value))
-        self.displaced.on_update(lambda _: self._quick.ask(self._recompute))
         self.run.on_click(lambda _: self._start_run())
         self.cancel.on_click(lambda _: None if self._run is None else self._run.cancel())
 
@@ -215,7 +218,8 @@ class Page:
         opened = self.opened
         outcome = "fail" if shown.fault else shown.verdict.outcome.value if shown.verdict else "not known"
         with self.server.viser.atomic():
-            self.drawing.draw_mechanism(shown, outcome=outcome, displaced=self.displaced.value)
+            self.drawing.draw_mechanism(shown, outcome=outcome)
+            self.movement.show(shown.mechanism, shown.result, self._state())
             self.facts.content = words.mechanism(opened, shown)
             self.building.content = words.building(
                 opened.verdict, has_site=opened.study.spectrum is not None, changed=len(opened.changes)

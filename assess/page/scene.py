@@ -1,18 +1,19 @@
-"""The drawing of the page: parts by kind, the mechanism that is picked, and the plane of its crack."""
+"""The drawing of the page: parts by kind, the mechanism that is picked with its blocks, and the plane of its crack."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
 from itertools import pairwise
-from math import atan2, cos, sin
+from math import atan2, cos, dist, sin
 from typing import Any
 
 import numpy as np
 
-from assess.geometry.surface import simplify
+from assess.geometry.surface import parallel_sections, simplify
 from assess.mechanisms.mechanism import CutAngle
 from assess.page.opened import ShownMechanism, ShownPart
-from assess.results import DrawnLoad, MechanismResult, Ring, View
+from assess.results import DrawnLoad, MechanismResult, NamedPoint, View
+from assess.study.rocking_motion import BlockPlace
 from spectra.arrays import FloatArray
 
 Colour = tuple[int, int, int]
@@ -23,8 +24,16 @@ KINDS: dict[str, Colour] = {
 """Colours of what is no wall; each part has a label too."""
 WALL: Colour = (217, 205, 184)
 OUTCOMES: dict[str, Colour] = {"pass": (86, 180, 233), "fail": (213, 94, 0), "incomplete": (240, 228, 66)}
-"""Colours of the moving part, told apart without colour vision; the word stands beside it."""
 UNKNOWN: Colour = (204, 121, 167)
+HATCHES: dict[str, tuple[tuple[float, float, float], ...]] = {
+    "pass": (), "fail": ((1, 1, 1), (1, 1, -1)), "incomplete": ((1, 1, 1),),
+}  # fmt: skip
+"""Normals (along, across, up) of the planes whose traces hatch the moving part: crossed, one way, none.
+
+Colours and hatches are told apart without colour vision; the word stands beside them.
+"""
+UNKNOWN_HATCH = ((0, 0, 1),)
+HATCH = 0.06  # spacing, of the mechanism's size
 FIXED: Colour = (223, 226, 229)
 HINGE: Colour = (0, 0, 0)
 LOAD: dict[str, Colour] = {"mass": (107, 76, 154), "force": (107, 76, 154), "tie": (0, 114, 178)}
@@ -34,6 +43,7 @@ MOST_LABELS = 40
 AWAY, VIEW = 1.1, (0.62, -0.66, 0.42)  # of the diagonal of what is seen, and from where
 LEVEL_KINDS = ("horizontal-arch",)  # whose plane of motion is not upright
 ARROW = 0.12  # of the mechanism's size
+LABELS_APART = 0.03  # of the mechanism's size: hinges nearer than this have one label
 
 
 class Drawing:
@@ -47,6 +57,7 @@ class Drawing:
         self._parts: list[Any] = []
         self._labels: list[Any] = []
         self._shown: list[Any] = []
+        self._frames: dict[int, Any] = {}
         self._plane: Any = None
         self._along = np.array([1.0, 0.0, 0.0])
         self.show_labels = True
@@ -106,20 +117,19 @@ class Drawing:
         for number, part in enumerate(self._parts):
             part.opacity = MARKED if number in chosen else UNMARKED
 
-    def draw_mechanism(self, shown: ShownMechanism, *, outcome: str, displaced: bool) -> None:
-        """Draw a mechanism in the colour of its outcome.
+    def draw_mechanism(self, shown: ShownMechanism, *, outcome: str) -> None:
+        """Draw a mechanism in the colour and hatching of its outcome.
 
         Parameters
         ----------
         shown : the mechanism
         outcome : in a word, "pass", "fail", "incomplete", or any other where it is not known
-        displaced : whether its outline after a rotation is drawn
         """
         made: list[Any] = []
         result = shown.result
         if result is not None and result.view is not None:
-            made += self._bodies(result.view, OUTCOMES.get(outcome, UNKNOWN))
-            made += self._lines(result, displaced=displaced)
+            made += self._bodies(result.view, outcome)
+            made += self._lines(result)
             top = max(result.view.vertices, key=lambda place: place[2])
             made.append(self._scene.add_label("/mechanism/outcome", outcome.upper(), position=top))
         names = {each.name for each in made}
@@ -167,44 +177,63 @@ class Drawing:
         if self._plane is not None:
             self._plane.position, self._plane.wxyz = np.array(point), quaternion(self._along, angle)
 
-    def _bodies(self, view: View, colour: Colour) -> list[Any]:
-        vertices, triangles = np.array(view.vertices), np.array(view.triangles)
-        moves = np.array(view.block_of) >= 0
+    def place_blocks(self, places: Sequence[BlockPlace]) -> None:
+        """Put the blocks of the mechanism where they are after a rotation; at rest where none is given."""
+        for number, frame in self._frames.items():
+            at = places[number] if number < len(places) else None
+            frame.wxyz = (1.0, 0.0, 0.0, 0.0) if at is None else at.quaternion
+            frame.position = (0.0, 0.0, 0.0) if at is None else at.move
+
+    def _bodies(self, view: View, outcome: str) -> list[Any]:
+        vertices, triangles, block_of = np.array(view.vertices), np.array(view.triangles), np.array(view.block_of)
+        along = np.array(view.direction)
+        axes, size = np.array([along, [-along[1], along[0], 0.0], [0.0, 0.0, 1.0]]), float(max(view.size))
         made = []
-        for name, chosen, shade, opacity in (("moving", moves, colour, None), ("fixed", ~moves, FIXED, 0.6)):
-            if chosen.any():
-                made.append(
-                    self._scene.add_mesh_simple(
-                        f"/mechanism/{name}", vertices, triangles[chosen], color=shade, opacity=opacity,
-                        flat_shading=True, side="double", cast_shadow=False, receive_shadow=False,
-                    )
-                )  # fmt: skip
+        for number in np.unique(block_of).tolist():
+            moves, name = number >= 0, "/mechanism/fixed"
+            used, places = np.unique(triangles[block_of == number], return_inverse=True)
+            if moves:
+                name = f"/blocks/{number}/body"
+                if number not in self._frames:
+                    self._frames[number] = self._scene.add_frame(f"/blocks/{number}", show_axes=False)
+                corners = vertices[triangles[block_of == number]]
+                strokes = [
+                    parallel_sections(corners, normal=np.array(each) @ axes, spacing=HATCH * size)
+                    for each in HATCHES.get(outcome, UNKNOWN_HATCH)
+                ]
+                if strokes:
+                    made.append(self._segments(f"/blocks/{number}/hatch", np.concatenate(strokes), HINGE, size / 400.0))
+            made.append(
+                self._scene.add_mesh_simple(
+                    name, vertices[used], places.reshape(-1, 3), flat_shading=True, side="double", cast_shadow=False,
+                    color=OUTCOMES.get(outcome, UNKNOWN) if moves else FIXED, opacity=None if moves else 0.6,
+                    receive_shadow=False,
+                )
+            )  # fmt: skip
         return made
 
-    def _lines(self, result: MechanismResult, *, displaced: bool) -> list[Any]:
+    def _lines(self, result: MechanismResult) -> list[Any]:
         view, made = result.view, []
         assert view is not None
         size = float(max(view.size))
-        made.append(self._segments("hinges", [each.ends for each in view.axes], HINGE, size / 100.0))
+        made.append(self._segments("/mechanism/hinges", [each.ends for each in view.axes], HINGE, size / 100.0))
         rings = [pair for ring in view.sections for pair in pairwise(ring)]
-        made += [self._segments("sections", rings, HINGE, size / 300.0)] if rings else []
+        made += [self._segments("/mechanism/sections", rings, HINGE, size / 300.0)] if rings else []
         if result.kind in LEVEL_KINDS:
             return made
         middle = _middle_across(view)
         for kind, colour in LOAD.items():
             loads = [each for each in result.drawing.loads if each.kind == kind]
             strokes = [stroke for load in loads for stroke in _arrow(load, view, middle, size)]
-            made += [self._segments(f"loads-{kind}", strokes, colour, size / 120.0)] if strokes else []
-        turned = [pair for ring in result.drawing.displaced.blocks for pair in _closed(ring, view, middle)]
-        made += [self._segments("displaced", turned, UNKNOWN, size / 150.0)] if displaced and turned else []
-        for number, each in enumerate(result.drawing.hinges):
-            place = _in_space(each.at, view, middle)
-            made.append(self._scene.add_label(f"/mechanism/hinge-{number}", each.name, position=place))
+            made += [self._segments(f"/mechanism/loads-{kind}", strokes, colour, size / 120.0)] if strokes else []
+        for number, (text, at) in enumerate(hinge_labels(result.drawing.hinges, apart=LABELS_APART * size)):
+            place = _in_space(at, view, middle)
+            made.append(self._scene.add_label(f"/mechanism/hinge-{number}", text, position=place))
         return made
 
-    def _segments(self, name: str, pairs: Sequence[Any], colour: Colour, thickness: float) -> Any:
+    def _segments(self, name: str, pairs: Any, colour: Colour, thickness: float) -> Any:
         return self._scene.add_line_segments(
-            f"/mechanism/{name}", np.array(pairs, dtype=np.float64), np.array(colour), thickness=thickness
+            name, np.array(pairs, dtype=np.float64), np.array(colour), thickness=thickness
         )
 
     @staticmethod
@@ -232,6 +261,18 @@ def angle_of(wxyz: FloatArray, along: FloatArray) -> float:
     return atan2(float(normal @ along), normal[2])
 
 
+def hinge_labels(hinges: Sequence[NamedPoint], *, apart: float) -> list[tuple[str, tuple[float, float]]]:
+    """Return the names of hinges each with its place, in one label where they lie less than `apart` [m]."""
+    found: list[tuple[str, tuple[float, float]]] = []
+    for each in hinges:
+        near = next((place for place, (_, at) in enumerate(found) if dist(at, each.at) < apart), None)
+        if near is None:
+            found.append((each.name, each.at))
+        else:
+            found[near] = (f"{found[near][0]}, {each.name}", found[near][1])
+    return found
+
+
 def _middle_across(view: View) -> float:
     """Return where the middle of the moving bodies lies across the direction [m]."""
     moving = np.array(view.triangles)[np.array(view.block_of) >= 0]
@@ -243,11 +284,6 @@ def _in_space(point: Sequence[float], view: View, middle: float) -> tuple[float,
     """Return a place of the plane of motion in space [m]."""
     x, y, _ = view.direction
     return (point[0] * x - middle * y, point[0] * y + middle * x, point[1])
-
-
-def _closed(ring: Ring, view: View, middle: float) -> list[Any]:
-    places = [_in_space(point, view, middle) for point in ring]
-    return list(zip(places, [*places[1:], places[0]], strict=True))
 
 
 def _arrow(load: DrawnLoad, view: View, middle: float, size: float) -> list[Any]:

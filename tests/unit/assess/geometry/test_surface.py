@@ -11,6 +11,7 @@ from assess.geometry.surface import (
     find_edges,
     merge_vertices,
     open_edges,
+    parallel_sections,
     volume,
 )
 
@@ -87,3 +88,29 @@ def test_neighbours_across_edges_are_those_that_share_them() -> None:
     turned[0] = turned[0, ::-1]
     for wrong in (CUBE.triangles[1:], CUBE.triangles[2:], turned, np.vstack([CUBE.triangles, CUBE.triangles])):
         assert adjacent_triangles(wrong) is None
+
+
+def test_parallel_sections_of_a_cube_are_those_of_its_faces():
+    """Planes one quarter apart across the diagonal of a unit cube cut hexagons and triangles of known lengths.
+
+    The plane x + y + z = c cuts a triangle of side c sqrt 2 for c <= 1, and a hexagon of perimeter 3 sqrt 2 between.
+    """
+    spacing, corners = 0.25, CUBE.vertices[CUBE.triangles] + 0.5
+    found = parallel_sections(corners, normal=np.ones(3), spacing=spacing)
+    heights = found.sum(axis=2) / np.sqrt(3.0) / spacing
+    assert heights[:, 0] == pytest.approx(heights[:, 1])
+    assert heights == pytest.approx(np.round(heights), abs=1e-9)
+    lengths = np.linalg.norm(found[:, 1] - found[:, 0], axis=1)
+    for number in range(1, 7):
+        c = number * spacing * np.sqrt(3.0)
+        perimeter = 3.0 * np.sqrt(2.0) * min(c, 1.0, 3.0 - c)
+        assert lengths[np.round(heights[:, 0]) == number].sum() == pytest.approx(perimeter)
+
+
+def test_planes_that_miss_a_triangle_or_touch_a_corner_cut_nothing():
+    triangle = np.array([[[0.1, -0.5, 0.0], [0.2, -0.5, 0.0], [0.1, 0.0, 0.0]]])
+    for normal in np.eye(3)[:2]:
+        assert parallel_sections(triangle, normal=normal, spacing=1.0).shape in ((0, 2, 3), (1, 2, 3))
+    assert parallel_sections(triangle, normal=np.eye(3)[0], spacing=1.0).shape == (0, 2, 3)
+    touched = parallel_sections(triangle, normal=np.eye(3)[1], spacing=1.0)
+    assert np.ptp(touched, axis=1) == pytest.approx(0.0)

@@ -242,25 +242,46 @@ def verdict(question: Question, mechanisms: Sequence[MechanismChecks]) -> Verdic
     target, no_target = target_of(question, basis)
     criteria = _Criteria(question, basis, states, target, (*question.missing, *no_state, *no_target))
     found = tuple(_hold_to_before(_decide_mechanism(each, criteria), question) for each in mechanisms)
-    outcome = worst_outcome(one.outcome for one in found)
-    return Verdict(
+    of_no_mechanism = Verdict(
         basis=basis.name,
         edition=basis.edition,
         action=question.action,
         target=target,
+        outcome=Decision.INCOMPLETE,
+        at_the_limit=False,
+        conditions=(),
+        missing=criteria.missing,
+        mechanisms=(),
+        limit_states=tuple(state.name for state in states),
+        methods=methods_of(question),
+        clauses=basis.clauses,
+        uncompared=basis.uncompared,
+    )
+    return with_mechanisms(of_no_mechanism, found)
+
+
+def with_mechanisms(building: Verdict, found: Sequence[MechanismVerdict]) -> Verdict:
+    """Return the verdict of a building whose mechanisms come off so.
+
+    What is missing for the building stays, and that of each mechanism joins it.
+
+    Parameters
+    ----------
+    building : basis, action and target
+    found : the verdict of each mechanism
+    """
+    outcome = worst_outcome(one.outcome for one in found)
+    return replace(
+        building,
         outcome=outcome,
         at_the_limit=_near_limit(outcome, [one.at_the_limit for one in found if one.outcome == outcome]),
         conditions=_unique(each for one in found for each in one.conditions),
-        missing=merge_missing((*criteria.missing, *(each for one in found for each in one.missing))),
-        mechanisms=found,
-        limit_states=tuple(state.name for state in states),
-        methods=methods_of(question),
+        missing=merge_missing((*building.missing, *(each for one in found for each in one.missing))),
+        mechanisms=tuple(found),
         index=_index(found),
         provisional=worst_outcome(one.provisional or one.outcome for one in found)
         if outcome == Decision.INCOMPLETE
         else None,
-        clauses=basis.clauses,
-        uncompared=basis.uncompared,
     )
 
 

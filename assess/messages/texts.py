@@ -363,6 +363,10 @@ TEXTS: Mapping[str, str] = {
     "confidence-factor": "crushing of the masonry is not modelled in {mechanisms}: under {circular}, the FC of LC1, "
     "{least}, decides there",
     "sweep": "swept: the mechanism is represented by its most critical case, {case} (cases evaluated: {cases})",
+    "worse-as-typed": "worse with the values of the file than with those that stand in for values without a source: "
+    "the numbers are those of the file",
+    "worst-of-range-apart": "worse with another value of a range than the other mechanisms: the numbers are those with "
+    "the worst of each range for this mechanism",
     "sweep-as-typed": "swept: no case is more critical than the value of the file itself, which represents the "
     "mechanism",
     "sweep-left-out": "not swept in the envelopes, which use the values in the file: {keys}; `assess run` evaluates "

@@ -34,7 +34,7 @@ from assess.project import sections
 from assess.project.input_messages import project_messages
 from assess.project.inputs import FileStates, inputs_of, note_states, refuse_changes
 from assess.project.key_errors import key_text, value_text
-from assess.project.keys import KeySweep, ProjectVariant, Setting, dependents, read_case
+from assess.project.keys import KeySweep, ProjectVariant, Setting, dependents, key_sweeps, read_case, with_values
 from assess.project.overrides import replace_values, replaceables_of
 from assess.project.project_file import Project, resolve
 from assess.project.question import (
@@ -179,8 +179,9 @@ def study_of(project: Project, *, executor: Executor | None = None, known: Known
     study = _with_replaceables(study, project, files, read_again=study_of)
     inputs = tuple(inputs_of(project, files.named.records, annex))
     refuse_changes(files.states)
+    touching = {each.name: each.adjacent_bodies for each in study.mechanisms}
     sweeps = tuple(
-        _sweep_of(sweep, project, files, touching={m.name: m.adjacent_bodies for m in study.mechanisms})
+        _sweep_of(sweep, project, files, names=dependents(content, sweep.path, touching=touching))
         for sweep in project.sweeps
     )
     return replace(
@@ -216,10 +217,23 @@ def _with_replaceables(study: Study, project: Project, files: ProjectFiles, *, r
     read_again : builds the study of the project in which they are replaced
     """
 
+    touching = {each.name: each.adjacent_bodies for each in study.mechanisms}
+
     def study_at(setting: Setting) -> Callable[[str], Study]:
         content = read_case(setting, project.content, project.raw, project.folder)
         known = _files_of_case(content, project, files)
-        return lambda name: _study_of_mechanisms(content, known, names=(name,))
+        raw = with_values(project.raw, setting, project.content) if project.sweeps else {}
+        swept = key_sweeps(content, raw, project.folder)
+
+        def alone(name: str) -> Study:
+            sweeps = (
+                _sweep_of(each, project, files, names=(name,))
+                for each in swept
+                if name in dependents(content, each.path, touching=touching)
+            )
+            return replace(_study_of_mechanisms(content, known, names=(name,)), sweeps=tuple(sweeps))
+
+        return alone
 
     def replaced(values: Sequence[Replaceable]) -> Study:
         without = read_again(replace_values(project, values), known=Known(project.content, files))
@@ -513,11 +527,8 @@ def _input_messages(
     )
 
 
-def _sweep_of(
-    sweep: KeySweep, project: Project, files: ProjectFiles, *, touching: Mapping[str, tuple[str, ...]]
-) -> Sweep:
-    """Build the cases of a sweep, each with the mechanisms that depend on its key; touching: bodies that touch each."""
-    names = dependents(project.content, sweep.path, touching=touching)
+def _sweep_of(sweep: KeySweep, project: Project, files: ProjectFiles, *, names: tuple[str, ...]) -> Sweep:
+    """Build the cases of a sweep, each with these of the mechanisms that depend on its key."""
     if not names:
         raise ProjectError(f"{sweep.where}.key: {value_text(sweep.key)}: no mechanism depends on it; name another")
     cases = tuple(case_of(variant, project, files, names=names) for variant in sweep.variants)

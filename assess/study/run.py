@@ -11,6 +11,8 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
+from functools import partial, reduce
+from typing import TypeVar
 
 from assess.codes.check import BuildingState, Check
 from assess.codes.context import Context
@@ -20,7 +22,7 @@ from assess.codes.verdict import Verdict
 from assess.errors import AssessError
 from assess.mechanisms.mechanism import Mechanism
 from assess.messages.message import Message, locate, note, warning
-from assess.results import SCHEMA_VERSION, Control, MechanismResult, Results
+from assess.results import SCHEMA_VERSION, Control, MechanismResult, Results, SensitivityResult, SweepResult
 from assess.results.provenance import describe_program, stamp
 from assess.short_repr import ShortRepr
 from assess.study.amplification import MechanismAmplification
@@ -48,7 +50,16 @@ from assess.study.histories import (
 from assess.study.history_controls import convergence_control, energy_control, governing_history
 from assess.study.level_peaks import RockingCase, Solved
 from assess.study.mechanism_results import comparison_rows
-from assess.study.states import Overrides, decides, find_overrides, merge_states, require_sources
+from assess.study.states import (
+    Overrides,
+    decides,
+    find_overrides,
+    merge_states,
+    only,
+    require_sources,
+    with_worse,
+    worse_in,
+)
 from assess.study.study import (
     Progress,
     ScaledRecord,
@@ -75,6 +86,8 @@ from assess.study.variations import (
 from assess.workers import available_cores
 from spectra.errors import SpectrumError
 from spectra.spectrum import Spectrum
+
+_OfMechanism = TypeVar("_OfMechanism", bound=SweepResult | SensitivityResult | Control)
 
 
 def run_study(study: Study, *, jobs: int = 0, progress: Progress = no_progress) -> Results:
@@ -109,21 +122,85 @@ def run_study(study: Study, *, jobs: int = 0, progress: Progress = no_progress) 
     replaced, overrides = _replaced(study, overrides)
     typed = replace(typed, verdict=require_sources(typed.verdict, overrides))
     assert typed.verdict is not None
-    other = None if replaced is None else find_state_verdict(replaced, jobs=jobs, solved=solved)
-    other = None if other is None else require_sources(other, overrides)
+    apart = _replaced_apart(study, overrides)
+    other = None if replaced is None else _worst_verdict((replaced, *apart), overrides, jobs=jobs, solved=solved)
     if replaced is None or other is None or not decides(other, typed.verdict):
         return replace(typed, verdict=merge_states(typed.verdict, other, overrides.lines))
-    if (
-        replaced.falling != study.falling
-    ):  # nothing can be shown of what falls: the pages are those of the project as typed
+    known = {each.name for each in study.falling}
+    if {each.name for state in (replaced, *apart) for each in state.falling} != known:
+        # nothing can be shown of what falls: the pages are those of the project as typed
         return replace(typed, verdict=merge_states(typed.verdict, other, overrides.lines))
-    other_motions = motions_of(replaced, require_spectrum(replaced), jobs=jobs)
-    replaced = replace(replaced, suite_faults=suite_faults(replaced, require_spectrum(replaced), other_motions))
-    found = _run_state(replaced, require_spectrum(replaced), other_motions, jobs=jobs, progress=progress, solved=solved)
+
+    def run_replaced(state: Study) -> Results:
+        there = require_spectrum(state)
+        motions = motions_of(state, there, jobs=jobs)
+        state = replace(state, suite_faults=suite_faults(state, there, motions))
+        found = _run_state(state, there, motions, jobs=jobs, progress=progress, solved=solved)
+        assert found.verdict is not None
+        return replace(found, verdict=require_sources(found.verdict, overrides))
+
+    found = reduce(partial(_with_worse, why="worst-of-range-apart"), map(run_replaced, (replaced, *apart)))
     assert found.verdict is not None
-    verdict = merge_states(typed.verdict, require_sources(found.verdict, overrides), overrides.lines)
+    verdict = merge_states(typed.verdict, found.verdict, overrides.lines)
+    merged = replace(_with_worse(found, typed, why="worse-as-typed"), verdict=verdict)
     ties = left_out_beside(found.ties, typed.ties)
-    return replace(found, project=typed.project, inputs=typed.inputs, stamp=typed.stamp, verdict=verdict, ties=ties)
+    return replace(merged, project=typed.project, inputs=typed.inputs, stamp=typed.stamp, ties=ties)
+
+
+def _with_worse(found: Results, other: Results, *, why: str) -> Results:
+    """Return results with the mechanisms of another state that come off worse there, and say why of each."""
+    assert found.verdict is not None
+    assert other.verdict is not None
+    worse = worse_in(other.verdict, found.verdict)
+    if not worse:
+        return found
+    there = {each.name: each for each in other.mechanisms}
+    mechanisms = tuple(there[each.name] if each.name in worse else each for each in found.mechanisms)
+    places = {f"mechanisms.{name}" for name in worse}
+    return replace(
+        found,
+        verdict=with_worse(found.verdict, other.verdict),
+        mechanisms=mechanisms,
+        critical=critical_result({each.name: each.envelope for each in mechanisms if each.envelope is not None}),
+        comparison=comparison_rows(mechanisms),
+        sweeps=_of_worse(found.sweeps, other.sweeps, worse),
+        sensitivity=_of_worse(found.sensitivity, other.sensitivity, worse),
+        controls=_of_worse(found.controls, other.controls, worse),
+        warnings=(
+            *(each for each in found.warnings if each.where not in places),
+            *(each for each in other.warnings if each.where in places),
+            *(warning(why, place) for place in sorted(places)),
+        ),
+    )
+
+
+def _worst_verdict(
+    states: Sequence[Study],
+    overrides: Overrides,
+    *,
+    jobs: int,
+    solved: Solved,
+    run: DecidingHistories | None = None,
+) -> Verdict:
+    """Return the verdict of the first state, each mechanism as it comes off worst in any."""
+    found = (find_state_verdict(state, jobs=jobs, run=run, solved=solved) for state in states)
+    return reduce(with_worse, (require_sources(each, overrides) for each in found))
+
+
+def _replaced_apart(study: Study, overrides: Overrides) -> tuple[Study, ...]:
+    """Return the states of the mechanisms for which another value of a range is the worst."""
+    if study.replaced is None:
+        return ()
+    return tuple(only(study.replaced(values), names) for values, names in overrides.apart)
+
+
+def _of_worse(
+    found: tuple[_OfMechanism, ...], typed: tuple[_OfMechanism, ...], worse: frozenset[str]
+) -> tuple[_OfMechanism, ...]:
+    return (
+        *(each for each in found if each.mechanism not in worse),
+        *(each for each in typed if each.mechanism in worse),
+    )
 
 
 def _replaced(study: Study, overrides: Overrides) -> tuple[Study | None, Overrides]:
@@ -276,8 +353,10 @@ def find_verdict(study: Study, *, jobs: int = 1, run: DecidingHistories | None =
         motions = motions_of(study, require_spectrum(study), jobs=jobs)
     overrides = find_overrides(study, motions, jobs=jobs, with_sources=False)
     replaced, overrides = _replaced(study, overrides)
-    other = None if replaced is None else find_state_verdict(replaced, jobs=jobs, run=run, solved=solved)
-    other = None if other is None else require_sources(other, overrides)
+    other = None
+    if replaced is not None:
+        states = (replaced, *_replaced_apart(study, overrides))
+        other = _worst_verdict(states, overrides, jobs=jobs, run=run, solved=solved)
     return merge_states(require_sources(typed, overrides), other, overrides.lines)
 
 

@@ -3,14 +3,15 @@
 What a value is worth is found with it alone replaced, by the methods that decide without histories; where histories
 alone decide, by one suite at the site's action. Of a value that may help or not, the worst over its plausible range
 counts, by all methods that decide where no source vouches for it, and once more beside what else is replaced: the
-stated value may be the worst there. Where a mechanism passes as typed and no source vouches for the value, histories
-rise in PGA until they fail, without twins. The state in which all are replaced at once is assessed as the project
-itself is, and the worse of the two decides.
+stated value may be the worst there. Where the worst of one mechanism is not that of another, each counts by its own.
+Where a mechanism passes as typed and no source vouches for the value, histories rise in PGA until they fail, without
+twins. The state in which all are replaced at once is assessed as the project itself is, and of each mechanism the worse
+of the two decides.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cache, cached_property, partial, reduce
 from itertools import groupby
@@ -29,6 +30,7 @@ from assess.codes.verdict import (
     Verdict,
     is_worse,
     outcome_of,
+    with_mechanisms,
     worst_outcome,
 )
 from assess.errors import AssessError, FallingError
@@ -37,7 +39,7 @@ from assess.study.assessment import checks_without_twins
 from assess.study.checks import decide
 from assess.study.study import Replaceable, ScaledRecord, Study, needs_motions, require_spectrum
 from assess.study.suites import suite_faults
-from assess.study.variations import motions_of_case
+from assess.study.variations import mechanisms_beside_cases, motions_of_case
 from records.errors import RecordError
 from spectra.errors import SpectrumError
 
@@ -50,12 +52,14 @@ class Overrides:
     replaced_alone : that of them without which a mechanism comes off worst
     unvouched : those that nothing can stand for, as the case cannot be read without them, with the mechanisms that
         they bear on: a pass of these needs a source
+    apart : what is replaced for mechanisms for which another value of a range is the worst, with their names
     """
 
     lines: tuple[Override, ...] = ()
     replaced: tuple[Replaceable, ...] = ()
     replaced_alone: tuple[Replaceable, ...] = ()
     unvouched: tuple[tuple[Replaceable, frozenset[str]], ...] = ()
+    apart: tuple[tuple[tuple[Replaceable, ...], frozenset[str]], ...] = ()
 
     @property
     def sources_needed(self) -> Mapping[str, tuple[Missing, ...]]:
@@ -118,14 +122,37 @@ def find_overrides(
         if helps:
             overrides.append(_override(value, without))
     either_way = [value for value in tried if value.either_way and not value.source]
+    apart: dict[str, dict[str, Replaceable | None]] = {}
     for key, of_one_key in groupby(either_way, key=lambda value: value.key):
         standing = next((value for value in replaced if value.key == key), None)
         others = [value for value in replaced if value.key != key]
-        worst, found_there = trials.worst_beside(others, standing, tuple(of_one_key))
+        ways = trials.beside(others, standing, tuple(of_one_key))
+        worst, found_there = ways.worst()
         replaced = replaced if worst is standing else [*others, *([] if worst is None else [worst])]
         if worst is not None and standing is None:
             overrides.append(_override(worst, found_there))
-    return Overrides(tuple(overrides), tuple(replaced), () if least is None else (least[0],), tuple(unvouched))
+        for name, its_worst in ways.worst_of_each(than=found_there):
+            apart.setdefault(name, {})[key] = its_worst
+    return Overrides(
+        tuple(overrides),
+        tuple(replaced),
+        () if least is None else (least[0],),
+        tuple(unvouched),
+        tuple(_replaced_apart(replaced, apart)),
+    )
+
+
+def _replaced_apart(
+    replaced: Sequence[Replaceable], apart: Mapping[str, Mapping[str, Replaceable | None]]
+) -> Iterator[tuple[tuple[Replaceable, ...], frozenset[str]]]:
+    """Yield what is replaced for mechanisms that other values of some keys are the worst for, with their names."""
+    alike: dict[tuple[tuple[str, int], ...], list[str]] = {}
+    for name, others in apart.items():
+        alike.setdefault(tuple((key, id(value)) for key, value in others.items()), []).append(name)
+    for names in alike.values():
+        others = apart[names[0]]
+        kept = (value for value in replaced if value.key not in others)
+        yield (*kept, *(value for value in others.values() if value is not None)), frozenset(names)
 
 
 class _Depth(NamedTuple):
@@ -174,10 +201,10 @@ class _Trials:
         """Return the outcome without a value of each mechanism that it bears on and that can be built so."""
         return self._all(value.mechanisms, value.study_at, _depth_of(value))
 
-    def worst_beside(
+    def beside(
         self, others: Sequence[Replaceable], standing: Replaceable | None, each_way: tuple[Replaceable, ...]
-    ) -> tuple[Replaceable | None, Outcomes]:
-        """Return which value of a key is the worst where other keys are replaced, None for the one typed.
+    ) -> _Ways:
+        """Return the outcomes with each value of a key, and with that typed, where other keys are replaced.
 
         A row of a table that helps makes no difference beside an ordinate that helps as much, and the reverse; and the
         worst stiffness of a strong joint is not that of a weak one.
@@ -185,29 +212,19 @@ class _Trials:
         Parameters
         ----------
         others : what is replaced at other keys
-        standing : what stands for this key there, None where it is as typed
+        standing : what stands for this key, None where it is as typed
         each_way : the values of the key that can
-
-        Returns
-        -------
-        That value and the outcomes with it; `standing` where none is worse
         """
         depth, names = _depth_of(each_way[0]), each_way[0].mechanisms
-        now = self._replaced(others, standing, names, depth) if others else {}
-        if not now:
-            return standing, {}
-        worst, found = standing, now
-        for value in (None, *each_way):
-            if value is standing:
-                continue
-            there = self._replaced(others, value, names, depth)
-            if there and (
-                _any_worse(there, than=found, same=each_way[0].same)
-                if worst is None
-                else is_worse(_least(there), than=_least(found), same=each_way[0].same)
-            ):
-                worst, found = value, there
-        return worst, found
+
+        def outcomes(value: Replaceable | None) -> Outcomes:
+            if others:
+                return self._replaced(others, value, names, depth)
+            if value is not None:
+                return self.without(value)
+            return {name: found for name, found in self.as_typed(depth).items() if name in names}
+
+        return _Ways(standing, tuple((value, outcomes(value)) for value in (None, *each_way)), each_way[0].same)
 
     @property
     def _names(self) -> tuple[str, ...]:
@@ -249,6 +266,43 @@ class _Trials:
         return self.study.scan and typed is not None and typed.outcome == Decision.PASS
 
 
+@dataclass(frozen=True)
+class _Ways:
+    """The outcomes with each value of one key, None for the one typed.
+
+    standing : that stands for it; outcomes : with each; same : share by which a margin may fall without being worse
+    """
+
+    standing: Replaceable | None
+    outcomes: tuple[tuple[Replaceable | None, Outcomes], ...]
+    same: float
+
+    def worst(self) -> tuple[Replaceable | None, Outcomes]:
+        """Return the worst value and the outcomes with it; the one that stands where none is worse."""
+        worst = self.standing
+        found = now = next((there for value, there in self.outcomes if value is worst), {})
+        for value, there in self.outcomes:
+            if not now or not there or value is self.standing:
+                continue
+            if (
+                _any_worse(there, than=found, same=self.same)
+                if worst is None
+                else is_worse(_least(there), than=_least(found), same=self.same)
+            ):
+                worst, found = value, there
+        return worst, found
+
+    def worst_of_each(self, *, than: Outcomes) -> Iterator[tuple[str, Replaceable | None]]:
+        """Yield each mechanism that comes off worse with another value than the worst of all has it, and that value."""
+        for name, found in than.items():
+            worst = (self.standing, found)
+            for value, there in self.outcomes:
+                if name in there and is_worse(there[name], than=worst[1], same=self.same):
+                    worst = (value, there[name])
+            if worst[1] is not found:
+                yield name, worst[0]
+
+
 def _any_worse(outcomes: Outcomes, *, than: Outcomes, same: float) -> bool:
     """Return whether some mechanism comes off worse."""
     return any(is_worse(found, than=than[name], same=same) for name, found in outcomes.items() if name in than)
@@ -271,6 +325,8 @@ def _worse_outcome(one: MechanismOutcome, other: MechanismOutcome) -> MechanismO
 def merge_states(typed: Verdict, replaced: Verdict | None, overrides: tuple[Override, ...]) -> Verdict:
     """Return the verdict of the worse state, with the outcome of the other and the values that the verdict hangs on.
 
+    What is replaced may help one mechanism and harm another, as a period does: each counts by the worse of the two.
+
     Parameters
     ----------
     typed : of the project as typed
@@ -281,7 +337,30 @@ def merge_states(typed: Verdict, replaced: Verdict | None, overrides: tuple[Over
         return replace(typed, overrides=overrides)
     if not decides(replaced, typed):
         return replace(typed, other_state=_other_state(replaced), overrides=overrides)
-    return replace(replaced, state=State.REPLACED, other_state=_other_state(typed), overrides=overrides)
+    as_typed = {each.mechanism: each for each in typed.mechanisms}
+    worse = worse_in(typed, replaced)
+    other = [each if each.mechanism in worse else as_typed[each.mechanism] for each in replaced.mechanisms]
+    return replace(
+        with_worse(replaced, typed),
+        state=State.REPLACED,
+        other_state=OtherState(worst_outcome(each.outcome for each in other), tuple(map(outcome_of, other))),
+        overrides=overrides,
+    )
+
+
+def worse_in(other: Verdict, found: Verdict) -> frozenset[str]:
+    """Return the mechanisms of another state that come off worse there than was found."""
+    there = {each.mechanism: outcome_of(each) for each in found.mechanisms}
+    return frozenset(
+        each.mechanism for each in other.mechanisms if is_worse(outcome_of(each), than=there[each.mechanism])
+    )
+
+
+def with_worse(found: Verdict, other: Verdict) -> Verdict:
+    """Return a verdict with the mechanisms of another state that come off worse there."""
+    worse = {each.mechanism: each for each in other.mechanisms if each.mechanism in worse_in(other, found)}
+    mechanisms = [worse.get(each.mechanism, each) for each in found.mechanisms]
+    return with_mechanisms(found, mechanisms) if worse else found
 
 
 def require_sources(found: Verdict, overrides: Overrides) -> Verdict:
@@ -310,11 +389,11 @@ def require_sources(found: Verdict, overrides: Overrides) -> Verdict:
 
 
 def decides(replaced: Verdict, typed: Verdict) -> bool:
-    """Return whether the state in which values are replaced decides, as it is worse than the project as typed."""
-    if replaced.outcome != typed.outcome:
-        return RANKS.index(replaced.outcome) > RANKS.index(typed.outcome)
+    """Return whether some mechanism, or the building, comes off worse where values are replaced than as typed."""
     before = {each.mechanism: outcome_of(each) for each in typed.mechanisms}
-    return any(is_worse(outcome_of(one), than=before[one.mechanism]) for one in replaced.mechanisms)
+    return RANKS.index(replaced.outcome) > RANKS.index(typed.outcome) or any(
+        is_worse(outcome_of(one), than=before[one.mechanism]) for one in replaced.mechanisms
+    )
 
 
 @dataclass(frozen=True)
@@ -323,8 +402,31 @@ class _CheckedMechanism:
     checks: tuple[Check, ...]
 
 
+def only(study: Study, names: Collection[str]) -> Study:
+    """Return a study of some of its mechanisms, in every case of its sweeps too, without samples."""
+    sweeps = (
+        replace(sweep, cases=tuple(replace(case, study=only(case.study, names)) for case in sweep.cases))
+        for sweep in study.sweeps
+    )
+    return replace(
+        study,
+        mechanisms=tuple(each for each in study.mechanisms if each.name in names),
+        falling=tuple(each for each in study.falling if each.name in names),
+        variables=tuple(each for each in study.variables if each.mechanism in names),
+        sweeps=tuple(sweep for sweep in sweeps if sweep.cases[0].study.mechanisms),
+        sampling=None,
+    )
+
+
 def _alone(study: Study, name: str) -> Study:
-    return replace(study, mechanisms=tuple(each for each in study.mechanisms if each.name == name), falling=())
+    return replace(only(study, {name}), falling=())
+
+
+def _as_swept(study: Study) -> Iterator[Study]:
+    """Yield a study of one mechanism in each case of its sweeps, and as it is unless one of these is so."""
+    if not study.sweeps or mechanisms_beside_cases(study.sweeps):
+        yield replace(study, sweeps=())
+    yield from (case.study for sweep in study.sweeps for case in sweep.cases)
 
 
 def _falling(name: str) -> MechanismOutcome:
@@ -343,6 +445,8 @@ def _outcome(
 ) -> MechanismOutcome | None:
     """Return the outcome of a mechanism in a study of it alone; one that falls fails. None if not built.
 
+    A swept one comes off as the worst of its cases.
+
     Parameters
     ----------
     name, build : of the mechanism; builds the study by that
@@ -352,11 +456,26 @@ def _outcome(
     rising : whether histories rise in PGA until they fail; else they are run at the site's action alone
     """
     try:
-        study = build(name)
+        cases = tuple(_as_swept(build(name)))
     except FallingError:
         return _falling(name)
     except (AssessError, RecordError, SpectrumError):
         return None
+    find = partial(_outcome_of_case, name, whole=whole, motions=motions, jobs=jobs, by_all=by_all, rising=rising)
+    return reduce(_worse_outcome, map(find, cases))
+
+
+def _outcome_of_case(
+    name: str,
+    study: Study,
+    *,
+    whole: Study,
+    motions: tuple[ScaledRecord, ...],
+    jobs: int,
+    by_all: bool,
+    rising: bool,
+) -> MechanismOutcome:
+    """Return the outcome of a mechanism in a study of it alone; see `_outcome`."""
     try:
         methods = methods_of(study.question)
         without_histories = tuple(each for each in methods if not uses_histories(each))

@@ -223,7 +223,7 @@ def mode_of(folder: Path, period: float, *, shown: bool) -> Verdict:
 WALLS = {"low": (0.12, 1.0), "middling": (0.3, 2.0), "high": (0.3, 3.0)}  # m: thickness, height up to the top
 
 
-@pytest.mark.parametrize("swept", (False, True))
+@pytest.mark.parametrize("swept", [False, True])
 def test_every_mechanism_counts_by_the_worst_of_the_range_for_itself(tmp_path: Path, swept: bool) -> None:
     """Leaving out a source improves no mechanism, though the worst period of one is not that of another."""
     code, stated = 0.05 * HEIGHT**0.75, 3.0

@@ -12,7 +12,7 @@ of the two decides.
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cache, cached_property, partial, reduce
 from itertools import groupby
 from typing import NamedTuple
@@ -184,6 +184,7 @@ class _Trials:
     study: Study
     motions: tuple[ScaledRecord, ...]
     jobs: int
+    _without: dict[int, Outcomes] = field(default_factory=dict)
 
     @cached_property
     def as_typed(self) -> Callable[[_Depth], Outcomes]:
@@ -199,7 +200,9 @@ class _Trials:
 
     def without(self, value: Replaceable) -> Outcomes:
         """Return the outcome without a value of each mechanism that it bears on and that can be built so."""
-        return self._all(value.mechanisms, value.study_at, _depth_of(value))
+        if id(value) not in self._without:
+            self._without[id(value)] = self._all(value.mechanisms, value.study_at, _depth_of(value))
+        return self._without[id(value)]
 
     def beside(
         self, others: Sequence[Replaceable], standing: Replaceable | None, each_way: tuple[Replaceable, ...]

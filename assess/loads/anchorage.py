@@ -28,11 +28,13 @@ from assess.declaration import (
     Evidence,
     Fault,
     MasonryStrength,
+    Name,
     NotAKey,
     Number,
     PositiveLength,
     RatioToOne,
 )
+from assess.loads.far_wall import FarWall
 
 GAMMA_M = 2.0  # of existing masonry in seismic checks (Circolare 7/2019, C8.7.1)
 GAMMA_M0, GAMMA_M2 = 1.05, 1.25  # of steel: yield and fracture (NTC 2018, table 4.2.VII)
@@ -44,6 +46,8 @@ CLOSE = 3.0  # m: ties no farther apart hold the wall between them
 LEVEL = 1.0  # m: plates whose centres lie within it are of one row
 SLICES = 24  # of the depth of a cone, by the middle of each
 COARSE = 4  # slices by which the ways are found, of those that a cone may run out, that can leave it least
+SLIGHT = 0.01  # of the yield force of a bar, below which a far wall holds nothing
+NO_FAR_WALL = "a far wall that holds"
 FEW = 4  # such ways: those that leave it least by these slices
 ON_EDGE = 1e-6  # m: a side this near an edge lies on it
 
@@ -134,6 +138,8 @@ class Plate:
     the outermost tie of a row"""
     far_strength: Annotated[AnchorForce | None, AS_SURVEYED] = None
     """of what holds the other end: plate, masonry and wall there; or hole, embedment and bond_strength"""
+    far_wall: Annotated[Name | None, Evidence("drawn", "either", "the upright body in which the anchor lies")] = None
+    """name of the body in which the anchor lies, which is looked for if absent: that it turns inwards is examined"""
     hole: Annotated[HoleWidth | None, BOUGHT, AS_SURVEYED] = None
     """diameter of the hole of an injected far end"""
     embedment: Annotated[Embedment | None, BOUGHT, AS_SURVEYED] = None
@@ -169,7 +175,7 @@ class Plate:
                 yield "far_strength", "beside an injected far end; remove one of them"
 
 
-LinkName = Literal["thread", "plate", "bearing", "punching", "between", "far end"]
+LinkName = Literal["thread", "plate", "bearing", "punching", "between", "far end", "far wall"]
 
 
 @dataclass(frozen=True)
@@ -215,6 +221,7 @@ class Anchorage:
 
     bar_area, bar_yield : section [m2] and yield stress [Pa] of the bar
     stated : strength that is stated beside it [N]; None if not
+    far_wall : the wall at the other end as a mechanism of its own; None where that is not examined
     """
 
     plate: Plate
@@ -222,6 +229,7 @@ class Anchorage:
     bar_area: float
     bar_yield: float
     stated: float | None = None
+    far_wall: FarWall | None = None
 
     @property
     def leaf(self) -> float | None:
@@ -241,13 +249,19 @@ class Anchorage:
 
     @property
     def links(self) -> tuple[Link, ...]:
-        """Every way in which it fails, from the bar's thread to the far end."""
+        """Every way in which it fails, from the bar's thread to the far wall."""
         return tuple(_links(self))
 
     @property
     def missing(self) -> tuple[str, ...]:
-        """The keys that are missing before all ways are answered, unless a strength is stated."""
-        return () if self.stated else tuple(dict.fromkeys(key for link in self.links for key in link.missing))
+        """The keys that are missing before all ways are answered, unless a strength is stated; or a far wall."""
+        lacking = dict.fromkeys(key for link in self.links for key in link.missing)
+        return tuple(key for key in lacking if key == NO_FAR_WALL or not self.stated)
+
+    @property
+    def far_wall_holds(self) -> bool:
+        """Whether the far wall, where it is examined, holds more than a slight part of what the bar bears."""
+        return self.far_wall is None or self.far_wall.strength >= SLIGHT * self.bar_area * self.bar_yield
 
     @property
     def strength(self) -> float | None:
@@ -296,6 +310,8 @@ def _links(of: Anchorage) -> Iterator[Link]:
         yield Link("far end", min(bond, round_cone(d, length) * f_vd))
     else:
         yield Link("far end", None, sheared if plate.hole else ("plate.far_strength",))
+    if of.far_wall is not None:
+        yield Link("far wall", of.far_wall.strength) if of.far_wall_holds else Link("far wall", None, (NO_FAR_WALL,))
 
 
 def _between(of: Anchorage) -> Link:

@@ -42,6 +42,7 @@ from assess.declaration import (
 )
 from assess.geometry.contact import CONTACT_TOLERANCE
 from assess.loads.anchorage import STATED_ALONE, Anchorage, Plate
+from assess.loads.far_wall import SiteAction
 from assess.messages.message import Message, Term
 from spectra.arrays import FloatArray
 from spectra.gravity import g
@@ -239,6 +240,10 @@ class TieLoad:
     """which block it acts on, from 0 at the base"""
     others: Annotated[tuple[TieLoad, ...], NotAKey()] = ()
     """ties with plates of other mechanisms on the same bodies, whose cones may meet its own"""
+    floors: Annotated[tuple[BodyLoad, ...], NotAKey()] = ()
+    """bodies that load other mechanisms, and may bear on its far wall"""
+    site: Annotated[SiteAction | None, NotAKey()] = None
+    """what shakes its far wall, which is not examined without"""
     evidence: Annotated[str, NotAKey()] = ""
     """where it is shown that it lasts as `until` says; empty where it is not"""
 

@@ -160,6 +160,12 @@ GEOMETRY_TEXTS: Mapping[str, str] = {
     "times that it is not taken to yield, and the tie is gone when its ends have moved apart by {elongation}; "
     "strengthen the anchorage, or take a weaker bar. Where a tie that is lost takes more than half of the capacity "
     "along, displacements of the codes end there, and the wall without it may reach a higher index",
+    "far-wall-less": 'tie "{load}": the wall "{body}" at its far end turns inwards above {crack} at {strength}, under '
+    "{action} g of its own: less than the {stated} that is stated for the far end or the anchorage, and the lesser "
+    "counts; hold that wall from within, or draw what holds it",
+    "far-wall-falls": 'tie "{load}": the wall "{body}" at its far end turns inwards above {crack} by itself at '
+    "{multiplier} g, and is to hold the tie at {action} g: the tie has next to nothing to hold on to, and counts for "
+    "nothing; hold that wall from within, or draw what holds it",
     "pretension-above-strength": 'load "{load}" is given a pretension of {force}, above its strength; it counts with '
     "{strength}; check force and strength",
     "seat-wide": 'the seat of load "{load}" is {seat} wide, more than any wall offers; is its unit right?',

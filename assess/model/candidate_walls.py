@@ -20,7 +20,6 @@ from assess.mechanisms.mechanism import Vector
 from assess.messages.message import Message, Quantity, note
 from assess.model.covering_paths import is_drawn_in_part
 from assess.model.least_multipliers import (
-    NEAR_LEVEL,
     Alternative,
     Drawing,
     Found,
@@ -50,6 +49,7 @@ from assess.model.moving_parts import (
 from assess.model.part_kinds import LOW
 from assess.model.part_shapes import UNEVEN
 from assess.model.structure import CrossWall, Part, PartKind
+from assess.model.turning import NEAR_LEVEL
 from spectra.gravity import g
 
 LOW_GABLE = 0.5  # m: less above the walls that meet a wall is no gable

@@ -14,10 +14,11 @@ import numpy as np
 import shapely
 
 from assess.messages.message import note
-from assess.model.least_multipliers import NEAR_LEVEL, Drawing
+from assess.model.least_multipliers import Drawing
 from assess.model.moving_parts import Unexamined, bends, stands_on_tower
 from assess.model.part_kinds import ABOVE_GROUND
 from assess.model.structure import IN_LINE, Part, PartKind, Structure
+from assess.model.turning import NEAR_LEVEL
 from spectra.arrays import FloatArray
 
 CHURCH_KINDS: tuple[PartKind, ...] = ("tower", "vault", "arch", "pinnacle")

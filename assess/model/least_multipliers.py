@@ -22,7 +22,7 @@ from assess.geometry.cut import Plane, divide, inclined_plane, level_plane
 from assess.geometry.planar import base_of_section, lowest_corners, top_edge
 from assess.geometry.solid import Solid
 from assess.loads.bearing import shares
-from assess.loads.load import BodyLoad, Force, Load, OverburdenLoad, PointMass, bodies_of
+from assess.loads.load import BodyLoad, Force, OverburdenLoad, PointMass, bodies_of
 from assess.mechanisms.arch_in_plan import HorizontalArch
 from assess.mechanisms.chain import Chain, uplift_multiplier
 from assess.mechanisms.four_hinge import FourHinge, RadialJoints
@@ -39,9 +39,8 @@ from assess.model.covering_paths import NO_SHARE, LoadPath, load_paths
 from assess.model.directions import edge_towards
 from assess.model.loading import loads_of
 from assess.model.structure import Part, PartContact, Structure
-from assess.model.walls import static_block
+from assess.model.turning import NEAR_LEVEL, TurningStack
 
-NEAR_LEVEL = 0.02  # m: elevations this near are one
 LOWEST = 0.15  # of the height of what stands above a level: the least that breaks off
 STEEP = radians(75.0)  # of a crack through a tower, from the horizontal: the steepest that is published
 AS_WEAK = 1e-3  # relative: a direction no weaker than this below another is as weak
@@ -200,30 +199,6 @@ def distinct_levels(elevations: Sequence[float]) -> tuple[float, ...]:
         if not found or each > found[-1] + NEAR_LEVEL:
             found.append(each)
     return tuple(found)
-
-
-@dataclass(frozen=True)
-class TurningStack:
-    """Bodies that turn as one above a crack, with their loads found once.
-
-    solids : of the bodies, what they share counted once; loads : in the plane of motion
-    """
-
-    solids: tuple[Solid, ...]
-    loads: tuple[Load, ...]
-    direction: Vector
-
-    def above(self, plane: Plane | None) -> Chain:
-        """Return what stands above a plane, or all of it, on the edge of its foot; raise GeometryError if none does."""
-        along = np.array(self.direction)
-        if plane is None:
-            foot, standing, kept = lowest_corners(self.solids), self.solids, self.loads
-        else:
-            parts = divide(self.solids, plane, where="crack")
-            foot, standing = parts.foot, parts.above
-            kept = tuple(load for load in self.loads if _is_above(load, plane, along))
-        hinge = base_of_section(foot, direction=self.direction)[1]
-        return Chain((static_block(standing, self.direction),), (hinge,), kept)
 
 
 def turning_stack(definition: SingleBlock, bodies: Bodies) -> TurningStack:
@@ -650,12 +625,6 @@ def _value(chain: Callable[[], Chain]) -> float:
         return uplift_multiplier(found) if found.blocks[0].mass > 0.0 else inf
     except AssessError:
         return inf
-
-
-def _is_above(load: Load, plane: Plane, along: np.ndarray) -> bool:
-    x, z = load.at
-    normal = float(plane.normal @ along), float(plane.normal[2])
-    return (x - float(plane.point @ along)) * normal[0] + (z - float(plane.point[2])) * normal[1] > NEAR_LEVEL
 
 
 def _contact_area(contact: PartContact) -> ContactArea:

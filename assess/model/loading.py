@@ -25,6 +25,7 @@ from assess.loads.body_loads import (
     find_block_contact,
     loaded_blocks,
 )
+from assess.loads.far_wall import FarWall
 from assess.loads.load import (
     SAME_END,
     BodyLoad,
@@ -46,8 +47,10 @@ from assess.loads.load import (
 )
 from assess.mechanisms.chain import point_values
 from assess.mechanisms.mechanism import BlockMechanism
+from assess.mechanisms.single_block import SingleBlock
 from assess.messages.message import Message, Quantity, distinct, warning, whole_number
-from assess.model.bodies import Bodies, solids_of
+from assess.model.bodies import Bodies, pieces_of, solids_of
+from assess.model.far_walls import far_wall_of
 from assess.model.plates import anchorages_of
 
 IN_THE_AIR = 0.05  # of the block's size: a load farther outside it is not on the block
@@ -76,13 +79,15 @@ def loads_of(
     ]
     if definition.sides == "one":
         _require_anchors_behind(parts, blocks)
-    for place, anchorage in anchorages_of(definition.loads, pieces, where=blocks.where).items():
+    for place, held in anchorages_of(definition.loads, pieces, where=blocks.where).items():
+        anchorage = replace(held, far_wall=_far_wall(place, definition, bodies, where=blocks.where))
         tie = replace(cast(Tie, parts[place].loads[0]), anchorage=anchorage, strength=anchorage.strength)
-        if tie.tension < tie.pull:
+        borne = tie.tension if anchorage.far_wall_holds else 0.0
+        if borne < tie.pull:
+            least = anchorage.governing or ("as stated" if anchorage.far_wall_holds else "far wall")
             raise MechanismError(
                 f"{blocks.where}: loads[{place + 1}].force: a pretension of {tie.pull / 1e3:.4g} kN, above what its "
-                f"anchorage bears, {tie.tension / 1e3:.4g} kN ({anchorage.governing or 'as stated'}); lower it, or "
-                "strengthen the anchorage"
+                f"anchorage bears, {borne / 1e3:.4g} kN ({least}); lower it, or strengthen the anchorage"
             )
         parts[place] = replace(parts[place], loads=(tie,))
     moving = [solid for piece in pieces for solid in piece.solids]
@@ -91,6 +96,22 @@ def loads_of(
         loads=tuple(load for part in parts for load in part.loads),
         warnings=distinct(warnings),
         block_by_place=tuple(each for part in parts for each in part.block_by_place),
+    )
+
+
+def _far_wall(place: int, definition: BlockMechanism, bodies: Bodies, *, where: str) -> FarWall | None:
+    """Return the wall at the far end of the tie at a place among the loads, as a mechanism of its own."""
+
+    def loads_on(far: SingleBlock) -> tuple[Load, ...]:
+        return loads_of("far wall", far, pieces_of("far wall", far, bodies), bodies).loads
+
+    return far_wall_of(
+        cast(TieLoad, definition.loads[place]),
+        definition.loads,
+        bodies,
+        moving=definition.bodies,
+        loads_on=loads_on,
+        where=f"{where}: loads[{place + 1}].plate",
     )
 
 

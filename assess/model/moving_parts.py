@@ -15,8 +15,9 @@ from assess.geometry.surface import areas_and_normals
 from assess.mechanisms.directions import direction_at
 from assess.mechanisms.mechanism import Vector
 from assess.messages.message import Message, note
-from assess.model.least_multipliers import NEAR_LEVEL, Drawing, Found, distinct_levels
+from assess.model.least_multipliers import Drawing, Found, distinct_levels
 from assess.model.structure import Part
+from assess.model.turning import NEAR_LEVEL
 
 BuildingType = Literal["house", "church"]
 LOW_STOREY = 1.0  # m: less between two levels is no storey

@@ -49,7 +49,7 @@ MORE = 1.001  # times the drawn thickness, beyond which a leaf that is stated co
 
 
 @dataclass(frozen=True, eq=False)
-class _Wall:
+class Wall:
     """A block as a plate meets it: its solids, and unit vectors along the wall and out of it [3]."""
 
     solids: tuple[Solid, ...]
@@ -86,10 +86,10 @@ def anchorages_of(loads: Sequence[LoadDefinition], pieces: Sequence[Piece], *, w
 def _anchorage(tie: TieLoad, beside: Sequence[TieLoad], pieces: Sequence[Piece], *, where: str) -> Anchorage:
     """Return the anchorage of a tie; beside: the other ties of its mechanism."""
     assert tie.plate is not None
-    number, out = min(tie.block, len(pieces) - 1), _outwards(tie)
+    number, out = min(tie.block, len(pieces) - 1), outwards(tie)
     if out is None:
         raise GeometryError(f"{where}: its tie is upright; a plate on the face of a wall holds one that is level")
-    wall = _Wall(pieces[number].solids, np.array([-out[1], out[0], 0.0]), out)
+    wall = Wall(pieces[number].solids, np.array([-out[1], out[0], 0.0]), out)
     if not wall.solids:
         site = PlateSite(None, plate_area(tie.plate), None, 1, 0.0, None, at_end=False)
     else:
@@ -97,21 +97,21 @@ def _anchorage(tie: TieLoad, beside: Sequence[TieLoad], pieces: Sequence[Piece],
     return Anchorage(tie.plate, site, tie.area or 0.0, tie.yield_stress or 0.0, tie.strength)
 
 
-def _outwards(tie: TieLoad) -> FloatArray | None:
+def outwards(tie: TieLoad) -> FloatArray | None:
     """Return the level unit vector from the anchor to the plate [3]; None for an upright tie."""
     way = np.subtract(tie.at, tie.anchor or tie.at) * (1.0, 1.0, 0.0)
     length = float(np.hypot(way[0], way[1]))
     return way / length if length > SLIVER else None
 
 
-def _on_face(ties: Sequence[TieLoad], wall: _Wall) -> list[Figure]:
+def _on_face(ties: Sequence[TieLoad], wall: Wall) -> list[Figure]:
     """Return the plates of ties that are on one face of a wall."""
-    sides = [(each, _outwards(each)) for each in ties]
+    sides = [(each, outwards(each)) for each in ties]
     figures = [_figure(each, wall) for each, side in sides if side is not None and float(side @ wall.out) > SAME_FACE]
     return [each for each in figures if _leaf(wall, each) is not None]
 
 
-def _site(tie: TieLoad, row: Sequence[Figure], others: Sequence[Figure], wall: _Wall, *, where: str) -> PlateSite:
+def _site(tie: TieLoad, row: Sequence[Figure], others: Sequence[Figure], wall: Wall, *, where: str) -> PlateSite:
     figure = _figure(tie, wall)
     plate, _, z = figure
     drawn = _leaf(wall, figure)
@@ -162,7 +162,7 @@ def _site(tie: TieLoad, row: Sequence[Figure], others: Sequence[Figure], wall: _
     )
 
 
-def _figure(tie: TieLoad, wall: _Wall) -> Figure:
+def _figure(tie: TieLoad, wall: Wall) -> Figure:
     assert tie.plate is not None
     return tie.plate, float(np.dot(tie.at, wall.across)), float(tie.at[2])
 
@@ -188,33 +188,33 @@ def _overlap(one: Figure, other: Figure) -> bool:
     return float(shapely.area(shapely.intersection(plate_shape(one), plate_shape(other)))) > SLIVER
 
 
-def _faces(wall: _Wall) -> Iterator[tuple[Solid, FloatArray, FloatArray]]:
+def _faces(wall: Wall) -> Iterator[tuple[Solid, FloatArray, FloatArray]]:
     """Yield the triangles of each solid as seen along the normal [n, 3, 2], with their depths outwards [n, 3]."""
     for solid in wall.solids:
         corners = solid.vertices[solid.triangles]
         yield solid, np.stack([corners @ wall.across, corners[..., 2]], axis=-1), corners @ wall.out
 
 
-def _leaf(wall: _Wall, figure: Figure) -> float | None:
+def _leaf(wall: Wall, figure: Figure) -> float | None:
     """Return the least thickness of the outermost solid behind a plate [m]; None where there is none."""
     return min((thickness for _, thickness in _behind(wall, figure)), default=None)
 
 
-def _outer_face(wall: _Wall, figure: Figure) -> float:
+def _outer_face(wall: Wall, figure: Figure) -> float:
     """Return how far outwards the face of the wall behind a plate is, its middle where there is masonry [m]."""
     return _behind(wall, figure)[0][0]
 
 
-def _behind(wall: _Wall, figure: Figure) -> list[tuple[float, float]]:
-    """Return the outermost solid behind the middle of a plate and its quarters, where there is one, as `_run` does."""
+def _behind(wall: Wall, figure: Figure) -> list[tuple[float, float]]:
+    """Return what `run_through` finds behind the middle of a plate and its quarters, as far as there is anything."""
     plate, s, z = figure
     width, height = plate.sides
     shifts = [(0.01, 0.013), *((x, y) for x in (-INSET, INSET) for y in (-INSET * 1.01, INSET * 0.99))]
-    found = [_run(wall, s + x * width / 2.0, z + y * height / 2.0) for x, y in shifts]
+    found = [run_through(wall, s + x * width / 2.0, z + y * height / 2.0) for x, y in shifts]
     return [each for each in found if each is not None]
 
 
-def _run(wall: _Wall, s: float, z: float) -> tuple[float, float] | None:
+def run_through(wall: Wall, s: float, z: float) -> tuple[float, float] | None:
     """Return face and thickness of the outermost solid along a line through it [m]; None if the line misses all."""
     runs = []
     for _, seen, depth in _faces(wall):
@@ -231,7 +231,7 @@ def _run(wall: _Wall, s: float, z: float) -> tuple[float, float] | None:
     return max(runs) if runs else None
 
 
-def _elevation(wall: _Wall, places: Sequence[tuple[float, float]], reach: float) -> shapely.Geometry:
+def _elevation(wall: Wall, places: Sequence[tuple[float, float]], reach: float) -> shapely.Geometry:
     """Return the wall around some places as seen along its normal, with the openings that go through it."""
     centre, half = np.mean(places, axis=0), np.ptp(places, axis=0) / 2.0 + reach
     near = shapely.box(*(centre - half), *(centre + half))
@@ -246,7 +246,7 @@ def _elevation(wall: _Wall, places: Sequence[tuple[float, float]], reach: float)
     return whole
 
 
-def _weight_stress(wall: _Wall, level: float, above: float) -> float:
+def _weight_stress(wall: Wall, level: float, above: float) -> float:
     """Return the weight of the masonry above one elevation over the area of the wall at another [Pa]."""
     top = max(float(solid.vertices[:, 2].max()) for solid in wall.solids)
     if above >= top:
@@ -261,7 +261,7 @@ def _weight_stress(wall: _Wall, level: float, above: float) -> float:
     return weight / area
 
 
-def _bay(figure: Figure, others: Sequence[Figure], wall: _Wall) -> tuple[float, bool]:
+def _bay(figure: Figure, others: Sequence[Figure], wall: Wall) -> tuple[float, bool]:
     """Return the farthest distance to the next tie of a row, or twice that to an end of the wall; whether to an end.
 
     An end that is too far comes before a bay, however wide, which an arch may span. The thrust of an arch beside the

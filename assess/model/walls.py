@@ -17,14 +17,15 @@ from assess.geometry.planar import base_of_section, join_bodies, planar_body, to
 from assess.geometry.solid import Solid
 from assess.loads.bearing import UPPER
 from assess.loads.body_loads import LoadSet
-from assess.loads.load import Force, Load, LoadDefinition, PointMass, point_in_plane
-from assess.mechanisms.chain import Chain, RigidBlock, mirror_chain, move, virtual_work
+from assess.loads.load import Force, Load, LoadDefinition, PointMass
+from assess.mechanisms.chain import Chain, mirror_chain, move, virtual_work
 from assess.mechanisms.mechanism import Sides, Vector
 from assess.mechanisms.two_block import Hinges, TwoBlock
 from assess.messages.message import Message, Quantity, Value, warning
 from assess.model.bodies import Bodies, Body, Material, materials_of, piece_above_cut, pieces_of
 from assess.model.check import check_definition, with_floats
 from assess.model.loading import loads_of
+from assess.model.turning import static_block
 from spectra.gravity import g
 
 
@@ -370,13 +371,6 @@ def _cracked_multiplier(
         resisted = panel.tension * TENSION_ARM * panel.thickness * float(turning[0] - turning[1])
         found.append(float((work.restoring[0] + resisted) / (g * work.excitation[0])))
     return min(found)
-
-
-def static_block(solids: Sequence[Solid], direction: Sequence[float]) -> RigidBlock:
-    """Return solids that move as one as a block for statics: mass and centroid in the plane of motion."""
-    masses = np.array([solid.mass for solid in solids])
-    centre = masses @ np.array([solid.centroid for solid in solids]) / masses.sum()
-    return RigidBlock(float(masses.sum()), point_in_plane(centre.tolist(), direction), 0.0)
 
 
 def _block_below_crack(parts: Division, whole: Piece, direction: Sequence[float]) -> Piece:

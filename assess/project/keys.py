@@ -469,7 +469,12 @@ def _as_written(value: Any) -> Any:
 
 
 def _bodies_of_mechanism(mechanism: ProjectSection, content: Content) -> set[str]:
-    """Return the bodies named anywhere in the table of a mechanism: as blocks, floors, overburden."""
+    """Return the bodies named anywhere in the table of a mechanism: as blocks, floors, overburden.
+
+    With the plate of a tie all bodies: its far wall is the one in which the anchor lies, and others may hold it.
+    """
+    if any(getattr(load, "plate", None) is not None for load in getattr(mechanism, "loads", ())):
+        return set(content.bodies)
     return set(_texts_in(mechanism)) & set(content.bodies)
 
 

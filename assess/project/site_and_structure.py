@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from contextlib import nullcontext
+from contextlib import nullcontext, suppress
 from dataclasses import replace
 from math import inf
 from pathlib import Path
@@ -18,12 +18,13 @@ from pydantic import ValidationError
 from assess.codes.context import SiteHazard
 from assess.codes.italian_limit_states import FACTORS_BY_LEVEL, LARGEST_FACTOR
 from assess.codes.procedures import KNOWLEDGE_CODES
-from assess.errors import Faults, ProjectError, locate_errors
+from assess.errors import AssessError, Faults, ProjectError, locate_errors
 from assess.geometry import mesh
 from assess.geometry.formats.mesh_file import Element
 from assess.geometry.mesh import MeshesBySelection, read_selected_meshes
 from assess.geometry.solid import Solid, Solids, box, profile
-from assess.loads.load import TieLoad
+from assess.loads.far_wall import SiteAction
+from assess.loads.load import BodyLoad, TieLoad
 from assess.mechanisms.kinds import Definition
 from assess.mechanisms.mechanism import BlockMechanism, Mechanism
 from assess.messages.message import Message
@@ -46,6 +47,8 @@ from assess.study.amplification import (
     lowest_body_elevation,
 )
 from spectra.design_spectra import TableSpectrum
+from spectra.errors import SpectrumError
+from spectra.gravity import g
 from spectra.registry import horizontal_spectrum, vertical_spectrum
 from spectra.spectrum import Spectrum
 
@@ -53,18 +56,35 @@ from spectra.spectrum import Spectrum
 def definitions_of(content: sections.Content) -> dict[str, Definition]:
     """Return the definition of each mechanism of a project, with the evidence of its loads by [report.sources]."""
     found = {name: _with_evidence(each.plain, name, content) for name, each in content.mechanisms.items()}
-    return {name: _with_other_plates(name, each, found) for name, each in found.items()}
+    plated = any(
+        isinstance(load, TieLoad) and load.plate for each in found.values() for load in getattr(each, "loads", ())
+    )
+    action = _action_on_far_walls(content) if plated else None
+    return {name: _with_what_is_around(name, each, found, action) for name, each in found.items()}
 
 
-def _with_other_plates(name: str, definition: Any, found: Mapping[str, Any]) -> Any:
-    """Return a definition whose plates know those of other mechanisms on the same bodies."""
+def _action_on_far_walls(content: sections.Content) -> SiteAction | None:
+    """Return what shakes the far walls of ties: the site's own PGA; None where there is no site, or it is faulty."""
+    building = content.building
+    with suppress(AssessError, SpectrumError):
+        site = site_in(content)
+        if site is not None:
+            ground, height = (None, None) if building is None else (building.ground_elevation, building.height)
+            return SiteAction(spectrum_of(site).pga / g, ground, height)
+    return None
+
+
+def _with_what_is_around(name: str, definition: Any, found: Mapping[str, Any], action: SiteAction | None) -> Any:
+    """Return a definition whose ties know the plates of other mechanisms on the same bodies, floors, and the site."""
     if not any(isinstance(load, TieLoad) and load.plate for load in getattr(definition, "loads", ())):
         return definition
     others = [each for key, each in found.items() if key != name and isinstance(each, BlockMechanism)]
     near = [each for each in others if {*each.bodies} & {*definition.bodies}]
     ties = tuple(load for each in near for load in each.loads if isinstance(load, TieLoad) and load.plate)
+    floors = tuple(load for each in others for load in each.loads if isinstance(load, BodyLoad))
     loads = tuple(
-        replace(load, others=ties) if isinstance(load, TieLoad) and load.plate else load for load in definition.loads
+        replace(load, others=ties, floors=floors, site=action) if isinstance(load, TieLoad) and load.plate else load
+        for load in definition.loads
     )
     return replace(definition, loads=loads)
 

@@ -25,6 +25,7 @@ from assess.loads.anchorage import (
     round_cone,
     shear_strength,
 )
+from assess.loads.far_wall import FarWall
 from assess.loads.load import DUCTILE, Tie, stretches
 from assess.mechanisms.mechanism import Mechanism
 from assess.messages.message import Message, Quantity, Severity, Term, Value, message
@@ -34,6 +35,7 @@ OWN = "own derivation, of no clause"
 OF_BARS = "EN 1993-1-1 6.2.3, from memory of the printed text"
 OF_THREADS = "EN 1993-1-8 table 3.4, from memory of the printed text"
 OF_ARCHES = "EN 1996-1-1 6.3.2, from memory of the printed text"
+OF_RIGID = "EN 1998-1 4.3.5.2, from memory of the printed text"
 OF_CONES = "own derivation, of no clause; its round outline is read in a design note"
 PROJECT = "project"
 NOT_ANSWERED = "not answered: the project does not give what it needs"
@@ -46,6 +48,7 @@ FAILS: Mapping[LinkName, Term] = {
     "punching": Term("the plate punches through the wall"),
     "between": Term("the wall between the ties gives way"),
     "far end": Term("the far end gives way"),
+    "far wall": Term("the wall at the far end turns inwards"),
 }
 YIELDS = Term("the bar yields")
 LETS_GO = Term("it lets go")
@@ -69,9 +72,15 @@ def tie_result(tie: Tie) -> StretchingTie | None:
 
 
 def tie_messages(mechanism: Mechanism) -> Iterator[Message]:
-    """Yield a warning for each tie that stretches whose anchorage fails before its bar yields."""
+    """Yield a warning for each tie that stretches whose anchorage fails before its bar yields, and for its far wall.
+
+    The far wall is told where it holds less than what is stated of the far end, or turns by itself.
+    """
+    where = f"mechanisms.{mechanism.name}"
     for tie in mechanism.positive.loads:
-        if stretches(tie) and not tie.is_spring and tie.strength is not None and not tie.ductile:
+        if not stretches(tie) or tie.is_spring:
+            continue
+        if tie.strength is not None and not tie.ductile:
             values: dict[str, Value] = {
                 "load": tie.name,
                 "link": _link(tie),
@@ -80,7 +89,23 @@ def tie_messages(mechanism: Mechanism) -> Iterator[Message]:
                 "spare": Quantity(DUCTILE, figures=3),
                 "elongation": Quantity(tie.elongation or 0.0, "short length", 3),
             }
-            yield message("tie-brittle", values, severity=Severity.WARNING, where=f"mechanisms.{mechanism.name}")
+            yield message("tie-brittle", values, severity=Severity.WARNING, where=where)
+        if tie.anchorage is not None and (wall := tie.anchorage.far_wall) is not None:
+            values = {
+                "load": tie.name,
+                "body": wall.body,
+                "crack": Quantity(wall.crack, "length", 3),
+                "action": Quantity(wall.action, figures=3),
+                "strength": Quantity(wall.strength, "force", 3),
+            }
+            given = (tie.anchorage.plate.far_strength, tie.anchorage.stated)
+            stated = min((each for each in given if each), default=0.0)
+            if not tie.anchorage.far_wall_holds:
+                values["multiplier"] = Quantity(wall.multiplier, figures=3)
+                yield message("far-wall-falls", values, severity=Severity.WARNING, where=where)
+            elif wall.strength < stated:
+                values["stated"] = Quantity(stated, "force", 3)
+                yield message("far-wall-less", values, severity=Severity.WARNING, where=where)
 
 
 def _link(tie: Tie) -> Term:
@@ -120,11 +145,13 @@ def _steps(tie: Tie, of: Anchorage) -> Iterator[Step]:
     yield from _punching(of, links["punching"], by)
     yield _between(of, links["between"], by)
     yield from _far_end(of, links["far end"], by)
+    if of.far_wall is not None:
+        yield from _far_wall(of, of.far_wall)
     stated = of.stated is not None
     at: Given = {"N_typed": (of.stated or 0.0, "N")} if stated else {}
     words = "strength of the anchorage, the least of these and of what is stated"
     why = "" if of.strength else NOT_ANSWERED
-    yield step("N_a", words, OWN, "min(N_1, …, N_6)", of.strength, "N", at=at, remark=why)
+    yield step("N_a", words, OWN, f"min(N_1, …, N_{len(links)})", of.strength, "N", at=at, remark=why)
     if of.strength is not None:
         ratio: Given = {"N_a": (of.strength, "N"), "N_y": (tie.yield_force or 0.0, "N")}
         words = "spare of the anchorage over the bar: from 1.25 on the bar is taken to yield first"
@@ -142,6 +169,7 @@ def _link_step(symbol: str, description: str, clause: str, formula: str, link: L
 
 
 NO_LIMIT = "no limit"
+HOLDS_NOTHING = "less than 1 % of what the bar bears: it counts as nothing"
 ARCH = "f_h / (γ_M · FC) · t² · h_s / s"
 CLOSE_BY = "no limit: ties up to 3 m apart, and 1.5 m from the ends of the wall"
 
@@ -222,3 +250,22 @@ def _far_end(of: Anchorage, link: Link, by: Mapping[str, float]) -> Iterator[Ste
     yield step("N_c", words, OF_CONES, "π · (d + l) · l · f_v0 / (γ_M · FC)", cone, "N", given=given)
     least: Given = {"N_b": (bond, "N"), "N_c": (cone, "N")}
     yield step("N_6", "what holds the far end", OWN, "min(N_b, N_c)", link.strength, "N", given=least)
+
+
+def _far_wall(of: Anchorage, wall: FarWall) -> Iterator[Step]:
+    """Yield the lines of the wall at the far end as a mechanism of its own."""
+    given: Given = {"FC": wall.FC, "a_gS": wall.pga, "r_Z": wall.rise}
+    words = "peak acceleration over g at the crack of the wall at the far end"
+    formula = "FC · a_gS · (1 + 1.5 · r_Z)"
+    yield step("α", words, OF_RIGID, formula, wall.action, given=given, at={"z": (wall.crack, "m")})
+    given = {
+        "M_s": (wall.stabilising, "N m"),
+        "α": wall.action,
+        "M_h": (wall.overturning, "N m"),
+        "Σh": (wall.levers, "m"),
+    }
+    words = "wall at the far end that turns inwards, by virtual work; its ties share it evenly"
+    why = "" if of.far_wall_holds else HOLDS_NOTHING
+    at: Given = {"l": (wall.length, "m"), "n": float(wall.ties)}
+    formula = "(M_s − α · M_h) / Σh"
+    yield step("N_7", words, OWN, formula, wall.strength, "N", given=given, at=at, remark=why, subject=wall.body)

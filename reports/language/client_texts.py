@@ -101,6 +101,14 @@ CLIENT_TEXTS: Mapping[str, Phrase] = {
         "tie “{load}”: {link} at {strength}, where the bar yields at {yielding}; the tie is gone when its ends have "
         "moved apart by {elongation}"
     ),
+    "far-wall-less": say(
+        "tie “{load}”: the wall “{body}” at its far end turns inwards above {crack} at {strength}, under {action} g of "
+        "its own: less than the {stated} that is stated for the far end or the anchorage, and the lesser counts"
+    ),
+    "far-wall-falls": say(
+        "tie “{load}”: the wall “{body}” at its far end turns inwards above {crack} by itself at {multiplier} g, and "
+        "is to hold the tie at {action} g: the tie has next to nothing to hold on to, and counts for nothing"
+    ),
     "not-scanned": say("a pass by histories is valid only if no lower PGA is worse, which was not looked at"),
     "not-sought": say(
         "a pass is valid only for the mechanism as stated, as no weaker one is sought and no source vouches for it: "

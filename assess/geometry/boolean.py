@@ -18,7 +18,7 @@ from assess.errors import GeometryError
 from assess.geometry.solid import THINNEST, Solid, keep_of_bodies, polyhedron
 from assess.geometry.surface import Surface, merge_vertices, volume
 from assess.messages.message import Message, Quantity, warning
-from spectra.arrays import BoolArray, FloatArray
+from spectra.arrays import BoolArray, FloatArray, IntArray
 
 NEAR_FINE_MESHES = 0.05  # m: fine meshes nearer than this are measured face by face
 MANY_PAIRS = 1e8  # pairs of triangles: to compare more of them takes seconds
@@ -40,19 +40,20 @@ class Intersection:
     share: float
 
 
-def split(surface: Surface, *, where: str) -> tuple[Surface, Surface]:
-    """Split a closed surface at z = 0 into the part above and the part below.
+def triangulate(rings: Sequence[FloatArray]) -> IntArray:
+    """Triangulate the area to the left of closed rings, with all their corners and no others.
 
-    Each is the remainder of taking away the other side: there manifold3d drops faces of the body that lie in the
-    plane with nothing behind them, which the part it cuts out keeps as a film without volume.
+    Parameters
+    ----------
+    rings : corners of each, the first not repeated: anticlockwise around the area, clockwise around its holes [k, 2] [m]
 
-    Raises
-    ------
-    GeometryError : the surface is not closed
+    Returns
+    -------
+    triangles, anticlockwise: indices into the corners of all rings, one ring after the other [m, 3]
     """
-    body = _manifold(surface, where=where)
-    upper, lower = (_surface(body.split_by_plane((0.0, 0.0, side), 0.0)[1]) for side in (-1.0, 1.0))
-    return upper, lower
+    from manifold3d import triangulate as triangulate_rings
+
+    return np.array(triangulate_rings([np.array(ring, order="C") for ring in rings]), dtype=np.int64).reshape(-1, 3)
 
 
 def unite(shells: Sequence[Surface], *, where: str) -> Surface:

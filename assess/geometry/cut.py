@@ -10,16 +10,16 @@ import shapely
 from numpy.typing import ArrayLike
 
 from assess.errors import GeometryError
-from assess.geometry.boolean import split
+from assess.geometry.halves import Half, halve
 from assess.geometry.planar import BASE_TOLERANCE, PlanarBody
 from assess.geometry.solid import THINNEST, Solid, keep_of_bodies, polyhedron
-from assess.geometry.surface import Surface
+from assess.geometry.surface import find_edges
 from spectra.arrays import FloatArray, IntArray
 
 FLATTEST = 1e-6  # vertical part of a unit normal: below this a plane is upright and has no side above
 ON_PLANE = 1e-9  # of the bodies' size: faces this near the plane lie in it
 DEGENERATE = 1e-15  # of the bodies' size squared: triangles smaller than this are lines
-_EMPTY: Surface = (np.empty((0, 3)), np.empty((0, 3), dtype=np.int64))
+_NOTHING = Half((np.empty((0, 3)), np.empty((0, 3), dtype=np.int64)), shapely.MultiPolygon())
 
 
 @dataclass(frozen=True)
@@ -150,19 +150,19 @@ def _divide(solids: tuple[Solid, ...], point: tuple[float, ...], normal: tuple[f
     middle = (low + high) / 2.0 - plane.point
     origin = plane.point + (middle - (middle @ plane.normal) * plane.normal)  # in the plane, near the bodies
     axes = _axes(plane.normal)
-    placed = [_snap_to_plane((solid.vertices - origin) @ axes.T, size=size) for solid in solids]
-    _refuse_miss([at[:, 2] for at in placed], plane, (float(low[2]), float(high[2])), where=where)
+    heights = [_heights(solid, origin, axes, size=size) for solid in solids]
+    _refuse_miss(heights, plane, (float(low[2]), float(high[2])), where=where)
     over: list[Solid] = []
     under: list[Solid] = []
     feet, heads = [], []
-    for solid, at in zip(solids, placed, strict=True):
-        upper, lower = _split(solid, at, where=f'{where}: body "{solid.name}"')
-        feet.append(_area_in_plane(*upper, size=size))
-        heads.append(_area_in_plane(*lower, size=size))
-        for side, (vertices, triangles), other in ((over, upper, lower), (under, lower, upper)):
-            if len(triangles):
-                side.append(_cut_solid(solid, vertices @ axes + origin, triangles) if len(other[1]) else solid)
-    touching = all(at[:, 2].min() >= 0.0 for at in placed)
+    for solid, height in zip(solids, heights, strict=True):
+        upper, lower = _split(solid, height, origin=origin, axes=axes, size=size, where=f'{where}: body "{solid.name}"')
+        feet.append(upper.face)
+        heads.append(lower.face)
+        for side, half, other in ((over, upper, lower), (under, lower, upper)):
+            if len(half.surface[1]):
+                side.append(_cut_solid(solid, half) if len(other.surface[1]) else solid)
+    touching = all(height.min() >= 0.0 for height in heights)
     contact = shapely.union_all(feet) if touching else shapely.union_all(feet).intersection(shapely.union_all(heads))
     areas = [part for part in shapely.get_parts(contact) if part.area > THINNEST * size**2]
     if not areas:
@@ -192,9 +192,9 @@ def split_upright(solid: Solid, *, point: ArrayLike, normal: ArrayLike) -> tuple
     """
     axes = _axes(np.asarray(normal, dtype=np.float64))
     origin = np.asarray(point, dtype=np.float64)
-    placed = (solid.vertices - origin) @ axes.T
-    front, back = _split(solid, placed, where=f'body "{solid.name}"')
-    return tuple(_cut_solid(solid, points @ axes + origin, faces) for points, faces in (back, front) if len(faces))
+    height = (solid.vertices - origin) @ axes[2]
+    halves = _split(solid, height, origin=origin, axes=axes, size=0.0, where=f'body "{solid.name}"')
+    return tuple(_cut_solid(solid, half) for half in halves[::-1] if len(half.surface[1]))
 
 
 def project_on_plane(plane: Plane, vector: ArrayLike) -> FloatArray:
@@ -280,13 +280,13 @@ def _axes(normal: FloatArray) -> FloatArray:
     return np.array([first, np.cross(normal, first), normal])
 
 
-def _snap_to_plane(points: FloatArray, *, size: float) -> FloatArray:
-    """Move points [n, 3] into the plane where only rounding keeps them off it.
+def _heights(solid: Solid, origin: FloatArray, axes: FloatArray, *, size: float) -> FloatArray:
+    """Return the heights of a body's vertices above a plane, 0 where only rounding keeps them off it [n] [m].
 
     Files in single precision hold a level of 4.77 m as 4.7699999809 m; the sliver between would be cut as a section.
     """
-    near = np.abs(points[:, 2]) <= BASE_TOLERANCE * size
-    return np.column_stack([points[:, :2], np.where(near, 0.0, points[:, 2])])
+    height = (solid.vertices - origin) @ axes[2]
+    return np.where(np.abs(height) <= BASE_TOLERANCE * size, 0.0, height)
 
 
 def _refuse_miss(heights: Sequence[FloatArray], plane: Plane, reach: tuple[float, float], *, where: str) -> None:
@@ -299,19 +299,29 @@ def _refuse_miss(heights: Sequence[FloatArray], plane: Plane, reach: tuple[float
         raise GeometryError(f"{where}: {plane} misses the body, which begins at z = {reach[0]:.6g} m")
 
 
-def _split(solid: Solid, points: FloatArray, *, where: str) -> tuple[Surface, Surface]:
-    """Split a body with its vertices at the points [n, 3] into closed surfaces above and below z = 0."""
-    whole: Surface = (points, solid.triangles)
-    if points[:, 2].min() >= 0.0:
-        return whole, _EMPTY
-    if points[:, 2].max() <= 0.0:
-        return _EMPTY, whole
-    return split(whole, where=where)
+def _split(
+    solid: Solid, height: FloatArray, *, origin: FloatArray, axes: FloatArray, size: float, where: str
+) -> tuple[Half, Half]:
+    """Split a body, whose vertices have these heights above a plane [n], into halves above and below."""
+    whole = solid.vertices, solid.triangles
+    if height.min() >= 0.0:
+        return Half(whole, _area_in_plane(solid, height, origin=origin, axes=axes, size=size)), _NOTHING
+    if height.max() <= 0.0:
+        return _NOTHING, Half(whole, _area_in_plane(solid, height, origin=origin, axes=axes, size=size))
+    if not _is_closed((solid,)):
+        raise GeometryError(f"{where} cannot be cut, united or set against another; is its surface closed?")
+    return halve(whole, height, origin=origin, axes=axes)
 
 
-def _cut_solid(whole: Solid, vertices: FloatArray, triangles: IntArray) -> Solid:
-    """Return the part of a body inside a closed surface, with the body's density."""
-    return polyhedron(vertices, triangles, density=whole.mass / _volume_of((whole,)), name=whole.name)
+@keep_of_bodies
+def _is_closed(solids: tuple[Solid, ...]) -> bool:
+    (solid,) = solids
+    return find_edges(solid.triangles).closed
+
+
+def _cut_solid(whole: Solid, half: Half) -> Solid:
+    """Return a half of a body, with the body's density."""
+    return polyhedron(*half.surface, density=whole.mass / _volume_of((whole,)), name=whole.name)
 
 
 @keep_of_bodies
@@ -320,10 +330,14 @@ def _volume_of(solids: tuple[Solid, ...]) -> float:
     return polyhedron(solid.vertices, solid.triangles, density=1.0, name=solid.name).mass
 
 
-def _area_in_plane(points: FloatArray, triangles: IntArray, *, size: float) -> shapely.Geometry:
-    """Return the union of the triangles that lie in z = 0."""
-    corners = points[triangles]
-    flat = corners[np.all(np.abs(corners[:, :, 2]) <= ON_PLANE * size, axis=1), :, :2]
+def _area_in_plane(
+    solid: Solid, height: FloatArray, *, origin: FloatArray, axes: FloatArray, size: float
+) -> shapely.Geometry:
+    """Return the union of the triangles that lie in a plane, by the heights of vertices above it [n]."""
+    lies = np.abs(height) <= ON_PLANE * size
+    if not lies.any():
+        return shapely.MultiPolygon()
+    flat = (solid.vertices[solid.triangles[lies[solid.triangles].all(axis=1)]] - origin) @ axes[:2].T
     (ax, ay), (bx, by) = (flat[:, 1] - flat[:, 0]).T, (flat[:, 2] - flat[:, 0]).T
     return shapely.union_all(shapely.polygons(flat[np.abs(ax * by - ay * bx) > DEGENERATE * size**2]))
 

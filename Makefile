@@ -49,6 +49,7 @@ check: .venv/tests         ## style, types, direction of imports
 	$(BIN)/lint-imports
 
 bench: .venv/tests         ## speed, as ratios measured in one run; those to fixed work, beside the last release, into docs/speed.md
+	$(BIN)/python -m tools.benchmarks.bench_drag
 	$(BIN)/python tools/benchmarks/bench_dynamics.py
 	$(BIN)/python -m tools.benchmarks.bench_fragility
 	$(BIN)/python -m tools.benchmarks.bench_growth

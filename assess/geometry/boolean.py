@@ -45,7 +45,8 @@ def triangulate(rings: Sequence[FloatArray]) -> IntArray:
 
     Parameters
     ----------
-    rings : corners of each, the first not repeated: anticlockwise around the area, clockwise around its holes [k, 2] [m]
+    rings : corners of each, anticlockwise around the area and clockwise around its holes, without the first at the end
+        [k, 2] [m]
 
     Returns
     -------

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 import shapely
@@ -12,9 +12,9 @@ from numpy.typing import ArrayLike
 from assess.errors import GeometryError
 from assess.geometry.halves import Half, halve
 from assess.geometry.planar import BASE_TOLERANCE, PlanarBody
-from assess.geometry.solid import THINNEST, Solid, keep_of_bodies, polyhedron
-from assess.geometry.surface import find_edges
-from spectra.arrays import FloatArray, IntArray
+from assess.geometry.solid import DRAWN_TRIANGLES, THINNEST, Solid, drawn_surface, keep_of_bodies, polyhedron
+from assess.geometry.surface import Surface, find_edges
+from spectra.arrays import FloatArray
 
 FLATTEST = 1e-6  # vertical part of a unit normal: below this a plane is upright and has no side above
 ON_PLANE = 1e-9  # of the bodies' size: faces this near the plane lie in it
@@ -159,9 +159,9 @@ def _divide(solids: tuple[Solid, ...], point: tuple[float, ...], normal: tuple[f
         upper, lower = _split(solid, height, origin=origin, axes=axes, size=size, where=f'{where}: body "{solid.name}"')
         feet.append(upper.face)
         heads.append(lower.face)
-        for side, half, other in ((over, upper, lower), (under, lower, upper)):
-            if len(half.surface[1]):
-                side.append(_cut_solid(solid, half) if len(other.surface[1]) else solid)
+        parts = _parts(solid, upper, lower, origin=origin, axes=axes)
+        for side, part in zip((over, under), parts, strict=True):
+            side += [] if part is None else [part]
     touching = all(height.min() >= 0.0 for height in heights)
     contact = shapely.union_all(feet) if touching else shapely.union_all(feet).intersection(shapely.union_all(heads))
     areas = [part for part in shapely.get_parts(contact) if part.area > THINNEST * size**2]
@@ -194,7 +194,8 @@ def split_upright(solid: Solid, *, point: ArrayLike, normal: ArrayLike) -> tuple
     origin = np.asarray(point, dtype=np.float64)
     height = (solid.vertices - origin) @ axes[2]
     halves = _split(solid, height, origin=origin, axes=axes, size=0.0, where=f'body "{solid.name}"')
-    return tuple(_cut_solid(solid, half) for half in halves[::-1] if len(half.surface[1]))
+    before, behind = _parts(solid, *halves, origin=origin, axes=axes)
+    return tuple(part for part in (behind, before) if part is not None)
 
 
 def project_on_plane(plane: Plane, vector: ArrayLike) -> FloatArray:
@@ -319,9 +320,30 @@ def _is_closed(solids: tuple[Solid, ...]) -> bool:
     return find_edges(solid.triangles).closed
 
 
-def _cut_solid(whole: Solid, half: Half) -> Solid:
-    """Return a half of a body, with the body's density."""
-    return polyhedron(*half.surface, density=whole.mass / _volume_of((whole,)), name=whole.name)
+def _parts(
+    whole: Solid, upper: Half, lower: Half, *, origin: FloatArray, axes: FloatArray
+) -> tuple[Solid | None, Solid | None]:
+    """Return the halves of a body, with the body's density; itself where there is but one."""
+    if not (len(upper.surface[1]) and len(lower.surface[1])):
+        return (whole, None) if len(upper.surface[1]) else (None, whole)
+    density = whole.mass / _volume_of((whole,))
+    solids = (polyhedron(*half.surface, density=density, name=whole.name) for half in (upper, lower))
+    above, below = (
+        replace(solid, drawn=drawn)
+        for solid, drawn in zip(solids, _drawn_halves(whole, origin=origin, axes=axes), strict=True)
+    )
+    return above, below
+
+
+def _drawn_halves(whole: Solid, *, origin: FloatArray, axes: FloatArray) -> tuple[Surface, Surface] | tuple[None, None]:
+    """Divide the simpler surface that a fine body is drawn with; none where it is open or beside the plane."""
+    vertices, triangles = drawn_surface(whole)
+    height = (vertices - origin) @ axes[2]
+    crossed = height.min() < 0.0 < height.max()
+    if len(whole.triangles) <= DRAWN_TRIANGLES or not crossed or not find_edges(triangles).closed:
+        return None, None
+    upper, lower = halve((vertices, triangles), height, origin=origin, axes=axes)
+    return upper.surface, lower.surface
 
 
 @keep_of_bodies

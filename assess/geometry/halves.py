@@ -133,7 +133,7 @@ def _enclosed(edges: IntArray, places: FloatArray) -> tuple[shapely.Geometry, In
     rings = [places[loop] for loop in loops]
     triangles = np.concatenate(loops)[triangulate(rings)]
     signed = sum(_signed_area(ring) for ring in rings)
-    face = shapely.build_area(shapely.multilinestrings([_closed_line(ring) for ring in rings]))
+    face = shapely.build_area(shapely.MultiLineString([_closed_line(ring) for ring in rings]))
     if abs(face.area - signed) > SAME_AREA * abs(signed):  # bodies that pass through themselves
         face = shapely.union_all(shapely.polygons(places[triangles]))
     return face, triangles
@@ -170,9 +170,9 @@ def _loops(edges: IntArray, places: FloatArray) -> list[IntArray]:
 
 def _closed_line(ring: FloatArray) -> shapely.LineString:
     """Return a ring [k, 2] as a closed line, without corners that are straight to rounding."""
-    line = shapely.linestrings(np.concatenate([ring, ring[:1]]))
-    thinned = shapely.simplify(line, STRAIGHT * float(np.ptp(ring, axis=0).max()), preserve_topology=False)
-    return thinned if shapely.get_num_coordinates(thinned) > 3 else line
+    line = shapely.LineString(np.concatenate([ring, ring[:1]]))
+    thinned = line.simplify(STRAIGHT * float(np.ptp(ring, axis=0).max()), preserve_topology=False)
+    return thinned if isinstance(thinned, shapely.LineString) and len(thinned.coords) > 3 else line
 
 
 def _signed_area(ring: FloatArray) -> float:

@@ -24,7 +24,7 @@ from numpy.typing import ArrayLike
 
 from assess.declaration import Mark, PlanePoint, Several
 from assess.errors import GeometryError
-from assess.geometry.surface import tetrahedra
+from assess.geometry.surface import Surface, simplify, tetrahedra
 from assess.messages.message import Message
 from assess.short_repr import ShortRepr
 from spectra.arrays import FloatArray, IntArray, is_number
@@ -48,6 +48,7 @@ class Solid(ShortRepr):
     vertices : of the surface [n, 3] [m]
     triangles : vertex indices, anticlockwise seen from outside [m, 3]
     history : what was done to the mesh it was read from
+    drawn : the simpler surface that it is drawn with, of a part cut from a fine mesh; None otherwise
     """
 
     name: str
@@ -57,6 +58,7 @@ class Solid(ShortRepr):
     vertices: FloatArray
     triangles: IntArray
     history: tuple[Message, ...] = ()
+    drawn: Surface | None = None
 
     @cached_property
     def bounds(self) -> tuple[tuple[float, ...], tuple[float, ...]]:
@@ -80,6 +82,22 @@ def keep_of_bodies(
         return found
 
     return answer
+
+
+DRAWN_TRIANGLES = 3_000  # of a body that is drawn
+
+
+def drawn_surface(solid: Solid) -> Surface:
+    """Return the surface that a body is drawn with: its own where that has few triangles, else a simpler one."""
+    if len(solid.triangles) <= DRAWN_TRIANGLES:
+        return solid.vertices, solid.triangles
+    return solid.drawn or _simplified((solid,))
+
+
+@keep_of_bodies
+def _simplified(solids: tuple[Solid, ...]) -> Surface:
+    (solid,) = solids
+    return simplify(solid.vertices, solid.triangles, limit=DRAWN_TRIANGLES)
 
 
 Solids = Mapping[str, Solid | None]
@@ -221,7 +239,7 @@ def scale_along(solid: Solid, *, direction: Sequence[float], middle: float, fact
     inertia = np.trace(S) * np.eye(3) - S
     for array in (centroid, vertices, inertia):
         array.setflags(write=False)
-    return replace(solid, mass=factor * solid.mass, centroid=centroid, inertia=inertia, vertices=vertices)
+    return replace(solid, mass=factor * solid.mass, centroid=centroid, inertia=inertia, vertices=vertices, drawn=None)
 
 
 def scale_density(solid: Solid, factor: float) -> Solid:

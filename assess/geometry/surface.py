@@ -198,7 +198,13 @@ def tetrahedra(
 
 
 def area(vertices: FloatArray, triangles: IntArray) -> float:
-    """Return the area of the triangles [m2]."""
+    """Return the area of the triangles [m2].
+
+    Parameters
+    ----------
+    vertices : [n, 3] [m]
+    triangles : numbers of their vertices [m, 3]
+    """
     return total_area(area_vectors(vertices[triangles]))
 
 

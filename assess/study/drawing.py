@@ -13,8 +13,8 @@ import numpy as np
 
 from assess.geometry.cut import Scene
 from assess.geometry.planar import Outline, projected_outline
-from assess.geometry.solid import Solid
-from assess.geometry.surface import simplify
+from assess.geometry.solid import Solid, drawn_surface
+from assess.geometry.surface import Surface, area, simplify
 from assess.loads.load import Force, Load, Point, PointMass
 from assess.mechanisms.chain import Chain, hinge_names, mirror_point, move, trace_point
 from assess.mechanisms.mechanism import Mechanism
@@ -24,7 +24,6 @@ from spectra.arrays import FloatArray, IntArray
 
 BlockOutline = tuple[Ring, int]  # an outline and its block
 LARGEST_MOVE = 0.12  # of the drawing's size: how far the farthest point of a displaced mechanism has moved, at most
-OUTLINE_TRIANGLES = 4000  # triangles of a body that stays, for its outline
 FIXED = -1  # the block of what does not move
 DOWN = (0.0, -1.0)
 
@@ -71,9 +70,11 @@ RING_CORNERS = 300  # of a section's ring
 def view_in_space(mechanism: Mechanism, scene: Scene) -> View:
     """Return the bodies with their axes of rotation, at rest."""
     members = [*zip(scene.members, _block_numbers(mechanism.positive), strict=True), (scene.fixed, FIXED)]
-    surfaces = [(*_join_surfaces(solids), owner) for solids, owner in members if solids]
-    corners = np.concatenate([vertices for vertices, _, _ in surfaces])
-    size = np.ptp(corners, axis=0)
+    surfaces = [
+        (*_join_surfaces([drawn_surface(each) for each in solids]), owner) for solids, owner in members if solids
+    ]
+    bodies = [solid for solids, _ in members for solid in solids]
+    size = np.ptp([corner for solid in bodies for corner in solid.bounds], axis=0)
     decimals = COORDINATE_FIGURES - 1 - floor(log10(float(size.max())))
     simplified = simplify_surfaces(surfaces)
     starts = np.cumsum([0, *(len(vertices) for vertices, _, _ in simplified)])
@@ -89,7 +90,7 @@ def view_in_space(mechanism: Mechanism, scene: Scene) -> View:
         sections=tuple(rounded_points(_thin_ring(ring), decimals) for ring in scene.sections),
         direction=_as_point(scene.direction),
         size=rounded_points(size[None], decimals)[0],
-        given=sum(len(triangles) for _, triangles, _ in surfaces),
+        given=sum(len(solid.triangles) for solid in bodies),
     )
 
 
@@ -115,7 +116,7 @@ def edges_in_space(solid: Solid) -> BodyEdges:
 
 def rounded_points(points: FloatArray, decimals: int) -> tuple[Place, ...]:
     """Return points [k, 3] as plain numbers, rounded."""
-    return tuple(_as_point(point) for point in np.round(points, decimals) + 0.0)
+    return tuple((x, y, z) for x, y, z in (np.round(points, decimals) + 0.0).tolist())
 
 
 def _block_numbers(chain: Chain) -> tuple[int, ...]:
@@ -129,7 +130,7 @@ def _fixed_outlines(scene: Scene, *, level: bool) -> tuple[Ring, ...]:
     """Return the outlines in the plane of motion of the bodies that do not move, simplified where they are scans."""
     rings: list[Ring] = []
     for solid in scene.fixed:
-        vertices, triangles = simplify(solid.vertices, solid.triangles, limit=OUTLINE_TRIANGLES)
+        vertices, triangles = drawn_surface(solid)
         up = vertices @ _across(scene) if level else vertices[:, 2]
         points = np.column_stack([vertices @ scene.direction, up])
         rings += projected_outline(points, triangles if level else triangles[:, ::-1])
@@ -231,29 +232,23 @@ def _unit_vector(vector: Point) -> Point | None:
     return (vector[0] / length, vector[1] / length) if length else None
 
 
-def _join_surfaces(solids: Sequence[Solid]) -> tuple[FloatArray, IntArray]:
-    """Return the surfaces of several solids as one."""
-    starts = np.cumsum([0, *(len(solid.vertices) for solid in solids[:-1])])
-    triangles = [solid.triangles + start for solid, start in zip(solids, starts, strict=True)]
-    return np.concatenate([solid.vertices for solid in solids]), np.concatenate(triangles)
+def _join_surfaces(surfaces: Sequence[Surface]) -> Surface:
+    """Return several surfaces as one."""
+    starts = np.cumsum([0, *(len(vertices) for vertices, _ in surfaces[:-1])])
+    triangles = [each + start for (_, each), start in zip(surfaces, starts, strict=True)]
+    return np.concatenate([vertices for vertices, _ in surfaces]), np.concatenate(triangles)
 
 
 def simplify_surfaces(surfaces: Sequence[tuple[FloatArray, IntArray, int]]) -> list[tuple[FloatArray, IntArray, int]]:
     """Simplify surfaces to no more than VIEW_TRIANGLES triangles in all, shared by area."""
     if sum(len(triangles) for _, triangles, _ in surfaces) <= VIEW_TRIANGLES:
         return list(surfaces)
-    areas = np.array([_surface_area(vertices[triangles]) for vertices, triangles, _ in surfaces])
+    areas = np.array([area(vertices, triangles) for vertices, triangles, _ in surfaces])
     shares = np.maximum(12, (VIEW_TRIANGLES * areas / areas.sum()).astype(np.int64))
     return [
         (*simplify(vertices, triangles, limit=int(share)), owner)
         for (vertices, triangles, owner), share in zip(surfaces, shares, strict=True)
     ]
-
-
-def _surface_area(corners: FloatArray) -> float:
-    """Return the total area of triangles [m, 3, 3] [m2]."""
-    normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-    return float(np.linalg.norm(normals, axis=1).sum()) / 2.0
 
 
 def _hinge_axes(mechanism: Mechanism, scene: Scene, decimals: int) -> tuple[HingeAxis, ...]:

@@ -12,8 +12,26 @@ from assess.geometry import mesh
 from assess.geometry.boolean import intersect, shortest_distance
 from assess.geometry.cut import Division, divide, inclined_plane, level_plane, split_upright
 from assess.geometry.planar import base_of_section, lowest_corners, planar_body, slope_across, turns_about_a_corner
-from assess.geometry.solid import Solid, box, join, polyhedron, profile
-from tests.support.solids import assert_same_mass, inside_out, irregular_tower, moved_solid, surfaces_of
+from assess.geometry.solid import (
+    DRAWN_TRIANGLES,
+    Solid,
+    box,
+    drawn_surface,
+    join,
+    polyhedron,
+    profile,
+    scale_along,
+    scale_density,
+)
+from assess.geometry.surface import find_edges, volume
+from tests.support.solids import (
+    assert_same_mass,
+    inside_out,
+    irregular_tower,
+    moved_solid,
+    refine_mesh,
+    surfaces_of,
+)
 
 DENSITY = 1900.0
 TOWER = irregular_tower(density=DENSITY)
@@ -328,3 +346,35 @@ def test_a_cut_is_found_once_for_a_body_and_a_plane() -> None:
     assert divide([heavy], level_plane(1.0), where="wall").above[0].mass == pytest.approx(2.0 * found.above[0].mass)
     with pytest.raises(ValueError, match="read-only"):
         found.foot[0] = 0.0
+
+
+FINE = refine_mesh(prism(TAPERED), 5)  # of 12,288 triangles
+
+
+@pytest.mark.parametrize("normal", [(0.0, 0.0, 1.0), (-0.4, 0.1, 1.0)])
+def test_a_part_of_a_fine_mesh_is_drawn_with_a_part_of_a_simpler_one(normal: tuple[float, ...]) -> None:
+    plane = plane_of((0.0, 0.0, 3.0), normal)
+    parts = cut(FINE, plane)
+    for part in (*parts.above, *parts.below):
+        vertices, triangles = drawn_surface(part)
+        assert len(part.triangles) > DRAWN_TRIANGLES > len(triangles)
+        assert find_edges(triangles).closed
+        assert volume(vertices, triangles) == pytest.approx(volume(part.vertices, part.triangles), rel=0.02)
+        height = (vertices - plane.point) @ plane.normal
+        assert min(abs(height.min()), abs(height.max())) < 1e-12
+    again = cut(parts.above[0], level_plane(6.0)).above[0]
+    assert again.drawn is not None
+    assert volume(*again.drawn) == pytest.approx(volume(again.vertices, again.triangles), rel=0.02)
+
+
+def test_a_part_of_a_coarse_mesh_is_drawn_as_it_is() -> None:
+    (part,) = cut(TOWER, level_plane(4.0)).above
+    assert part.drawn is None
+    assert drawn_surface(part)[1] is part.triangles
+
+
+def test_what_is_drawn_follows_a_change_of_shape_and_not_of_density() -> None:
+    (part,) = cut(FINE, level_plane(1.0)).above
+    assert drawn_surface(scale_density(part, 2.0)) == drawn_surface(part)
+    wider = scale_along(part, direction=(1.0, 0.0, 0.0), middle=0.0, factor=2.0)
+    assert volume(*drawn_surface(wider)) == pytest.approx(2.0 * volume(*drawn_surface(part)), rel=0.02)

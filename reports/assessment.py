@@ -143,7 +143,7 @@ def write_pages(document: Document, folder: Path, *, name: str, jobs: int = 0) -
 
 Detail = Literal["main", "full"]
 WORKSHEETS: tuple[tuple[Phrase, tuple[str, ...]], ...] = (
-    (say("Verdict"), ("verdict", "before-and-after", "ties", "checklist", "answers", "lacking")),
+    (say("Verdict"), ("verdict", "before-and-after", "ties", "tie-links", "checklist", "answers", "lacking")),
     (say("Checks"), ("verdicts",)),
     (say("Comparison"), ("levels", "pga-at-capacity", "rotations", "comparison")),
     (say("Mechanisms"), ("page-parameters", "parameters", "loads", "interfaces", "hinge-forces")),

@@ -16,7 +16,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import product
-from math import inf, isfinite, pi
+from math import ceil, inf, isfinite, pi
 from typing import Annotated, Literal
 
 import numpy as np
@@ -130,6 +130,10 @@ class Plate:
     """in the wall at the plate, least in the earthquake; if absent 0.6 of the weight of the masonry above the cone"""
     bearing_strength: Annotated[MasonryStrength | None, UNCERTAIN, AS_SURVEYED] = None
     """of the masonry across the face of the wall, f_h: tested, else half of its strength in compression"""
+    course: Annotated[PositiveLength | None, AS_SURVEYED] = None
+    """height of a course of the masonry, with its bed, like "0.15 m"; with `overlap` units that slide are examined"""
+    overlap: Annotated[PositiveLength | None, AS_SURVEYED] = None
+    """of units on those of the course below, like "0.10 m\""""
     leaf: Annotated[PositiveLength | None, AS_SURVEYED] = None
     """thickness of the leaf that the plate grips, no more than is drawn; that of the drawn body if absent"""
     between: Annotated[AnchorForce | None, AS_SURVEYED] = None
@@ -166,6 +170,9 @@ class Plate:
                 yield key, "give width and height of a rectangular plate, or diameter of a round one"
         if self.nut is not None and self.nut > NUT_SHARE * min(self.sides):
             yield "nut", "wider than half of the plate's lesser side; give the width of nut, washer or rib"
+        for key, other in (("course", "overlap"), ("overlap", "course")):
+            if getattr(self, key) is None and getattr(self, other) is not None:
+                yield key, f"missing; units that slide on their beds need it beside {other}"
         injected = {key: getattr(self, key) for key in ("hole", "embedment", "bond_strength")}
         if any(injected.values()):
             for key, value in injected.items():
@@ -175,7 +182,7 @@ class Plate:
                 yield "far_strength", "beside an injected far end; remove one of them"
 
 
-LinkName = Literal["thread", "plate", "bearing", "punching", "between", "far end", "far wall"]
+LinkName = Literal["thread", "plate", "bearing", "punching", "sliding", "between", "far end", "far wall"]
 
 
 @dataclass(frozen=True)
@@ -197,6 +204,7 @@ class PlateSite:
 
     leaf : thickness of the leaf behind it [m]; None without geometry
     bearing_area : of the plate, as far as there is masonry behind it [m2]
+    beds : of the beds above and below what it presses, the part that is in the wall, from 0 to 2
     surface : of the cone that it punches, of itself and of its group, seen along the depth [m2]; None without geometry
     group : how many plates punch with it, itself among them: of those whose cones meet, as many as leave it least
     weight_stress : weight of the masonry above its cone over the wall's area [Pa]
@@ -213,6 +221,7 @@ class PlateSite:
     bay: float | None
     at_end: bool
     meeting: int = 1
+    beds: float = 2.0
 
 
 @dataclass(frozen=True)
@@ -241,6 +250,13 @@ class Anchorage:
         """Least compression of the wall around the cone in the earthquake [Pa]."""
         given = self.plate.normal_stress
         return (1.0 - RISING * VERTICAL) * self.site.weight_stress if given is None else given
+
+    @property
+    def sliding_surface(self) -> float:
+        """Beds on which the units under the plate slide inwards, where their sizes are given [m2]."""
+        width, height = self.plate.sides
+        n, o, t = courses_under(height, self.plate.course or inf), self.plate.overlap or 0.0, self.leaf or 0.0
+        return sliding_surface(a=width, t=t, n=n, o=o, beds=self.site.beds)
 
     @property
     def strip(self) -> float:
@@ -300,6 +316,9 @@ def _links(of: Anchorage) -> Iterator[Link]:
     else:
         f_vd = shear_strength(f_v0=plate.shear_strength or 0.0, mu=plate.friction, sigma_n=of.normal_stress, **by)
         yield Link("punching", min(site.surface[0], site.surface[1] / site.group) * f_vd)
+    if plate.course and plate.overlap and not sheared and leaf is not None:
+        f_vd = shear_strength(f_v0=plate.shear_strength or 0.0, mu=plate.friction, sigma_n=of.normal_stress, **by)
+        yield Link("sliding", of.sliding_surface * f_vd)
     yield _between(of)
     if plate.far_strength is not None:
         yield Link("far end", plate.far_strength)
@@ -387,6 +406,32 @@ def shear_strength(*, f_v0: float, mu: float, sigma_n: float, gamma_M: float, FC
     f_v0, mu, sigma_n : cohesion [Pa], friction [-] and compression [Pa]
     """
     return (f_v0 + mu * sigma_n) / (gamma_M * FC)
+
+
+def courses_under(height: float, course: float) -> int:
+    """Return the least number of courses that a plate presses on.
+
+    Parameters
+    ----------
+    height, course : of the plate, and of a course [m]
+    """
+    return max(ceil(height / course - ON_EDGE), 1)
+
+
+def sliding_surface(*, a: float, t: float, n: int, o: float, beds: float) -> float:
+    """Return the beds on which units under a plate slide: t (beds a + 2 (n - 1) o) [m2] (own derivation).
+
+    The courses under the plate move inwards as they are, by units that are not broken. They rub on the beds above and
+    below them over the width of the plate at least; between two courses that move the ends of one lie o beside those of
+    the other at either side, and rub on what stays. Head joints bear nothing. N times the way is the work of all beds.
+
+    Parameters
+    ----------
+    a, t : width of the plate, thickness of the leaf [m]
+    n, o : courses that move; overlap of their units [m]
+    beds : of those above and below them, the part that is in the wall, from 0 to 2
+    """
+    return t * (beds * a + 2.0 * (n - 1) * o)
 
 
 def arch_strength(*, f_h: float, t: float, h_s: float, s: float, gamma_M: float, FC: float) -> float:

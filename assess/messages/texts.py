@@ -320,6 +320,8 @@ TEXTS: Mapping[str, str] = {
     "for it; name one in [report.sources]: {keys}",
     "slope-as-beam": "a pass is valid only if a ridge beam or a wall carries the upper end of {what}, which slopes one "
     "way: else it pushes, and has a thrust",
+    "units-slide": "a pass is valid only if the units under the plate of {what} do not slide on their beds before a "
+    "cone of masonry punches: course and overlap of the plate are not given",
     "anchorage-computed": "a pass is valid only if the engineer finds the anchorage of {what} sound: no clause has "
     "formulas for it, and the program derives its own",
     "thrust-is-tied": "a pass is valid only if ties or tie-beams carry the thrust of {what} up to collapse",

@@ -159,7 +159,19 @@ def _site(tie: TieLoad, row: Sequence[Figure], others: Sequence[Figure], wall: W
         bay=bay,
         at_end=at_end,
         meeting=len(figures),
+        beds=_beds(figure, seen),
     )
+
+
+def _beds(figure: Figure, seen: shapely.Geometry) -> float:
+    """Return the part of the beds above and below what a plate presses that is in the wall, from 0 to 2."""
+    plate, s, z = figure
+    width, height = plate.sides
+    if plate.course is None:
+        return 2.0
+    ends = ((z + height / 2.0, z + height / 2.0 + plate.course), (z - height / 2.0 - plate.course, z - height / 2.0))
+    strips = [shapely.box(s - width / 2.0, low, s + width / 2.0, high) for low, high in ends]
+    return sum(float(shapely.area(shapely.intersection(each, seen))) / (width * plate.course) for each in strips)
 
 
 def _figure(tie: TieLoad, wall: Wall) -> Figure:

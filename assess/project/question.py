@@ -445,6 +445,11 @@ def _conditions(content: sections.Content, name: str, solids: Mapping[str, Solid
     loads = section.loads if isinstance(section, sections.ChainSection) else ()
     tied = (load.body for load in loads if load.kind == "body" and load.tied)
     plates = [f"tie {place}" for place, load in enumerate(loads, start=1) if load.kind == "tie" and load.plate]
+    unexamined = [
+        f"tie {place}"
+        for place, load in enumerate(loads, start=1)
+        if load.kind == "tie" and load.plate and load.plate.course is None and load.strength is None
+    ]
     stated = getattr(section, "direction", None)
     towards = None if stated is None or isinstance(stated, str) else stated
     free = [each for each in loads if each.kind == "body" and each.thrust is None and not each.tied]
@@ -459,6 +464,7 @@ def _conditions(content: sections.Content, name: str, solids: Mapping[str, Solid
         *_not_sought(content, name),
         *(message("thrust-is-tied", {"what": body}, severity=Severity.WARNING) for body in tied),
         *([message("anchorage-computed", {"what": ", ".join(plates)}, severity=Severity.WARNING)] if plates else []),
+        *([message("units-slide", {"what": ", ".join(unexamined)}, severity=Severity.WARNING)] if unexamined else []),
         *(message("slope-as-beam", {"what": body}, severity=Severity.WARNING) for body in slopes),
     )
 

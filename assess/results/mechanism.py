@@ -221,6 +221,8 @@ class HeldByTie(ShortRepr):
 
     load : its name among the loads of the mechanism
     elongation_m : from rest, plastic_m : of it for good; None where the rotation is not known or nothing stretches
+    pull_n : the most with which it has pulled up to there, N_Ed; None where that is not known, or it does not stretch
+    links : what it consists of, in order, each with its design strength
     """
 
     mechanism: str
@@ -228,6 +230,44 @@ class HeldByTie(ShortRepr):
     outcome: TieOutcome
     elongation_m: float | None = None
     plastic_m: float | None = None
+    pull_n: float | None = None
+    links: tuple[TieLink, ...] = ()
+
+    @property
+    def governing(self) -> TieLink | None:
+        """The link of the largest ratio; None where none is known."""
+        return max(
+            (each for each in self.links if each.ratio is not None), key=lambda each: each.ratio or 0.0, default=None
+        )
+
+
+TieLinkName = Literal[
+    "bar",
+    "thread",
+    "plate",
+    "bearing",
+    "punching",
+    "sliding",
+    "between",
+    "far end",
+    "far wall",
+    "anchorage",
+    "strength",
+]
+"""A link of a tie: the bar, those of its plate, or what is stated of its anchorage, or of a restraint without a bar."""
+
+
+@dataclass(frozen=True, repr=False)
+class TieLink(ShortRepr):
+    """A link of a tie at the demand.
+
+    strength_n : its design strength N_Rd; None without limit, or where it is not answered
+    ratio : D/C, N_Ed over N_Rd; None where either is not known
+    """
+
+    name: TieLinkName
+    strength_n: float | None
+    ratio: float | None
 
 
 @dataclass(frozen=True, repr=False)

@@ -9,16 +9,17 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from math import isclose
+from math import inf, isclose, isfinite
 from typing import Any
 
 import numpy as np
 
 from assess.codes.procedures import uses_histories
+from assess.loads.anchorage import GAMMA_M0
 from assess.loads.load import SAME_END, Tie
 from assess.mechanisms.branch_table import tie_elongation
 from assess.mechanisms.mechanism import Mechanism
-from assess.oscillator import BranchName
+from assess.oscillator import BRANCH_NAMES, BranchName
 from assess.results import (
     BodyEdges,
     HeldByTie,
@@ -27,6 +28,8 @@ from assess.results import (
     MechanismResult,
     Place,
     ResolvedValue,
+    TieLink,
+    TieLinkName,
     TieOutcome,
     TieResult,
 )
@@ -83,7 +86,7 @@ def left_out_beside(counted: Sequence[TieResult], typed: Sequence[TieResult]) ->
 
 
 def _uncounted(held: HeldByTie) -> HeldByTie:
-    return replace(held, outcome="not counted", elongation_m=None, plastic_m=None)
+    return replace(held, outcome="not counted", elongation_m=None, plastic_m=None, pull_n=None, links=())
 
 
 def _stated_ties(
@@ -96,10 +99,17 @@ def _stated_ties(
         used = next((each for each in result.loads if each.name == f"tie {number}"), None)
         if load.get("kind") != TIE_BODY or used is None or (ends := _ends(load, result)) is None:
             continue
-        state = _state_of(mechanism, used, demanded)
-        yield ends, HeldByTie(result.name, used.name, state.outcome, state.elongation, state.plastic)
+        rests = [
+            0.0 if side is None else side.equilibrium_rad for side in (result.oscillator, result.oscillator_negative)
+        ]
+        state = _state_of(mechanism, used, demanded, dict(zip(BRANCH_NAMES, rests, strict=True)))
+        yield (
+            ends,
+            HeldByTie(result.name, used.name, state.outcome, state.elongation, state.plastic, state.pull, state.links),
+        )
 
 
+UPRIGHT: Mapping[BranchName, float] = {}  # at rest, of joints that do not deform
 Demanded = Mapping[BranchName, float | None]
 """Rotations that the deciding method demands [rad], by branch; None where one is not known."""
 
@@ -135,18 +145,29 @@ class _State:
     outcome: TieOutcome
     elongation: float | None = None
     plastic: float | None = None
+    pull: float | None = None
+    links: tuple[TieLink, ...] = ()
 
 
-def _state_of(mechanism: Mechanism, used: LoadResult, demanded: Demanded) -> _State:
-    """Return the worst of what becomes of a tie as the mechanism turns to either side."""
+def _state_of(
+    mechanism: Mechanism, used: LoadResult, demanded: Demanded, rests: Mapping[BranchName, float] = UPRIGHT
+) -> _State:
+    """Return the worst of what becomes of a tie as the mechanism turns to either side; rests : phi_e of each [rad]."""
     if used.lasting == "not shown":
         return _State("not counted")
-    states = [_state_on(mechanism, used, rotation, branch) for branch, rotation in demanded.items()]
-    return min(states, key=lambda state: WORST_FIRST.index(state.outcome))
+    states = [
+        _state_on(mechanism, used, rotation, branch, rests.get(branch, 0.0)) for branch, rotation in demanded.items()
+    ]
+    return min(states, key=lambda state: (WORST_FIRST.index(state.outcome), -(state.pull or 0.0)))
 
 
-def _state_on(mechanism: Mechanism, used: LoadResult, rotation: float | None, branch: BranchName) -> _State:
-    """Return what becomes of a tie as the mechanism turns so far: elongation from rest, and what is left of it [m]."""
+def _state_on(
+    mechanism: Mechanism, used: LoadResult, rotation: float | None, branch: BranchName, rest: float
+) -> _State:
+    """Return what becomes of a tie as the mechanism turns so far: elongation from rest, and what is left of it [m].
+
+    Rotations count from rest, to which a mechanism on joints that deform leans by phi_e; the tie follows the geometry.
+    """
     if rotation is None:
         return _State("not known")
     chain = mechanism.negative if branch == "negative" else mechanism.positive
@@ -154,18 +175,35 @@ def _state_on(mechanism: Mechanism, used: LoadResult, rotation: float | None, br
     tie = next((each for each in actions if each.name == used.name and isinstance(each, Tie)), None)
     if chain is None or tie is None:
         return _State("slack")
-    e = tie_elongation(chain, tie, rotation)
+    e = tie_elongation(chain, tie, rest + rotation) - tie_elongation(chain, tie, rest)
     if tie.stiffness is None:
         if used.end_rad is not None and rotation >= used.end_rad:
             return _State("gone", e)
         return _State("slack" if e < 0.0 and not tie.both else "holds", e)
-    end = tie.elongation or 0.0
+    end, pull = tie.elongation or 0.0, float(tie.pull_at(np.array([e]))[0])
+    links = tuple(_links_at(tie, pull))
     if e >= end:
-        return _State("gone", e)
+        return _State("gone", e, None, pull, links)
     elastic = end - (tie.length or 0.0) * (tie.fracture_strain or 0.0) if tie.ductile else end
     if e > elastic:
-        return _State("yields", e, e - elastic)
-    return _State("slack" if float(tie.pull_at(np.array([e]))[0]) <= 0.0 else "elastic", e, 0.0)
+        return _State("yields", e, e - elastic, pull, links)
+    return _State("slack" if pull <= 0.0 else "elastic", e, 0.0, pull, links)
+
+
+def _links_at(tie: Tie, pull: float) -> Iterator[TieLink]:
+    """Yield the links of a tie under a pull [N], the bar by its design strength A f_y / 1.05."""
+    strengths: list[tuple[TieLinkName, float | None]]
+    if tie.is_spring:
+        strengths = [("strength", tie.strength)]
+    else:
+        strengths = [("bar", (tie.yield_force or 0.0) / GAMMA_M0)]
+        if tie.anchorage is not None:
+            strengths += [(each.name, each.strength) for each in tie.anchorage.links]
+        if tie.anchorage is None or tie.anchorage.stated is not None:
+            strengths.append(("anchorage", tie.strength if tie.anchorage is None else tie.anchorage.stated))
+    for name, strength in strengths:
+        known = strength is not None and isfinite(strength) and strength > 0.0
+        yield TieLink(name, strength if known else None, pull / (strength or inf) if known else None)
 
 
 def _ends(load: Mapping[str, Any], result: MechanismResult) -> FloatArray | None:

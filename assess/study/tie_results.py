@@ -21,6 +21,7 @@ from assess.loads.anchorage import (
     LinkName,
     bar_strength,
     bond_strength,
+    courses_under,
     plate_area,
     round_cone,
     shear_strength,
@@ -46,6 +47,7 @@ FAILS: Mapping[LinkName, Term] = {
     "plate": Term("the plate bends"),
     "bearing": Term("the masonry under the plate crushes"),
     "punching": Term("the plate punches through the wall"),
+    "sliding": Term("the units under the plate slide on their beds"),
     "between": Term("the wall between the ties gives way"),
     "far end": Term("the far end gives way"),
     "far wall": Term("the wall at the far end turns inwards"),
@@ -143,6 +145,7 @@ def _steps(tie: Tie, of: Anchorage) -> Iterator[Step]:
     words = "masonry under the plate, as far as there is any behind it"
     yield _link_step("N_3", words, OWN, "A_b · f_h / (γ_M · FC)", links["bearing"], pressed)
     yield from _punching(of, links["punching"], by)
+    yield from _sliding(of, links.get("sliding"))
     yield _between(of, links["between"], by)
     yield from _far_end(of, links["far end"], by)
     if of.far_wall is not None:
@@ -151,7 +154,7 @@ def _steps(tie: Tie, of: Anchorage) -> Iterator[Step]:
     at: Given = {"N_typed": (of.stated or 0.0, "N")} if stated else {}
     words = "strength of the anchorage, the least of these and of what is stated"
     why = "" if of.strength else NOT_ANSWERED
-    yield step("N_a", words, OWN, f"min(N_1, …, N_{len(links)})", of.strength, "N", at=at, remark=why)
+    yield step("N_a", words, OWN, "min(N_1, …, N_8)", of.strength, "N", at=at, remark=why)
     if of.strength is not None:
         ratio: Given = {"N_a": (of.strength, "N"), "N_y": (tie.yield_force or 0.0, "N")}
         words = "spare of the anchorage over the bar: from 1.25 on the bar is taken to yield first"
@@ -169,6 +172,7 @@ def _link_step(symbol: str, description: str, clause: str, formula: str, link: L
 
 
 NO_LIMIT = "no limit"
+NOT_EXAMINED = "not examined: the project does not give the units"
 HOLDS_NOTHING = "less than 1 % of what the bar bears: it counts as nothing"
 ARCH = "f_h / (γ_M · FC) · t² · h_s / s"
 CLOSE_BY = "no limit: ties up to 3 m apart, and 1.5 m from the ends of the wall"
@@ -203,6 +207,29 @@ def _punching(of: Anchorage, link: Link, by: Mapping[str, float]) -> Iterator[St
     )
     given = {"S": (S, "m2"), "f_vd": (f_vd, "Pa"), "n": float(n)}
     yield _link_step("N_4", "punching of the leaf that the plate grips", OF_CONES, "S · f_vd / n", link, given)
+
+
+def _sliding(of: Anchorage, link: Link | None) -> Iterator[Step]:
+    """Yield the lines of units that slide on their beds before a cone breaks them; where they are not given, that."""
+    words = "units under the plate that slide on their beds; head joints bear nothing"
+    if link is None:
+        yield step(
+            "N_8", words, OWN, "S_b · f_vd", None, "N", remark=NOT_EXAMINED, subject="plate.course, plate.overlap"
+        )
+        return
+    plate, n = of.plate, courses_under(of.plate.sides[1], of.plate.course or inf)
+    given: Given = {
+        "t": (of.leaf or 0.0, "m"),
+        "b": of.site.beds,
+        "a": (plate.sides[0], "m"),
+        "n": float(n),
+        "o": (plate.overlap or 0.0, "m"),
+    }
+    surface, beds = of.sliding_surface, "beds of these units that rub, those above and below them and at their ends"
+    yield step("S_b", beds, OWN, "t · (b · a + 2 · (n − 1) · o)", surface, "m2", given=given)
+    sheared = {"f_v0": plate.shear_strength or 0.0, "mu": plate.friction, "sigma_n": of.normal_stress}
+    f_vd = shear_strength(**sheared, gamma_M=GAMMA_M, FC=plate.confidence)
+    yield _link_step("N_8", words, OWN, "S_b · f_vd", link, {"S_b": (surface, "m2"), "f_vd": (f_vd, "Pa")})
 
 
 def _compression(of: Anchorage) -> Step:

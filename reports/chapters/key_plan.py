@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from functools import partial
 
 from assess.codes.checklists import CHECKLISTS, item_name
-from assess.results import ChecklistItem, Results, TieOutcome
+from assess.results import ChecklistItem, Results, TieLinkName, TieOutcome
 from assess.results.provenance import Revision
 from reports.chapters.cells import DEMAND_CAPACITY
 from reports.chapters.front_matter import photograph
@@ -22,7 +22,12 @@ def sections(results: Results, building: BuildingScene | None) -> list[Section]:
 
     building : the bodies of all mechanisms, None where none has geometry
     """
-    blocks = (*plan(results, building), *nonempty(ties_table(results)), *_checklist_blocks(results))
+    blocks = (
+        *plan(results, building),
+        *nonempty(ties_table(results)),
+        *nonempty(links_table(results)),
+        *_checklist_blocks(results),
+    )
     return [
         Section(say("Key plan and list of mechanisms"), 0, blocks, starts_page=True),
         *_revisions(results),
@@ -55,6 +60,19 @@ TIE_OUTCOMES: Mapping[TieOutcome, Phrase] = {
     "not counted": say("not counted"),
     "not known": say("not known"),
 }
+LINKS: Mapping[TieLinkName, Phrase] = {
+    "bar": say("bar"),
+    "thread": say("thread"),
+    "plate": say("plate"),
+    "bearing": say("bearing"),
+    "punching": say("punching"),
+    "sliding": say("sliding units"),
+    "between": say("wall between"),
+    "far end": say("far end"),
+    "far wall": say("far wall"),
+    "anchorage": say("anchorage"),
+    "strength": say("strength"),
+}
 NUMBER = Column(say("Tie"), share=0.07)
 
 
@@ -70,6 +88,9 @@ def ties_table(results: Results) -> Table:
         Column(say("At the demand")),
         Column(say("Elongation"), "length", 3),
         Column(say("of which plastic"), "length", 3),
+        Column(say("Pull"), "force", 3),
+        Column(say("D/C"), figures=3),
+        Column(say("Governing link")),
     )
     rows: list[tuple[Cell, ...]] = []
     for place, tie in enumerate(results.ties, start=1):
@@ -82,10 +103,32 @@ def ties_table(results: Results) -> Table:
                 TIE_OUTCOMES[each.outcome],
                 each.elongation_m,
                 each.plastic_m,
+                each.pull_n,
+                None if each.governing is None else each.governing.ratio,
+                None if each.governing is None else LINKS[each.governing.name],
             )
             for each in tie.held
-        ] or [(number, None, drawn, TIE_OUTCOMES["not counted"], None, None)]
+        ] or [(number, None, drawn, TIE_OUTCOMES["not counted"], *[None] * 5)]
     return Table("ties", caption, columns, tuple(rows), small=True)
+
+
+def links_table(results: Results) -> Table:
+    """Tabulate pull over design strength of each link of each tie; no rows without links."""
+    names = list(dict.fromkeys(link.name for tie in results.ties for each in tie.held for link in each.links))
+    caption = say(
+        "D/C of each link of the ties: the pull at the demand over its design strength, of the bar A · f_y / 1.05. A "
+        "bar that yields has 1.05, as is meant of a ductile tie; above 1 any other link is exceeded. Links without a "
+        "value have no limit, or are not answered."
+    )
+    columns = (NUMBER, Column(say("Holds")), *(Column(LINKS[name], figures=3) for name in names))
+    rows: list[tuple[Cell, ...]] = []
+    for place, tie in enumerate(results.ties, start=1):
+        for each in tie.held:
+            ratios = {link.name: link.ratio for link in each.links}
+            held = mechanism_list(results, [each.mechanism])
+            if ratios:
+                rows.append((Verbatim(tie_number(place)), held, *(ratios.get(name) for name in names)))
+    return Table("tie-links", caption, columns, tuple(rows), small=True)
 
 
 def checklist_table(results: Results) -> Table:

@@ -21,8 +21,10 @@ from assess.loads.anchorage import (
     bond_strength,
     cone_surface,
     cones_meet,
+    courses_under,
     round_cone,
     shear_strength,
+    sliding_surface,
     thread_strength,
 )
 
@@ -154,6 +156,35 @@ def test_weight_above_counts_with_what_a_falling_wall_leaves_of_it() -> None:
     """0.6 x 0.05 MPa x 0.4 = 0.012 MPa beside 0.02: 25.6 kN; a stress that is stated counts as it is: 32 kN."""
     assert anchored(friction=0.4).strength == pytest.approx(25.6e3, rel=1e-9)
     assert anchored(friction=0.4, normal_stress=0.05e6).strength == pytest.approx(32e3, rel=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("height", "n", "kilonewtons"),
+    [
+        # one course: 0.6 x 2 x 0.3 = 0.36 m2, x 0.02 MPa / 2.7
+        (0.15, 1, 2.667),
+        # two: 0.6 (0.6 + 2 x 0.1) = 0.48 m2
+        (0.3, 2, 3.556),
+        # not quite three, of which it presses on the third: 0.6 (0.6 + 4 x 0.1) = 0.6 m2
+        (0.44, 3, 4.444),
+    ],
+)
+def test_units_under_a_plate_slide_on_their_beds(height: float, n: int, kilonewtons: float) -> None:
+    found = anchored(height=height, course=0.15, overlap=0.1)
+    (sliding,) = [link.strength for link in found.links if link.name == "sliding"]
+    assert courses_under(height, 0.15) == n
+    assert sliding == pytest.approx(kilonewtons * 1e3, rel=1e-3)
+    assert (found.governing, found.strength) == ("sliding", sliding)
+
+
+def test_at_the_top_of_a_wall_no_bed_above_the_units_rubs() -> None:
+    assert sliding_surface(a=0.3, t=0.6, n=2, o=0.1, beds=1.0) == pytest.approx(0.6 * 0.5, rel=1e-12)
+
+
+def test_units_that_slide_need_both_sizes_and_are_not_examined_without() -> None:
+    assert "sliding" not in [link.name for link in anchored().links]
+    plate = Plate(**{**FULL, "course": 0.15})  # type: ignore[arg-type]
+    assert [key for key, _ in plate.faults()] == ["overlap"]
 
 
 def test_a_group_shares_its_cone() -> None:

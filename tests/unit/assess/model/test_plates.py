@@ -56,6 +56,14 @@ def test_at_the_top_a_side_is_lacking() -> None:
     assert surface(found) == pytest.approx(1.26, rel=1e-3)
 
 
+def test_beds_of_units_that_slide_are_those_in_the_wall() -> None:
+    """A course of 0.2 m above the plate, of which the top leaves 0.05 m; all of both lower down."""
+    units = {"course": 0.2, "overlap": 0.1}
+    (high,), (low,) = facade(tie(0, HEIGHT - 0.2, **units)), facade(tie(0, 5, **units))
+    assert high.site.beds == pytest.approx(1.25, rel=1e-6)
+    assert low.site.beds == pytest.approx(2.0, rel=1e-6)
+
+
 @pytest.mark.parametrize(("y", "z"), [(0, HEIGHT - 0.05), (LENGTH / 2 - 0.05, 5), (1.7, 5)])
 def test_a_plate_that_sticks_out_over_an_edge_is_refused(y: float, z: float) -> None:
     """By 0.1 m each: half of 0.3 m less the 0.05 m to the top, to the end, and to a window that begins at y = 1.75."""

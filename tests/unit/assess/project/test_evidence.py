@@ -62,7 +62,17 @@ TABLE = "its whole table is left out: the outline of the mesh counts in place of
 TOOTHING = "its whole table is left out: no friction of side walls counts"
 PLATE = (
     *("width", "height", "diameter", "thickness", "yield_stress", "nut", "thread_area", "tensile_strength"),
-    *("shear_strength", "friction", "normal_stress", "bearing_strength", "leaf", "between", "far_strength"),
+    *(
+        "shear_strength",
+        "friction",
+        "normal_stress",
+        "bearing_strength",
+        "leaf",
+        "between",
+        "far_strength",
+        "course",
+        "overlap",
+    ),
     *("hole", "embedment", "bond_strength"),
 )
 SHARED_FATE = "alone it vouches for nothing: what it is the reason or source of is replaced with it"

@@ -138,7 +138,11 @@ def test_an_anchorage_that_is_computed_is_a_condition(tmp_path):
     tie = f'kind = "tie", at = [0.2, 0, 5], anchor = [-9.8, 0, 5], length = "10 m", fracture_strain = 0.1, {plate}'
     bar = 'area = "314 mm^2", young_modulus = "210 GPa", yield_stress = "235 MPa"'
     conditions = facts(tmp_path, more=f"loads = [{{ {tie}, {bar} }}, {{ {tie.replace('0, 5]', '2, 5]')}, {bar} }}]")[1]
-    assert [(each.key, each.values) for each in conditions] == [("anchorage-computed", {"what": "tie 1, tie 2"})]
+    told = [(each.key, each.values) for each in conditions]
+    assert told == [("anchorage-computed", {"what": "tie 1, tie 2"}), ("units-slide", {"what": "tie 1, tie 2"})]
+    units = tie.replace("height =", 'course = "0.15 m", overlap = "0.1 m", height =')
+    conditions = facts(tmp_path, more=f"loads = [{{ {units}, {bar} }}]")[1]
+    assert [each.key for each in conditions] == ["anchorage-computed"]
 
 
 @pytest.mark.parametrize(

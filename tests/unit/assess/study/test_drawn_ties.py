@@ -111,5 +111,28 @@ def test_of_histories_the_side_that_stretches_a_tie_counts_though_the_other_is_t
     state = _state_of(mechanism, used, {"positive": 0.02, "negative": 0.03})
     assert state.outcome == "yields"
     assert state.elongation == pytest.approx(hypot(LENGTH + AT * sin(0.02), 0.6e-3) - LENGTH, rel=0.01)
+    leaning = _state_of(mechanism, used, {"positive": 0.02}, {"positive": 0.001})
+    far, near = (_state_of(mechanism, used, {"positive": rotation}).elongation for rotation in (0.021, 0.001))
+    assert far is not None
+    assert near is not None
+    assert leaning.elongation == pytest.approx(far - near, rel=1e-9)
     assert _state_of(mechanism, used, {"positive": None, "negative": 0.03}).outcome == "not known"
     assert _state_of(mechanism, used, {"negative": 0.03}).outcome == "slack"
+
+
+def test_each_link_of_a_tie_has_its_ratio_of_demand_to_capacity():
+    """The bar yields at 73.8 kN: 1.05 of its design strength, 73.8 / 95 = 0.777 of the stated anchorage."""
+    (held,) = with_ties().ties[0].held
+    assert held.pull_n == pytest.approx(AREA * YIELD, rel=1e-12)
+    assert {link.name: link.ratio for link in held.links} == {
+        "bar": pytest.approx(1.05, rel=1e-12),
+        "anchorage": pytest.approx(AREA * YIELD / 95e3, rel=1e-12),
+    }
+    assert held.governing is not None
+    assert held.governing.name == "bar"
+
+
+def test_a_torn_anchorage_has_a_ratio_of_one():
+    facade, _ = brittle().ties[0].held
+    assert facade.governing is not None
+    assert (facade.governing.name, facade.governing.ratio) == ("anchorage", pytest.approx(1.0))

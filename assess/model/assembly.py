@@ -14,7 +14,7 @@ from assess.geometry.cut import Piece, Scene, heading
 from assess.interfaces.contact import Interface, JointLaw, contact, out_of_plane_warning
 from assess.interfaces.section import ContactSection, Shape, annulus, circle, hollow_rectangle, polygon, rectangle
 from assess.loads.bearing import UPPER, overburden_name
-from assess.loads.load import Load, LoadDefinition, OverburdenLoad, Through
+from assess.loads.load import Load, LoadDefinition, OverburdenLoad, Through, stretches
 from assess.mechanisms.arch_in_plan import HorizontalArch
 from assess.mechanisms.assembly import OUTSIDE, HingeBeside, MechanismPieces, add_joints, hinges_in_plane
 from assess.mechanisms.chain import Chain, Joint, hinge_names, top_loads
@@ -57,11 +57,27 @@ def mechanism_of(name: str, definition: Definition, bodies: Bodies) -> Built:
         mechanism, _ = MECHANISM_KINDS[definition.kind].build(name, definition, (), loads=())
         return Built(mechanism, None)
     rigid, members = on_rigid_hinges(name, definition, bodies)
+    if definition.sides == "one":
+        _require_anchors_behind(rigid)
     if isinstance(definition, HorizontalArch):
         return Built(replace(rigid, direction=definition.towards), scene_of(members, definition.towards))
     jointed = _place_on_joints(rigid, definition, members, bodies, restitution=definition.restitution.choices)
     faces = faces_of(jointed, definition, members, bodies)
     return Built(replace(jointed, faces=faces, direction=definition.towards), scene_of(members, definition.towards))
+
+
+def _require_anchors_behind(mechanism: Mechanism) -> None:
+    """Raise MechanismError for a tie that stretches to an anchor towards which a one-sided mechanism moves.
+
+    It is looked at once the direction is settled: a search may try to turn a wall away from what holds it.
+    """
+    for tie in filter(stretches, mechanism.positive.loads):
+        if tie.anchor is not None and tie.anchor[0] - tie.at[0] > abs(tie.anchor[1] - tie.at[1]):
+            raise MechanismError(
+                f'mechanism "{mechanism.name}": loads[{tie.name.removeprefix("tie ")}].anchor: '
+                f"{tie.anchor[0] - tie.at[0]:.4g} m in front of the wall, which shortens the tie as it overturns, so "
+                "that it never holds; give an anchor behind it"
+            )
 
 
 def on_rigid_hinges(name: str, definition: BlockMechanism, bodies: Bodies) -> MechanismPieces:

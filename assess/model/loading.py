@@ -42,7 +42,6 @@ from assess.loads.load import (
     out_of_plane,
     point_in_plane,
     share_ends,
-    stretches,
     unit_in_plane,
 )
 from assess.mechanisms.chain import point_values
@@ -77,8 +76,6 @@ def loads_of(
         _loads_of_entry(number, load, _at_load(number, blocks), definition, bodies, remainders, find=find)
         for number, load in enumerate(definition.loads, start=1)
     ]
-    if definition.sides == "one":
-        _require_anchors_behind(parts, blocks)
     for place, held in anchorages_of(definition.loads, pieces, where=blocks.where).items():
         anchorage = replace(held, far_wall=_far_wall(place, definition, bodies, where=blocks.where))
         tie = replace(cast(Tie, parts[place].loads[0]), anchorage=anchorage, strength=anchorage.strength)
@@ -139,19 +136,6 @@ def _require_places_of_ties(loads: Sequence[LoadDefinition], pieces: Sequence[Pi
                     f"{blocks.where}: loads[{number}].at: {beside:.3g} m beside the block that it holds, which is "
                     f"{high - low:.4g} m long across the direction; give the place where it holds"
                 )
-
-
-def _require_anchors_behind(parts: Sequence[LoadSet], blocks: MechanismBlocks) -> None:
-    """Raise MechanismError for a tie that stretches to an anchor towards which a one-sided mechanism moves."""
-    for number, part in enumerate(parts, start=1):
-        for tie in part.loads:
-            if stretches(tie) and tie.anchor is not None:
-                ahead, up = tie.anchor[0] - tie.at[0], tie.anchor[1] - tie.at[1]
-                if ahead > abs(up):
-                    raise MechanismError(
-                        f"{blocks.where}: loads[{number}].anchor: {ahead:.4g} m in front of the wall, which shortens "
-                        "the tie as it overturns, so that it never holds; give an anchor behind it"
-                    )
 
 
 def surroundings(load: BodyLoad, blocks: MechanismBlocks, number: int, bodies: Bodies) -> Surroundings:

@@ -211,3 +211,18 @@ def test_an_anchor_in_front_of_a_wall_is_refused(direction: list[float], *, held
         with pytest.raises(AssessError, match="10 m in front of the wall"):
             assess.single_block(wall, direction=direction, sides="one", loads=[tie(0, 5)])
     assess.single_block(wall, direction=direction, sides="two", loads=[tie(0, 5)])
+
+
+def test_a_wall_may_fall_away_from_what_holds_it_where_no_direction_is_given() -> None:
+    """Anchored on the side of +x it falls to +x as if free; against a wall on that of -x it can fall nowhere else."""
+    wall = assess.box(thickness=0.6, length=4.0, height=6.0, density=2000.0, name="front")
+    bar = {**BAR, "length": 9.0, "strength": 1e5}
+    held = assess.TieLoad(at=[-0.3, 0, 5], anchor=[8.7, 0, 5], **bar)
+    free = assess.single_block(wall, loads=[held]).mechanism
+    assert free.negative is not None
+    angles = {each.angle_deg: each.uplift_multiplier for each in free.candidates}
+    assert angles[0.0] == pytest.approx(0.1)
+    assert angles[180.0] == pytest.approx(0.1)
+    behind = assess.box(thickness=4.0, length=0.4, height=6.0, density=2000.0, base=[-2.3, 0, 0], name="cross")
+    with pytest.raises(AssessError, match="9 m in front of the wall"):
+        assess.single_block(wall, loads=[held], around=[behind])

@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from assess.interfaces.contact import Interface
     from assess.interfaces.section import Shape
     from assess.loads.anchorage import Plate
+    from assess.loads.far_wall import SiteAction
     from assess.loads.load import BodyLoad, ForceLoad, MassLoad, OverburdenLoad, TieLoad
     from assess.mechanisms.four_hinge import RadialJoints
     from assess.mechanisms.mechanism import CutAngle, CutPlane
@@ -70,6 +71,7 @@ __all__ = [
     "Run",
     "Shape",
     "SideWalls",
+    "SiteAction",
     "TieLoad",
     "Wedge",
     "answers",
@@ -109,6 +111,7 @@ _HOMES = {
     "assess.interfaces.contact": ("Interface",),
     "assess.interfaces.section": ("Shape",),
     "assess.loads.anchorage": ("Plate",),
+    "assess.loads.far_wall": ("SiteAction",),
     "assess.loads.load": ("BodyLoad", "ForceLoad", "MassLoad", "OverburdenLoad", "TieLoad"),
     "assess.mechanisms.four_hinge": ("RadialJoints",),
     "assess.mechanisms.mechanism": ("CutAngle", "CutPlane"),

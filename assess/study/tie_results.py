@@ -148,8 +148,7 @@ def _steps(tie: Tie, of: Anchorage) -> Iterator[Step]:
     yield from _sliding(of, links.get("sliding"))
     yield _between(of, links["between"], by)
     yield from _far_end(of, links["far end"], by)
-    if of.far_wall is not None:
-        yield from _far_wall(of, of.far_wall)
+    yield from _far_wall(of, of.far_wall)
     stated = of.stated is not None
     at: Given = {"N_typed": (of.stated or 0.0, "N")} if stated else {}
     words = "strength of the anchorage, the least of these and of what is stated"
@@ -173,6 +172,7 @@ def _link_step(symbol: str, description: str, clause: str, formula: str, link: L
 
 NO_LIMIT = "no limit"
 NOT_EXAMINED = "not examined: the project does not give the units"
+NO_MECHANISM = "not examined: no wall is drawn at the anchor, what touches it from within stops it, or there is no site"
 HOLDS_NOTHING = "less than 1 % of what the bar bears: it counts as nothing"
 ARCH = "f_h / (γ_M · FC) · t² · h_s / s"
 CLOSE_BY = "no limit: ties up to 3 m apart, and 1.5 m from the ends of the wall"
@@ -279,20 +279,26 @@ def _far_end(of: Anchorage, link: Link, by: Mapping[str, float]) -> Iterator[Ste
     yield step("N_6", "what holds the far end", OWN, "min(N_b, N_c)", link.strength, "N", given=least)
 
 
-def _far_wall(of: Anchorage, wall: FarWall) -> Iterator[Step]:
-    """Yield the lines of the wall at the far end as a mechanism of its own."""
+def _far_wall(of: Anchorage, wall: FarWall | None) -> Iterator[Step]:
+    """Yield the lines of the wall at the far end as a mechanism of its own; where it is none, that."""
+    turns, formula = (
+        "wall at the far end that turns inwards, by virtual work; its ties share it evenly",
+        "(M_s − α · M_h) / Σh",
+    )
+    if wall is None:
+        yield step("N_7", turns, OWN, formula, None, "N", remark=NO_MECHANISM)
+        return
     given: Given = {"FC": wall.FC, "a_gS": wall.pga, "r_Z": wall.rise}
     words = "peak acceleration over g at the crack of the wall at the far end"
-    formula = "FC · a_gS · (1 + 1.5 · r_Z)"
-    yield step("α", words, OF_RIGID, formula, wall.action, given=given, at={"z": (wall.crack, "m")})
+    yield step(
+        "α", words, OF_RIGID, "FC · a_gS · (1 + 1.5 · r_Z)", wall.action, given=given, at={"z": (wall.crack, "m")}
+    )
     given = {
         "M_s": (wall.stabilising, "N m"),
         "α": wall.action,
         "M_h": (wall.overturning, "N m"),
         "Σh": (wall.levers, "m"),
     }
-    words = "wall at the far end that turns inwards, by virtual work; its ties share it evenly"
     why = "" if of.far_wall_holds else HOLDS_NOTHING
     at: Given = {"l": (wall.length, "m"), "n": float(wall.ties)}
-    formula = "(M_s − α · M_h) / Σh"
-    yield step("N_7", words, OWN, formula, wall.strength, "N", given=given, at=at, remark=why, subject=wall.body)
+    yield step("N_7", turns, OWN, formula, wall.strength, "N", given=given, at=at, remark=why, subject=wall.body)

@@ -171,7 +171,7 @@ def test_what_a_plate_lacks_is_told_and_the_tie_does_not_last(tmp_path: Path) ->
     assert "give plate.nut, plate.far_strength (" in told.text
     assert load.tie is not None
     assert {step.symbol: step.subject for step in load.tie.steps if step.value is None} == {
-        "N_2": "plate.nut", "N_6": "plate.far_strength", "N_8": "plate.course, plate.overlap", "N_a": "",
+        "N_2": "plate.nut", "N_6": "plate.far_strength", "N_7": "", "N_8": "plate.course, plate.overlap", "N_a": "",
     }  # fmt: skip
 
 
@@ -205,3 +205,39 @@ def test_a_plate_of_another_mechanism_on_the_same_wall_shares_its_cone(tmp_path:
     study = projects.study_of(tmp_path, f"{SOURCE}\n{text}")
     found = [load.tie.anchorage_n for each in parameters(study) for load in each.loads if load.tie is not None]
     assert found == [pytest.approx(2.82 / 2 * 0.02e6 / 2.7, rel=2e-3)] * 3
+
+
+def test_a_drawn_far_wall_counts_under_the_action_of_the_site(tmp_path: Path) -> None:
+    """0.6 x 2.4 x 6 m of 1900 kg/m3 at 0.02 x 1.35: W (0.3 - 0.027 x 3) / 3.5 = 10.08 kN, where the plate bears 16.
+
+    A stated far end of 100 kN no longer counts; at 0.1 g the wall turns by itself, and there is no tie.
+    """
+
+    def study_at(a_g: str) -> Study:
+        text = project_toml(
+            site={"limit_state": "SLV", "spectrum": NTC | {"a_g": a_g, "soil": "A", "topography": "T1"}},
+            materials={"m": {"density": 1900}},
+            bodies={
+                "wall": wall(0.6, 6.0, 6.0, material="m"),
+                "rear": wall(0.6, 2.4, 6.0, material="m", base=[-9.7, 0, 0]),
+            },
+            mechanisms={"wall": lines(block(direction=[1, 0, 0], sides="one"), f"loads = [{tie(PLATE)}]")},
+            analysis={"procedures": ["ntc2018-nonlinear"]},
+        )
+        return projects.study_of(tmp_path, f"{SOURCE}\n{text}")
+
+    weight = 0.6 * 2.4 * 6.0 * 1900 * 9.80665
+    held = study_at("0.02 g")
+    load = load_of(held)
+    found = values(load)
+    assert found["α"] == pytest.approx(0.027, rel=1e-9)
+    assert found["N_7"] == found["N_a"] == pytest.approx(weight * (0.3 - 0.027 * 3.0) / 3.5, rel=1e-9)
+    assert load.tie is not None
+    assert str(load.tie.fails) == "the wall at the far end turns inwards"
+    (told,) = [each for each in held.messages if each.key == "far-wall-less"]
+    assert 'the wall "rear" at its far end turns inwards above 0 m' in told.text
+    fallen = study_at("0.1 g")
+    load = load_of(fallen)
+    assert (load.lasting, load.missing) == ("not shown", ("a far wall that holds",))
+    assert values(load)["N_7"] == 0.0
+    assert [each.key for each in fallen.messages if each.key.startswith("far-wall")] == ["far-wall-falls"]

@@ -310,7 +310,7 @@ def _split(
     if height.max() <= 0.0:
         return _NOTHING, Half(whole, _area_in_plane(solid, height, origin=origin, axes=axes, size=size))
     if not _is_closed((solid,)):
-        raise GeometryError(f"{where} cannot be cut, united or set against another; is its surface closed?")
+        raise GeometryError(f"{where} cannot be cut; is its surface closed?")
     return halve(whole, height, origin=origin, axes=axes)
 
 

@@ -7,16 +7,18 @@ film. No vertex is moved and none is merged, so mass properties of the halves ar
 
 from __future__ import annotations
 
+from contextlib import suppress
 from dataclasses import dataclass
 
 import numpy as np
 import shapely
 
 from assess.geometry.boolean import triangulate
-from assess.geometry.surface import Surface, differs_from_previous
+from assess.geometry.surface import Surface, differs_from_previous, drop_degenerate
 from spectra.arrays import BoolArray, FloatArray, IntArray
 
 STRAIGHT = 1e-14  # of the loop's size: corners of a section flatter than this are rounding
+GRID = 1e-10  # of the section's size: to which corners of outlines that cross themselves are rounded
 SAME_AREA = 1e-9  # of the section's area: by which outlines that cross themselves are told
 
 
@@ -131,11 +133,18 @@ def _enclosed(edges: IntArray, places: FloatArray) -> tuple[shapely.Geometry, In
     if not loops:
         return shapely.MultiPolygon(), np.empty((0, 3), dtype=np.int64)
     rings = [places[loop] for loop in loops]
-    triangles = np.concatenate(loops)[triangulate(rings)]
+    triangles = drop_degenerate(np.concatenate(loops)[triangulate(rings)])  # as between loops that touch
     signed = sum(_signed_area(ring) for ring in rings)
-    face = shapely.build_area(shapely.MultiLineString([_closed_line(ring) for ring in rings]))
-    if abs(face.area - signed) > SAME_AREA * abs(signed):  # bodies that pass through themselves
-        face = shapely.union_all(shapely.polygons(places[triangles]))
+    face: shapely.Geometry = shapely.MultiPolygon()
+    with suppress(shapely.GEOSException):  # of lines that cross one another
+        face = shapely.build_area(shapely.MultiLineString([_closed_line(ring) for ring in rings]))
+    if not shapely.is_valid(face) or abs(shapely.area(face) - signed) > SAME_AREA * abs(
+        signed
+    ):  # a body that passes through itself
+        corners = places[triangles]
+        grid = GRID * float(np.ptp(corners, axis=(0, 1)).max())
+        parts = np.asarray(shapely.polygons(corners), dtype=np.object_)
+        face = shapely.union_all(parts[shapely.area(parts) > grid**2], grid_size=grid)
     return face, triangles
 
 

@@ -24,7 +24,7 @@ from numpy.typing import ArrayLike
 
 from assess.declaration import Mark, PlanePoint, Several
 from assess.errors import GeometryError
-from assess.geometry.surface import Surface, simplify, tetrahedra
+from assess.geometry.surface import Surface, simplify, tetrahedra, volume
 from assess.messages.message import Message
 from assess.short_repr import ShortRepr
 from spectra.arrays import FloatArray, IntArray, is_number
@@ -85,6 +85,7 @@ def keep_of_bodies(
 
 
 DRAWN_TRIANGLES = 3_000  # of a body that is drawn
+LEAST_VOLUME = 0.5  # of a simpler surface, of the body's own: a thin plate may close
 
 
 def drawn_surface(solid: Solid) -> Surface:
@@ -97,7 +98,9 @@ def drawn_surface(solid: Solid) -> Surface:
 @keep_of_bodies
 def _simplified(solids: tuple[Solid, ...]) -> Surface:
     (solid,) = solids
-    return simplify(solid.vertices, solid.triangles, limit=DRAWN_TRIANGLES)
+    simpler = simplify(solid.vertices, solid.triangles, limit=DRAWN_TRIANGLES)
+    whole = solid.vertices, solid.triangles
+    return simpler if volume(*simpler) >= LEAST_VOLUME * volume(*whole) else whole
 
 
 Solids = Mapping[str, Solid | None]

@@ -378,3 +378,10 @@ def test_what_is_drawn_follows_a_change_of_shape_and_not_of_density() -> None:
     assert drawn_surface(scale_density(part, 2.0)) == drawn_surface(part)
     wider = scale_along(part, direction=(1.0, 0.0, 0.0), middle=0.0, factor=2.0)
     assert volume(*drawn_surface(wider)) == pytest.approx(2.0 * volume(*drawn_surface(part)), rel=0.02)
+
+
+def test_a_thin_plate_of_a_fine_mesh_is_drawn_with_its_own_surface() -> None:
+    plate = refine_mesh(wall(thickness=0.02), 5)
+    (part,) = cut(plate, level_plane(4.0)).above
+    for each in (plate, part):
+        assert volume(*drawn_surface(each)) == pytest.approx(volume(each.vertices, each.triangles), rel=1e-9)

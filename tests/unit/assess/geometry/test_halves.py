@@ -136,3 +136,34 @@ def test_a_cut_of_a_finer_mesh_is_the_same() -> None:
     for one, other in zip((*coarse.above, *coarse.below), (*fine.above, *fine.below), strict=True):
         assert_same_mass(other, one, rtol=1e-9)  # refined points are rounded to 1e-12 m
     assert fine.region.area == pytest.approx(coarse.region.area, rel=1e-9)
+
+
+def test_planes_through_corners_leave_closed_halves(shipped: list[Solid]) -> None:
+    """Planes through three vertices of a body: sections touch themselves, and triangles are cut through a corner."""
+    rng = np.random.default_rng(1)
+    for solid in shipped[::3]:
+        size, whole = float(np.ptp(solid.vertices, axis=0).max()), volume(solid.vertices, solid.triangles)
+        for _ in range(15):
+            p, q, r = solid.vertices[rng.choice(len(solid.vertices), 3, replace=False)]
+            normal = np.cross(q - p, r - p)
+            if np.linalg.norm(normal) < 1e-6 * size**2:
+                continue
+            normal /= np.linalg.norm(normal)
+            first = np.cross(normal, [1.0, 0.0, 0.0] if abs(normal[0]) < 0.9 else [0.0, 1.0, 0.0])
+            first /= np.linalg.norm(first)
+            height = (solid.vertices - p) @ normal
+            height[np.abs(height) < 1e-12 * size] = 0.0
+            if height.min() >= 0.0 or height.max() <= 0.0:
+                continue
+            axes = np.array([first, np.cross(normal, first), normal])
+            halves = halve((solid.vertices, solid.triangles), height, origin=p, axes=axes)
+            assert all(find_edges(each.surface[1]).closed and each.face.is_valid for each in halves)
+            assert sum(volume(*each.surface) for each in halves) == pytest.approx(whole, rel=1e-12)
+
+
+def test_bodies_that_pass_through_one_another_have_the_section_of_both() -> None:
+    one, other = solid_box((1.0, 1.0, 3.0)), solid_box((3.0, 1.0, 1.0), (0.2, 0.1, 1.0))
+    vertices, triangles = surfaces_of(one, other)
+    upper, _ = halve((vertices, triangles), vertices[:, 2] - 1.4, origin=np.array([0, 0, 1.4]), axes=LEVEL)
+    assert upper.face.area == pytest.approx(3.0 + 1.0 - 0.9, rel=1e-9)
+    assert volume(*upper.surface) == pytest.approx(1.6 + 3.0 * 0.6, rel=1e-12)  # each counts, as in the whole

@@ -46,7 +46,9 @@ TOLERANCE = 1e-10
 FREE_TOLERANCE = 1e-14
 """Error allowed in one step of `free_rocking`: errors of one sign add up; this keeps the energy of an hour to 1e-8."""
 CHUNK_STEPS = 7_000
-"""Record steps given to a thread at a time: few, because the batches of a scan are small."""
+"""Record steps given to a thread at a time, at least: few, because the batches of a scan are small."""
+CHUNKS = 32
+"""Slices of a large batch for each thread."""
 MOST_EVENTS = 100_000
 """Events that `free_rocking` keeps."""
 
@@ -223,7 +225,7 @@ def share_out(work: Callable[[slice], None], jobs: Jobs, motions: Sequence[Recor
         work(slice(0, jobs.scale.size))
         return
     with ThreadPoolExecutor(threads or os.cpu_count() or 1) as pool:
-        list(pool.map(work, _job_slices(jobs, motions)))
+        list(pool.map(work, _job_slices(jobs, motions, threads=threads or os.cpu_count() or 1)))
 
 
 def trace(
@@ -433,10 +435,13 @@ def checked_jobs(jobs: Jobs, *, oscillators: int, motions: int) -> Jobs:
     return checked
 
 
-def _job_slices(jobs: Jobs, motions: Sequence[Record]) -> list[slice]:
-    """Return slices of consecutive jobs of about CHUNK_STEPS record steps."""
-    steps = np.array([motion.npts for motion in motions])[jobs.motion]
-    chunk = np.cumsum(steps) // CHUNK_STEPS
+def _job_slices(jobs: Jobs, motions: Sequence[Record], *, threads: int) -> list[slice]:
+    """Return slices of consecutive jobs of about CHUNK_STEPS record steps; of many jobs CHUNKS for each thread.
+
+    After each slice a thread waits for the interpreter's lock, which another may keep while it builds what comes next.
+    """
+    steps = np.cumsum(np.array([motion.npts for motion in motions], dtype=np.int64)[jobs.motion])
+    chunk = steps // max(CHUNK_STEPS, int(steps[-1:].sum()) // (CHUNKS * threads))
     cuts = [0, *(np.flatnonzero(np.diff(chunk)) + 1).tolist(), jobs.scale.size]
     return [slice(first, last) for first, last in pairwise(cuts) if last > first]
 

@@ -12,6 +12,7 @@ from dataclasses import dataclass, fields, replace
 from functools import partial
 from itertools import pairwise
 from math import hypot, inf
+from typing import TypeVar
 
 import numpy as np
 
@@ -33,6 +34,8 @@ from assess.mechanisms.chain import (
 from assess.oscillator import Branch
 from assess.short_repr import ShortRepr
 from spectra.arrays import FloatArray, IntArray
+
+Found = TypeVar("Found")
 
 NODES = 257  # of a branch table; a block's cubic splines are then exact to 1e-11 of their largest value
 REACH = 1.5  # tables end at this many overturning rotations
@@ -149,8 +152,8 @@ def single_stage(chain: Chain) -> Stages:
 
     A stage begins where such a tie begins to yield, is slack or breaks.
     """
-    bars = [(number, each) for number, each in enumerate(chain.actions) if stretches(each)]
-    ends = {number: _breaking_rotation(chain, tie) for number, tie in bars}
+    broken = _of_ties(chain, partial(_breaking_rotation, chain))
+    ends = {number: end for number, end in broken.items() if stretches(chain.actions[number])}
     found = []
     for start in sorted({0.0, *_kinks(chain), *(end for end in ends.values() if end < inf)}):
         absent = tuple(number for number, end in ends.items() if end <= start)
@@ -160,13 +163,29 @@ def single_stage(chain: Chain) -> Stages:
 
 def _kinks(chain: Chain) -> list[float]:
     """Return the rotations at which the bars of ties begin to pull, to yield, or are slack [rad]."""
-    found: set[float] = set()
-    for tie in chain.actions:
-        if isinstance(tie, Tie) and tie.stiffness is not None:
-            marks = ((1.0, tie.slack), (1.0, tie.elastic_elongation), (-1.0, tie.tension / tie.stiffness))
-            for sign, amount in marks:
-                found.add(rotation_reaching(chain, tie, amount, partial(_signed_elongation, tie, sign)))
+
+    def of_one(tie: Tie) -> list[float]:
+        if tie.stiffness is None:
+            return []
+        marks = ((1.0, tie.slack), (1.0, tie.elastic_elongation), (-1.0, tie.tension / tie.stiffness))
+        return [rotation_reaching(chain, tie, amount, partial(_signed_elongation, tie, sign)) for sign, amount in marks]
+
+    found = {each for kinks in _of_ties(chain, of_one).values() for each in kinks}
     return sorted(each for each in found if 0.0 < each < inf)
+
+
+def _of_ties(chain: Chain, find: Callable[[Tie], Found]) -> dict[int, Found]:
+    """Return what is found of each tie by its number; ties alike in the plane of motion, as along a wall, share it."""
+    known: dict[tuple[object, ...], Found] = {}
+    found = {}
+    for number, tie in enumerate(chain.actions):
+        if isinstance(tie, Tie):
+            place = (tie.block, tie.at, tie.anchor, tie.aside, tie.direction)
+            law = (*place, tie.stiffness, tie.tension, tie.slack, tie.most, tie.elongation)
+            if law not in known:
+                known[law] = find(tie)
+            found[number] = known[law]
+    return found
 
 
 def stage_signature(found: Stages) -> Signature:
@@ -209,9 +228,17 @@ def scan_rotations(chain: Chain) -> FloatArray:
     return np.linspace(0.0, geometric_limit(chain) * (1.0 - FLAT), STATIONS)
 
 
-def end_of(chain: Chain, action: ForceOrTie) -> float:
-    """Return the rotation up to which a force or tie is shown to act [rad]; 0 if nothing is shown, inf if it lasts."""
-    broken = _breaking_rotation(chain, action) if isinstance(action, Tie) else inf
+def ends_of(chain: Chain) -> tuple[float, ...]:
+    """Return the rotations up to which forces and ties are shown to act [rad].
+
+    0 of one of which nothing is shown, inf of one that lasts.
+    """
+    broken = _of_ties(chain, partial(_breaking_rotation, chain))
+    return tuple(_end_of(chain, action, broken.get(number, inf)) for number, action in enumerate(chain.actions))
+
+
+def _end_of(chain: Chain, action: ForceOrTie, broken: float) -> float:
+    """Return the rotation up to which an action is shown to act [rad]; broken: at which it breaks [rad]."""
     if isinstance(action.until, float | int):
         return min(broken, rotation_reaching(chain, action, float(action.until), _displacement))
     return broken if lasts(action) else 0.0

@@ -23,7 +23,7 @@ from assess.mechanisms.branch_table import (
     Signature,
     Stages,
     divide_into_stages,
-    end_of,
+    ends_of,
     rigid_moments,
     single_stage,
     stage_signature,
@@ -318,4 +318,4 @@ def _chain_actions(chain: Chain, *, name: str, end: float) -> ChainActions:
     actions = chain.actions
     flexible = actions and any(chain.joints)
     moments = flexible_moments(chain, name=name) if flexible else rigid_moments(chain, end=end)
-    return ChainActions(chain, moments, tuple(end_of(chain, each) for each in actions))
+    return ChainActions(chain, moments, ends_of(chain))

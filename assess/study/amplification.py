@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from functools import lru_cache
 
 from assess.amplification import (
     ASSUMPTIONS,
@@ -27,7 +28,7 @@ from assess.codes.check import ELASTIC, BuildingState, Reason, reason_message
 from assess.codes.context import is_above_ground
 from assess.codes.question import Missing, missing_input
 from assess.errors import GeometryError, ProjectError
-from assess.geometry.solid import Solids
+from assess.geometry.solid import Solid, Solids
 from assess.loads.load import bodies_of
 from assess.mechanisms.chain import ROUNDING
 from assess.mechanisms.kinds import MECHANISM_KINDS, Definition
@@ -438,9 +439,15 @@ def _rayleigh_mode_of(in_place: MechanismInPlace) -> RayleighMode:
     if abs(foot - ground) > NEAR_GROUND:
         raise _missing_mode(in_place, f"its bodies begin at z = {foot:.4g} m, the ground is at {ground:.4g} m")
     try:
-        return rayleigh_mode(slice_cantilever(solids, moduli, direction=scene.direction.tolist()))
+        return _mode_of_bodies(tuple(solids), tuple(moduli), tuple(scene.direction.tolist()))
     except GeometryError as error:
         raise ProjectError(f"{in_place.where}: {error}") from None
+
+
+@lru_cache(maxsize=64)
+def _mode_of_bodies(solids: tuple[Solid, ...], moduli: tuple[float, ...], direction: tuple[float, ...]) -> RayleighMode:
+    """Return the first mode of bodies, which works on what they carry leave as it is."""
+    return rayleigh_mode(slice_cantilever(solids, moduli, direction=direction))
 
 
 def _missing_mode(in_place: MechanismInPlace, why: str) -> ProjectError:

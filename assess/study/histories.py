@@ -16,7 +16,7 @@ from math import inf, isclose, log
 
 import numpy as np
 
-from assess.amplification import BaseMotion, base_motion
+from assess.amplification import Amplification, BaseMotion, base_motion
 from assess.codes.histories import LOW_SHARE, SuiteResponse, SuiteRule, share_upright
 from assess.codes.procedures import pga_rules, uses_histories
 from assess.codes.toothing import counted_moment, friction_left
@@ -37,6 +37,7 @@ from assess.study.level_peaks import (
     with_restitution_factor,
 )
 from assess.study.study import ScaledRecord, Study
+from records.record import Record
 from spectra.arrays import FloatArray, IntArray
 from spectra.gravity import g
 from spectra.spectrum import Spectrum
@@ -85,10 +86,16 @@ def _with_friction(oscillator: Oscillator, moment: float, toothing: Toothing) ->
     return replace(oscillator, memory=replace(memory, friction=(outwards, *inwards)))
 
 
-def rocking_case(study: Study, mechanism: Mechanism, motions: tuple[ScaledRecord, ...]) -> RockingCase:
-    """Return what the histories of a mechanism are run for."""
+def rocking_case(
+    study: Study,
+    mechanism: Mechanism,
+    motions: tuple[ScaledRecord, ...],
+    *,
+    at_base: Callable[[Amplification, Record], BaseMotion] = base_motion,
+) -> RockingCase:
+    """Return what the histories of a mechanism are run for; at_base: finds a ground motion at its base."""
     name, amplification = mechanism.name, study.amplified[mechanism.name].amplification
-    base = tuple(base_motion(amplification, motion.record) for motion in motions)
+    base = tuple(at_base(amplification, motion.record) for motion in motions)
     first, *others = rocking_oscillators(mechanism, study.equations[name])
     return RockingCase(name, first, study.equations[name], base, mechanism.rebounds, tuple(others))
 

@@ -375,7 +375,7 @@ def retrofit(
     reach: float,
     vary: Mapping[str, str | Sequence[float | str]],
     limit_state: str | None = None,
-    price: Mapping[str, float] = MappingProxyType({}),
+    price: Mapping[str, float | str] = MappingProxyType({}),
     spacing: float | str = 3.0,
     search_records: int | None = None,
     jobs: int = 0,
@@ -393,7 +393,8 @@ def retrofit(
         force), ring_beam (mass, area), roof (factor), base (width); a range is "100..800 mm^2", "100..800 mm^2 by 50"
         or a list of values
     limit_state : in place of that of [verdict]
-    price : by "steel" for each kg, "tie" for each, and varied key for each unit of change; steel counts without any
+    price : by "steel" for each kg, "tie" for each, and varied key for each unit of change, as numbers or like
+        "4 EUR/kg", before those of the file; steel counts without any
     spacing : between anchors, at most [m], or with its unit
     search_records : about how many records are searched on; every second event where None
     jobs : threads, 0 for all cores; the results do not depend on it

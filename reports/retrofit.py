@@ -31,8 +31,8 @@ FILES = ("retrofit.pdf", "retrofit.html", "tables.xlsx")
 METHOD = (
     say(
         "Layouts are searched on one part of the records and proved on the rest, of other earthquakes, each with eight "
-        "twins that differ by less than any instrument resolves. The proof is repeated with area, length, height and "
-        "yield stress of the ties a tenth more and less, in all combinations and each alone."
+        "twins that differ by less than any instrument resolves. Both are repeated with area, length, height and yield "
+        "stress of the ties a tenth more and less, in all combinations and each alone."
     ),
     say(
         "What works reach need not rise with them: soft ties can overturn a wall that stands free, and a thicker bar "
@@ -40,7 +40,9 @@ METHOD = (
     ),
     say(
         "A share of records is taken at the upper end of its one-sided interval of 84 % (Clopper and Pearson 1934): 0 "
-        "of 50 records is 0.036, 1 of 50 is 0.064. A record overturns if it or one of its twins does."
+        "of 50 records is 0.036, 1 of 50 is 0.064. A record overturns if it or one of its twins does. Where n layouts "
+        "may be put to the proof on the same records, each counts at a confidence of 1 - 0.16/n (Bonferroni), so that "
+        "the one that is chosen has its share at 84 %."
     ),
     say(
         "Refused, whatever they reach: pretension above half of what yields the bar, and anchors farther apart than "
@@ -140,7 +142,8 @@ def _amount(results: RetrofitResults, layout: Layout) -> Text:
     steel = quantity(layout.steel, "mass", 3)
     if not results.priced:
         return say("{steel} of steel", steel=steel)
-    return say("cost {cost}, {steel} of steel", cost=quantity(layout.objective, figures=6), steel=steel)
+    cost = Verbatim(f"{layout.objective:.6g} {results.currency}") if results.currency else None
+    return say("cost {cost}, {steel} of steel", cost=cost or quantity(layout.objective, figures=6), steel=steel)
 
 
 def _proof(results: RetrofitResults) -> Iterator[Prose | Table]:
@@ -148,7 +151,7 @@ def _proof(results: RetrofitResults) -> Iterator[Prose | Table]:
     sentence = say_count(
         "{number} layout was put to the proof.", "{number} layouts were put to the proof.", number=results.tried
     )
-    yield Prose((sentence,))
+    yield Prose((sentence,) if results.confidence is None else (sentence, _confidence(results, results.confidence)))
     if results.trials:
         keys = (say("Area"), say("Length"), say("Height"), say("Yield stress"))
         fields: list[Field[Trial]] = [
@@ -163,11 +166,22 @@ def _proof(results: RetrofitResults) -> Iterator[Prose | Table]:
         )
         if results.proof_records:
             fields.append((Column(say("Records that overturn")), lambda trial: trial.proof.reached.overturned))
+        if any(trial.proof.refused for trial in results.trials):
+            fields.append((Column(say("Refused")), lambda trial: trial.proof.refused))
         caption = say(
-            "Layouts put to the proof, by factors on their ties: those with which one first fell short, and all of the "
-            "one that did not"
+            "Layouts that reached the target in the search, by factors on their ties: those with which one first fell "
+            "short, and all of the one that did not"
         )
         yield tabulate("proof", caption, fields, results.trials)
+
+
+def _confidence(results: RetrofitResults, confidence: float) -> Text:
+    return say(
+        "Up to {number} might be: each share counts there at a confidence of {confidence}, and that of the one that is "
+        "chosen at 0.84.",
+        number=count(results.most),
+        confidence=quantity(confidence, figures=4),
+    )
 
 
 def _tried(place: int, trial: Trial) -> Cell:

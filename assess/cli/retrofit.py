@@ -33,8 +33,9 @@ def retrofit(
         list[str] | None,
         typer.Option(
             "--price",
-            metavar="KEY=NUMBER",
-            help="For least cost in place of steel: KEY is steel (a kg), tie (each) or a varied key (a unit); repeat.",
+            metavar="KEY=PRICE",
+            help="For least cost in place of steel: KEY is steel (a kg), tie (each) or a varied key (a unit); 4, or "
+            "'4 EUR/kg'; before those of [analysis.retrofit] prices; repeat.",
         ),
     ] = None,
     spacing: Annotated[
@@ -79,7 +80,7 @@ def retrofit(
             reach=reach,
             vary=_pairs(vary, "--vary"),
             limit_state=limit_state,
-            price={key: _number(text, key) for key, text in _pairs(price or (), "--price").items()},
+            price=_pairs(price or (), "--price"),
             spacing=spacing,
             search_records=search_records,
             jobs=jobs or 0,
@@ -107,10 +108,3 @@ def _pairs(texts: Sequence[str], option: str) -> dict[str, str]:
             raise typer.BadParameter(f'{option} "{key}" twice; give each key once')
         found[key] = value
     return found
-
-
-def _number(text: str, key: str) -> float:
-    try:
-        return float(text)
-    except ValueError:
-        raise typer.BadParameter(f'--price {key}: "{text}" is not a number') from None

@@ -91,7 +91,8 @@ GEOMETRY_TEXTS: Mapping[str, str] = {
     "no-such-body": "I_O / (M R^2) = g / (p^2 R) = {ratio} is less than 1, which no body has; check p and radius",
     "side-walls-where-counted": "the friction of its side walls counts in the multiplier and in a(d) of ntc2018-linear "
     "and ntc2018-nonlinear, and in histories by the exact equation on rigid joints, where the wall opens farther than "
-    "ever before; displacements at collapse and all other procedures leave it out",
+    "ever before; displacements at collapse and all other procedures leave it out, and so do histories on joints that "
+    "deform or by the linearised equation, where that is on the safe side of most records and not of each",
     # joints
     "never-crushes": "interface {interface}: no strength is known, so its joint never crushes; give strength",
     "joint-taken-level": "interface {interface}: no faces meet at its hinge, so its joint is taken level",
@@ -357,12 +358,8 @@ RECORD_TEXTS: Mapping[str, str] = {
     "retrofit-spacing-allowed": "anchors up to {spacing} apart were allowed: check the wall between them",
     "retrofit-direction": "with the works another direction is the weakest: state it and search again",
     "retrofit-others": "these mechanisms, which the works do not change, stay short of the target: {mechanisms}",
-    "retrofit-tie-shared": "{mechanisms} count ties that the works change, and have them as they were: write the same "
-    "ties there, and take the verdict of that project",
     "retrofit-as-typed": "values that help and that no source vouches for count as typed here, and are replaced in a "
     "run of the project with the works: {keys}",
-    "retrofit-tried": "{number} layouts were put to the proof on the same records, which thus chose among them: the "
-    "share of the least is less sure than its interval says",
     "retrofit-unsourced": "the layout reaches the target only with values that no source vouches for; give one for "
     "{keys}",
 }

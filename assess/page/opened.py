@@ -25,6 +25,7 @@ from assess.mechanisms.single_block import SingleBlock
 from assess.model.candidates import Candidate
 from assess.outputs.writing import replace_file
 from assess.project import sections
+from assess.project.bars import with_bars
 from assess.project.build import BuiltProject, build_to_decide, build_with_cases
 from assess.project.found_mechanisms import FoundMechanisms, add_mechanisms, find_mechanisms
 from assess.project.key_errors import KeyPath, key_text, look_up
@@ -279,8 +280,9 @@ class OpenedProject:
 
     def change(self, setting: Setting) -> None:
         """Try other values at some keys; the same keys again take the place of those tried last."""
+        setting = with_bars(setting, self.project.content)
         kept = self.changes[:-1] if self.changes and self.changes[-1].keys() == setting.keys() else self.changes
-        self.changes = (*kept, dict(setting))
+        self.changes = (*kept, setting)
 
     def add_lines(self, missing: Missing, text: str) -> None:
         """Try a line for what is missing.

@@ -13,10 +13,11 @@ from assess.dynamics.packing import Equation
 from assess.geometry.formats.readers import WITHOUT_UNIT
 from assess.geometry.mesh import size_warning
 from assess.geometry.solid import Solid
-from assess.loads.load import TieLoad, share_ends
 from assess.mechanisms.mechanism import Mechanism
 from assess.messages.message import Message, Quantity, locate, note, warning
 from assess.project import sections
+from assess.project.bars import bars_of
+from assess.project.key_errors import key_text
 from assess.project.keys import stated_values
 from assess.project.question import procedures_of
 from assess.project.section import ProjectSection
@@ -167,17 +168,11 @@ OF_A_BAR = (
 
 def _one_bar_twice(content: sections.Content) -> Iterator[Message]:
     """Yield a warning for each tie that two mechanisms have, one bar by its ends, with other numbers in each."""
-    known: list[tuple[str, TieLoad]] = []
-    for name, mechanism in content.mechanisms.items():
-        for number, load in enumerate(getattr(mechanism.plain, "loads", ()), start=1):
-            if not isinstance(load, TieLoad) or load.anchor is None or {len(load.at), len(load.anchor)} != {3}:
-                continue
-            where = f"mechanisms.{name}.loads[{number}]"
-            for earlier, other in known:
-                differing = [key for key in OF_A_BAR if getattr(load, key) != getattr(other, key)]
-                if differing and share_ends(load, other) and not earlier.startswith(f"mechanisms.{name}."):
-                    yield warning("one-bar-twice", where, other=earlier, keys=", ".join(differing))
-            known.append((where, load))
+    for first, *others in bars_of(content):
+        for tie in others:
+            differing = ", ".join(key for key in OF_A_BAR if getattr(tie.load, key) != getattr(first.load, key))
+            if differing:
+                yield warning("one-bar-twice", key_text(tie.path), other=key_text(first.path), keys=differing)
 
 
 def _implausible_numbers(content: sections.Content) -> Iterator[Message]:

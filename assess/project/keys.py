@@ -25,6 +25,7 @@ from assess.declaration import BOUNDS, OfWorks, Safe, Scatters, marks_of
 from assess.errors import Faults, ProjectError, one_of_several
 from assess.loads.load import bodies_of as loading_bodies
 from assess.messages.message import escape_text
+from assess.project.bars import same_bar, with_bars
 from assess.project.key_errors import KeyPath, key_text, look_up, value_text
 from assess.project.section import JUDGED, ProjectSection, UncertainNumber, field_marks
 from assess.project.sections.analysis import SweepSection
@@ -145,8 +146,8 @@ def _sources_without(sources: Mapping[str, str], path: KeyPath) -> dict[str, str
         if f"{key}.".startswith(f"{gone}."):
             continue
         if isinstance(path[-1], int) and key.startswith(before) and place.isdigit() and int(place) > path[-1]:
-            key = f"{before}{int(place) - 1}{dot}{rest}"
-        found[key] = text
+            given = f"{before[:-1]}[{place}]{dot}{rest}"
+        found[given] = text
     return found
 
 
@@ -158,7 +159,7 @@ def value_at(content: Content, path: KeyPath) -> Any:
 def dependents(
     content: Content, path: KeyPath, *, touching: Mapping[str, tuple[str, ...]] | None = None
 ) -> tuple[str, ...]:
-    """Return the mechanisms that the value at `path` changes: those that use the body or material, or all of them.
+    """Return the mechanisms that the value at `path` changes: those that use the body, material or bar, or all of them.
 
     Parameters
     ----------
@@ -169,7 +170,8 @@ def dependents(
     bodies_touching = touching or {}
     table, *names = path
     if table == "mechanisms":
-        return tuple(name for name in content.mechanisms if name == names[0])
+        stating = {names[0], *(other[1] for other in same_bar(tuple(path), content))}
+        return tuple(name for name in content.mechanisms if name in stating)
     used = {name: _bodies_of_mechanism(mechanism, content) for name, mechanism in content.mechanisms.items()}
     if table == "bodies":
         return tuple(
@@ -245,7 +247,7 @@ def read_case(setting: Setting, content: Content, raw: Mapping[str, Any], folder
     except ValidationError as error:
         line = error_line(error, raw=raw)
         if name:
-            ((path, value),) = setting.items()
+            path, value = next(iter(setting.items()))
             line = f"{name}: {line.removeprefix(f'{key_text(path)}: {value_text(value)}: ')}"
         raise ProjectError(line) from None
 
@@ -498,7 +500,7 @@ def _key_sweep(
     variants, units = [], []
     for given in sweep.values or _values_in_range(sweep, where=where):
         name = f"{where}: {sweep.key} = {value_text(given)}"
-        read = read_case({entry.path: given}, content, raw, folder, name=name)
+        read = read_case(with_bars({entry.path: given}, content), content, raw, folder, name=name)
         if not _one_number(value_at(read, entry.path)):
             raise ProjectError(f"{name}: not a number; only numbers can be swept")
         number, unit = _number_and_unit_of(given, where=name)

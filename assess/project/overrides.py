@@ -56,6 +56,8 @@ def replaceables_of(project: Project, solids: Solids, study: Study, *, study_at:
         if not _bears_on(path, methods, content, study):
             continue
         source = content.report.source_of(".".join(map(str, path)))
+        own = path[:2] if path[0] == "mechanisms" else path  # another that states the same bar has values of its own
+        changed = dependents(content, own, touching=touching)
         first = 1 if source else None  # of a range that is all that is tried beside a value with a source
         for each in islice(_substitutes(path, evidence, symbol, content, solids, study, study_at), first):
             found.append(
@@ -68,7 +70,7 @@ def replaceables_of(project: Project, solids: Solids, study: Study, *, study_at:
                     either_way=evidence.helps == "either",
                     of_range=isinstance(evidence.safe, Range),
                     same=SAME_MULTIPLIER if evidence.safe is Safe.WEAKEST else SAME_MARGIN,
-                    mechanisms=dependents(content, path, touching=touching),
+                    mechanisms=changed,
                     place=next(iter(each.setting)),
                     setting=each.setting,
                     study_at=_built_once(partial(study_at, each.setting)),

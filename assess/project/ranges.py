@@ -49,8 +49,8 @@ def values_of(given: Any, kind: QuantityKind, *, where: str, whole: bool = False
             si_value(written_value(number, unit), kind)
     except QuantityError as error:
         raise ProjectError(f"{where}: {value_text(given)}: {error}") from None
-    if whole and any(number < 1 or not float(number).is_integer() for number in numbers):
-        raise ProjectError(f'{where}: {value_text(given)}: a count; write whole numbers from 1, like "2..6"')
+    if whole and any(number < 0 or not float(number).is_integer() for number in numbers):
+        raise ProjectError(f'{where}: {value_text(given)}: a count; write whole numbers from 0, like "2..6"')
     return tuple(dict.fromkeys(numbers)), unit
 
 

@@ -25,8 +25,9 @@ from assess.mechanisms.mechanism import BlockMechanism, Mechanism
 from assess.messages.message import Message, Term, note, warning
 from assess.model.bodies import pieces_of
 from assess.project import sections
+from assess.project.bars import same_bar, with_bars
 from assess.project.key_errors import KeyPath, key_text
-from assess.project.keys import Setting, dependents, read_case, value_at, with_values
+from assess.project.keys import Setting, UncertainValue, dependents, read_case, value_at, with_values
 from assess.project.project_file import Project
 from assess.project.site_and_structure import bodies_of
 from assess.project.units import KINDS
@@ -76,7 +77,7 @@ class Variants:
         content, project = self.project.content, self.project
         at_keys = {path: value for path, value in setting.items() if not isinstance(value, Stretch)}
         if at_keys:
-            content = read_case(at_keys, content, project.raw, project.folder, name=name)
+            content = read_case(with_bars(at_keys, content), content, project.raw, project.folder, name=name)
         cases = self.cases_of(content)
 
         def build(mechanism: str) -> Study:
@@ -244,6 +245,10 @@ def sampling_of(variants: Variants, study: Study) -> Sampling | None:
     directed = variants.with_directions(sampled)
     content = directed.project.content
     touching = {mechanism.name: mechanism.adjacent_bodies for mechanism in study.mechanisms}
+    uncertain: list[UncertainValue] = []
+    for value in project.uncertain:  # of a bar that several mechanisms state, once
+        if {each.path for each in uncertain}.isdisjoint(same_bar(value.path, content)):
+            uncertain.append(value)
     numbers = [
         SampledNumber(
             value.given,
@@ -251,9 +256,9 @@ def sampling_of(variants: Variants, study: Study) -> Sampling | None:
             value.most,
             tuple(name for name in dependents(content, value.path, touching=touching) if name not in swept),
         )
-        for value in project.uncertain
+        for value in uncertain
     ]
-    settings: list[Callable[[float], Setting]] = [partial(_set_at_key, value.path) for value in project.uncertain]
+    settings: list[Callable[[float], Setting]] = [partial(_set_at_key, value.path) for value in uncertain]
     notes = [
         note("uncertainty-left-out", f"mechanisms.{mechanism.name}", why=Term(SWEPT))
         for mechanism in study.mechanisms

@@ -11,19 +11,21 @@ import re
 from collections.abc import Callable, Mapping, Sequence
 from copy import deepcopy
 from dataclasses import dataclass
-from functools import partial
+from functools import cached_property, partial
 from typing import Any
 
 import numpy as np
 
+from assess.declaration import Safe
 from assess.errors import ProjectError
 from assess.geometry.solid import Solid
 from assess.loads.load import LOADS, TieLoad
 from assess.project import sections
+from assess.project.bars import Bar, StatedTie, bars_of, with_bars
 from assess.project.key_errors import KeyPath, key_text, value_text
-from assess.project.keys import dependents, keyed_values, swept_value, value_at, with_value
+from assess.project.keys import dependents, keyed_values, swept_value, value_at, with_value, with_values
 from assess.project.ranges import unit_size, values_of, written_value
-from assess.project.units import KINDS, si_value
+from assess.project.units import KINDS, QuantityKind, si_value
 from assess.results.provenance import count_from_0
 from spectra.arrays import FloatArray, is_number
 
@@ -52,10 +54,15 @@ class Subject:
         """The loads as they were read."""
         return getattr(self.content.mechanisms[self.name], "loads", ())
 
+    @cached_property
+    def bars(self) -> tuple[Bar, ...]:
+        """Its ties, each with the mechanisms that it holds besides."""
+        return tuple(bars_of(self.content, (self.name,)))
+
     @property
-    def ties(self) -> tuple[int, ...]:
-        """The places of its ties among the loads."""
-        return tuple(place for place, load in enumerate(self.loads) if load.kind == "tie")
+    def stated_ties(self) -> tuple[StatedTie, ...]:
+        """Its ties, as it and as other mechanisms state them."""
+        return tuple(tie for bar in self.bars for tie in bar)
 
     @property
     def across(self) -> FloatArray:
@@ -101,14 +108,15 @@ class Work:
 class Axis:
     """One number that works vary.
 
-    key : as it was typed; unit : of the values, "" for none
+    key : as it was typed; unit : of the values, "" for none; kind : what they measure
     values : in that unit, rising as typed; present : that of the file, 0 of a declared work that it lacks
     of_steel : whether it is of ties; priced : whether it takes what their steel does not show
-    mechanisms : that it changes; change : returns tables with a value of it
+    mechanisms : that it changes, with those that its ties hold besides; change : returns tables with a value of it
     """
 
     key: str
     unit: str
+    kind: QuantityKind
     values: tuple[float, ...]
     present: float | None
     of_steel: bool
@@ -134,19 +142,34 @@ def axis_of(key: str, given: str | Sequence[float | str], subjects: Mapping[str,
     where = f"vary {value_text(key)}"
     found = _WORK.fullmatch(key)
     if found and found[1] in content.mechanisms and found[2] in {name for name, _ in WORKS}:
-        return _axis_of_work(key, given, found[1], (found[2], found[3]), subjects, where)
+        return _axis_of_work(key, given, found[1], (found[2], found[3]), subjects, content, where)
     return _axis_of_key(key, given, content, where)
 
 
+def may_vary(key: str, content: sections.Content) -> bool:
+    """Return whether a key is one that works could vary in a project: a declared work, or a key of the file."""
+    found = _WORK.fullmatch(key)
+    if found and found[1] in content.mechanisms and (found[2], found[3]) in WORKS:
+        return True
+    of_kind = _KIND.fullmatch(count_from_0(key))
+    return (of_kind[1] if of_kind else count_from_0(key)) in keyed_values(content)
+
+
 def _axis_of_work(
-    key: str, given: Any, name: str, work: tuple[str, str], subjects: Mapping[str, Subject], where: str
+    key: str,
+    given: Any,
+    name: str,
+    work: tuple[str, str],
+    subjects: Mapping[str, Subject],
+    content: sections.Content,
+    where: str,
 ) -> Axis:
     if work not in WORKS:
         raise ProjectError(f"{where}: no such number of a work; known are {', '.join(map('.'.join, WORKS))}")
     declared, subject = WORKS[work], subjects.get(name)
     if subject is None:
         raise ProjectError(f"{where}: mechanism {value_text(name)} has no bodies with geometry; vary keys of its table")
-    if declared.of_ties and not subject.ties:
+    if declared.of_ties and not subject.bars:
         raise ProjectError(
             f'{where}: no tie in mechanisms.{name}.loads to take as a template; write one, {{ kind = "tie", … }}'
         )
@@ -157,7 +180,9 @@ def _axis_of_work(
         return declared.change(tables, subject, value * factor)
 
     nothing = 1.0 if work == ("roof", "factor") else 0.0
-    return Axis(key, unit, values, nothing, declared.of_ties, (name,), change)
+    stating = {tie.mechanism for tie in subject.stated_ties if declared.of_ties} | {name}
+    changed = tuple(each for each in content.mechanisms if each in stating)
+    return Axis(key, unit, KINDS[declared.kind], values, nothing, declared.of_ties, changed, change)
 
 
 def _axis_of_key(key: str, given: Any, content: sections.Content, where: str) -> Axis:
@@ -171,7 +196,7 @@ def _axis_of_key(key: str, given: Any, content: sections.Content, where: str) ->
         entries = [swept_value(each, by_key, where=where) for each in keys]
     except ProjectError as error:
         raise ProjectError(f"vary {str(error).removeprefix(f'{where}.key: ')}") from None
-    paths, first = [each.path for each in entries], entries[0]
+    first, paths = entries[0], [path for each in entries for path in with_bars({each.path: None}, content)]
     if first.of_works is None:
         raise ProjectError(
             f"{where}: no works change it, as it belongs to what stands or to what shakes it; vary a size, a place or "
@@ -189,31 +214,44 @@ def _axis_of_key(key: str, given: Any, content: sections.Content, where: str) ->
         return tables
 
     of_tie = len(first.path) > 3 and first.path[2] == "loads" and _load_at(content, first.path).kind == "tie"
-    return Axis(key, unit, values, present, of_tie, dependents(content, first.path), change, first.of_works.priced)
+    changed = {name for each in entries for name in dependents(content, each.path)}
+    mechanisms = tuple(name for name in content.mechanisms if name in changed)
+    return Axis(key, unit, kind, values, present, of_tie, mechanisms, change, first.of_works.priced)
 
 
 def _load_at(content: sections.Content, path: KeyPath) -> Any:
     return value_at(content, path[:4])
 
 
-def _loads(tables: Tables, subject: Subject) -> list[Any]:
-    return deepcopy(list(tables["mechanisms"][subject.name].get("loads", [])))
+def _loads(tables: Tables, name: str) -> list[Any]:
+    return deepcopy(list(tables["mechanisms"][name].get("loads", [])))
 
 
-def _with_loads(
-    tables: Tables, subject: Subject, loads: Sequence[Any], copies: Mapping[int, int] | None = None
-) -> Tables:
+def _with_loads(tables: Tables, name: str, loads: Sequence[Any], copies: Mapping[int, int] | None = None) -> Tables:
     """Return tables with other loads of a mechanism; copies: of loads by their places, which have the same sources."""
     mechanisms = tables["mechanisms"]
-    changed = {**tables, "mechanisms": {**mechanisms, subject.name: {**mechanisms[subject.name], "loads": list(loads)}}}
+    changed = {**tables, "mechanisms": {**mechanisms, name: {**mechanisms[name], "loads": list(loads)}}}
     report = tables.get("report", {})
     sources = dict(report.get("sources", {}))
     for copy, place in (copies or {}).items():
-        own = f"mechanisms.{subject.name}.loads.{place}"
+        own = f"mechanisms.{name}.loads.{place}"
         for key, text in [(count_from_0(given), text) for given, text in sources.items()]:
             if key == own or key.startswith(f"{own}."):
-                sources[f"mechanisms.{subject.name}.loads[{copy + 1}]{key.removeprefix(own)}"] = text
+                sources[f"mechanisms.{name}.loads[{copy + 1}]{key.removeprefix(own)}"] = text
     return {**changed, "report": {**report, "sources": sources}} if sources else changed
+
+
+def _with_tie(tables: Tables, tie: StatedTie, change: Callable[[dict[str, Any]], dict[str, Any]]) -> Tables:
+    """Return tables with a change of the table of a tie."""
+    loads = _loads(tables, tie.mechanism)
+    loads[tie.place] = change(loads[tie.place])
+    return _with_loads(tables, tie.mechanism, loads)
+
+
+def _with_copy(tables: Tables, tie: StatedTie, change: Callable[[dict[str, Any]], dict[str, Any]]) -> Tables:
+    """Return tables with a changed copy of a tie behind the loads of its mechanism, with its sources."""
+    loads = _loads(tables, tie.mechanism)
+    return _with_loads(tables, tie.mechanism, [*loads, change(loads[tie.place])], {len(loads): tie.place})
 
 
 FILE_UNITS = {"area": ("mm^2", 1e-6), "force": ("kN", 1e3), "mass": ("kg", 1.0)}
@@ -227,10 +265,9 @@ def _in_file(kind: str, value: float) -> str:
 
 def _set_of_ties(key: str, tables: Tables, subject: Subject, value: float) -> Tables:
     """Set a number of all ties of the file."""
-    loads = _loads(tables, subject)
-    for place in subject.ties:
-        loads[place][key] = _in_file(key, value)
-    return _with_loads(tables, subject, loads)
+    for tie in subject.stated_ties:
+        tables = _with_tie(tables, tie, lambda table: {**table, key: _in_file(key, value)})
+    return tables
 
 
 def at_height(tie: Mapping[str, Any], load: TieLoad, height: float) -> dict[str, Any]:
@@ -246,33 +283,28 @@ def at_height(tie: Mapping[str, Any], load: TieLoad, height: float) -> dict[str,
 
 
 def _raise_ties(tables: Tables, subject: Subject, height: float) -> Tables:
-    loads = _loads(tables, subject)
-    for place in subject.ties:
-        loads[place] = at_height(loads[place], subject.loads[place], height)
-    return _with_loads(tables, subject, loads)
+    for tie in subject.stated_ties:
+        tables = _with_tie(tables, tie, partial(at_height, load=tie.load, height=height))
+    return tables
 
 
 def _spread_ties(tables: Tables, subject: Subject, count: float) -> Tables:
     """Put a number of ties at each level where the file has some, in the middle of equal parts of the wall's length.
 
-    Those of the file are moved there; what they lack of the number are copies of the first.
+    Those of the file are moved there; what they lack of the number are copies of the first, and those beyond it go.
     """
-    loads, number = _loads(tables, subject), round(count)
+    bars, number = {bar[0].place: bar for bar in subject.bars}, round(count)
     middle = float((subject.corners @ subject.across).min()) + subject.length / 2.0
     stations = [middle + subject.length * ((each + 0.5) / number - 0.5) for each in range(number)]
-    copied: dict[int, int] = {}
-    for level in ties_by_level({place: si_value(loads[place]["at"][-1], KINDS["length"]) for place in subject.ties}):
-        if len(level) > number:
-            raise ProjectError(
-                f"mechanisms.{subject.name}.loads: has {len(level)} ties at one level, more than the {number} of a "
-                "layout; write a count from these on, or remove some"
-            )
-        copied |= dict.fromkeys(range(len(loads), len(loads) + number - len(level)), level[0])
-        places = [*level, *range(len(loads), len(loads) + number - len(level))]
-        loads += [deepcopy(loads[level[0]]) for _ in places[len(level) :]]
-        for place, station in zip(places, stations, strict=True):
-            loads[place] = _at_station(loads[place], subject, station)
-    return _with_loads(tables, subject, loads, copied)
+    loads = tables["mechanisms"][subject.name]["loads"]
+    gone: dict[KeyPath, Any] = {}
+    for level in ties_by_level({place: si_value(loads[place]["at"][-1], KINDS["length"]) for place in bars}):
+        gone |= {tie.path: Safe.ABSENT for place in level[number:] for tie in bars[place]}
+        for rank, station in enumerate(stations):
+            put, place = (_with_tie, level[rank]) if rank < len(level) else (_with_copy, level[0])
+            for tie in bars[place]:
+                tables = put(tables, tie, partial(_at_station, subject=subject, station=station))
+    return with_values(tables, gone, subject.content)
 
 
 def ties_by_level(elevations: Mapping[int, float]) -> list[list[int]]:
@@ -317,21 +349,25 @@ def _add_top_mass(tables: Tables, subject: Subject, mass: float) -> Tables:
     top = subject.corners[subject.corners[:, 2] > subject.top - 1e-6]
     at = [*((top.min(axis=0) + top.max(axis=0))[:2] / 2.0).tolist(), subject.top]
     beam = {"kind": "mass", "mass": _in_file("mass", mass), "at": at, "bearing": True}
-    return _with_loads(tables, subject, [*_loads(tables, subject), beam])
+    return _with_loads(tables, subject.name, [*_loads(tables, subject.name), beam])
 
 
 def _add_top_tie(tables: Tables, subject: Subject, area: float) -> Tables:
     """Add the tie that a ring beam gives: one like the first of the file, at the top of the wall."""
     if area == 0.0:
         return tables
-    loads, place = _loads(tables, subject), subject.ties[0]
-    added = at_height(loads[place], subject.loads[place], subject.top) | {"area": _in_file("area", area)}
-    return _with_loads(tables, subject, [*loads, added], {len(loads): place})
+
+    def raised(table: dict[str, Any], load: TieLoad) -> dict[str, Any]:
+        return {**at_height(table, load, subject.top), "area": _in_file("area", area)}
+
+    for tie in subject.bars[0]:
+        tables = _with_copy(tables, tie, partial(raised, load=tie.load))
+    return tables
 
 
 def _lighten_roof(tables: Tables, subject: Subject, factor: float) -> Tables:
     """Multiply the mass of the bodies that are its roof; of the highest point mass where there is none."""
-    loads = _loads(tables, subject)
+    loads = _loads(tables, subject.name)
     roofs = [place for place, load in enumerate(subject.loads) if load.kind == "body" and load.role == "roof"]
     masses = [place for place, load in enumerate(subject.loads) if load.kind == "mass"]
     if not roofs and not masses:
@@ -343,7 +379,7 @@ def _lighten_roof(tables: Tables, subject: Subject, factor: float) -> Tables:
                 f"{key_text(subject.path('loads', place, 'mass'))}: missing; give the mass that is to be lessened"
             )
         loads[place]["mass"] = _in_file("mass", mass * factor)
-    return _with_loads(tables, subject, loads)
+    return _with_loads(tables, subject.name, loads)
 
 
 def _widen_base(tables: Tables, subject: Subject, width: float) -> Tables:
@@ -387,15 +423,15 @@ WORKS: Mapping[tuple[str, str], Work] = {
     ("ties", "area"): Work("area", "section of each tie of the file", partial(_set_of_ties, "area"), of_ties=True),
     ("ties", "force"): Work("force", "pretension of each tie", partial(_set_of_ties, "force"), of_ties=True),
     ("ties", "height"): Work("length", "elevation of all ties, with their anchors", _raise_ties, of_ties=True),
-    ("ties", "count"): Work(
-        "ratio", "ties at each level where the file has some", _spread_ties, of_ties=True, whole=True
-    ),
     ("ring_beam", "mass"): Work("mass", "mass of a beam along the top of the wall", _add_top_mass),
     ("ring_beam", "area"): Work("area", "section of the tie that it gives at the top", _add_top_tie, of_ties=True),
     ("roof", "factor"): Work("ratio", "factor on the mass of the roof", _lighten_roof),
     ("base", "width"): Work("length", "masonry before the foot, twice as high as wide", _widen_base),
+    ("ties", "count"): Work(
+        "ratio", "ties at each level where the file has some", _spread_ties, of_ties=True, whole=True
+    ),
 }
-"""The declared works, in the order in which they are done, after all keys of the file."""
+"""The declared works, in the order in which they are done, after all keys of the file; ties are removed last."""
 
 
 def in_order(axes: Sequence[Axis]) -> list[int]:

@@ -14,6 +14,8 @@ if TYPE_CHECKING:
     from pandas import DataFrame
 
 TargetKind = Literal["index", "ratio", "probability"]
+CONFIDENCE = 0.84
+"""Of the share of records that overturn, which the least layout has."""
 Place = tuple[int, ...]
 """A layout by the number of its value on each axis, from 0."""
 
@@ -88,11 +90,15 @@ class Tolerance:
 
 @dataclass(frozen=True)
 class Proof:
-    """What a layout reaches on records that the search did not see, with one tolerance of its ties."""
+    """What a layout reaches on records that the search did not see, with one tolerance of its ties.
+
+    refused : why it cannot be built with it; None where it can
+    """
 
     tolerance: Tolerance
     reached: Reached
     holds: bool
+    refused: Message | None = None
 
 
 @dataclass(frozen=True)
@@ -122,7 +128,9 @@ class RetrofitResults(ShortRepr):
     layouts : that were examined or refused, in the order of the grid; whole : whether they are the whole grid
     best : the least that is proved; None where none is; nearest : the best of those examined
     proofs : of `best`, else of the last that was tried, up to its failure
-    tried : how many were put to the proof; candidates : how many reached the target in the search
+    priced : whether the least cost counts, not the least steel; currency : of it, "" where none is named
+    tried : how many were put to the proof, of `most` that might be, which each counts for
+    candidates : how many reached the target in the search
     failed : those that fell short, the least first, each with the tolerance that was the first to show it
     search_records, proof_records : their names
     verdict : of the project with the best works: "pass", "fail" or "incomplete"; "" where it was not asked
@@ -138,18 +146,25 @@ class RetrofitResults(ShortRepr):
     pga_g: float | None
     varied: tuple[VariedKey, ...]
     priced: bool
+    currency: str
     layouts: tuple[Layout, ...]
     whole: bool
     best: Layout | None
     nearest: Layout | None
     proofs: tuple[Proof, ...]
     tried: int
+    most: int
     candidates: int
     search_records: tuple[str, ...] = ()
     proof_records: tuple[str, ...] = ()
     verdict: str = ""
     warnings: tuple[Message, ...] = ()
     failed: tuple[Trial, ...] = ()
+
+    @property
+    def confidence(self) -> float | None:
+        """The confidence at which a share counts in the proof, by Bonferroni over `most` layouts; None of no share."""
+        return proof_confidence(self.most) if self.target.kind == "probability" and self.most else None
 
     @property
     def front(self) -> tuple[Layout, ...]:
@@ -185,6 +200,14 @@ class RetrofitResults(ShortRepr):
             "refused": "" if layout.refused is None else layout.refused.text,
             "proof": "falls short" if self.fell_short(layout) else "holds" if layout == self.best else "",
         }
+
+
+def proof_confidence(layouts: int) -> float:
+    """Return the confidence at which each of several layouts counts that may be put to the proof on the same records.
+
+    The one that is chosen then has its share at CONFIDENCE whatever led to it (Bonferroni).
+    """
+    return 1.0 - (1.0 - CONFIDENCE) / layouts
 
 
 def pareto_front(layouts: Sequence[Layout], target: Target) -> tuple[Layout, ...]:

@@ -12,12 +12,14 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import dataclass, replace
+from functools import cache
 from itertools import product
 from math import inf
 from typing import Protocol
 
 import numpy as np
 
+from assess.amplification import Amplification, BaseMotion, base_motion
 from assess.codes.bases import IndexKind
 from assess.codes.procedures import uses_histories
 from assess.dynamics.history import Jobs, make_solver
@@ -25,7 +27,7 @@ from assess.dynamics.packing import Equation
 from assess.errors import AssessError, ProjectError
 from assess.messages.message import message
 from assess.oscillator import Memory, Oscillator, TieLaw
-from assess.results.retrofit import Layout, Place, Proof, Reached, Target, Tolerance, Trial
+from assess.results.retrofit import CONFIDENCE, Layout, Place, Proof, Reached, Target, Tolerance, Trial
 from assess.study import level_peaks
 from assess.study.assessment import building_states, on_building
 from assess.study.histories import rocking_case
@@ -41,9 +43,9 @@ from assess.study.study import Progress, ScaledRecord, Study, no_progress
 from records.record import Record
 from spectra.arrays import FloatArray
 
-CONFIDENCE = 0.84
 TENTH = 0.10
 MOST_TRIES = 50
+MOST_PROOFS = 10  # of a share, on the same records
 TOGETHER = 4  # tolerances that are run in one call
 BATCH = 50  # layouts whose histories are packed together
 
@@ -59,26 +61,51 @@ def tolerances() -> tuple[Tolerance, ...]:
     return (AS_DRAWN, corners[0], corners[-1], *corners[1:-1], *alone)
 
 
+class Design(Protocol):
+    """A layout of works on a project.
+
+    layout : not examined yet, or refused; has_ties : whether tolerances of ties change anything
+    """
+
+    @property
+    def layout(self) -> Layout: ...
+
+    @property
+    def has_ties(self) -> bool: ...
+
+    def study(self, tolerance: Tolerance) -> Study:
+        """Return the study of the mechanisms that the works change."""
+
+
 class Designs(Protocol):
     """Layouts of works on a project.
 
-    sizes : number of values on each axis; has_ties : whether tolerances of ties change anything
+    sizes : number of values on each axis
     """
 
     @property
     def sizes(self) -> tuple[int, ...]: ...
 
-    @property
-    def has_ties(self) -> bool: ...
-
-    def layout(self, place: Place) -> Layout:
-        """Return a layout that is not examined yet, or is refused."""
-
-    def study(self, place: Place, tolerance: Tolerance) -> Study:
-        """Return the study of the mechanisms that the works change."""
+    def design(self, place: Place) -> Design:
+        """Return the layout at a place of the grid."""
 
 
 Measure = Callable[[Sequence[Study]], Sequence[Reached]]
+
+
+@dataclass(frozen=True)
+class Measures:
+    """What measures studies.
+
+    search : on the records of the search
+    proof : on all others, as they are and with twins, for a number of layouts that may be put to the proof; None where
+        the target has no records, and what is found in the search stands
+    most : how many of a number of candidates may be
+    """
+
+    search: Measure
+    proof: Callable[[int], tuple[Measure, Measure]] | None = None
+    most: Callable[[int], int] = lambda candidates: min(candidates, MOST_TRIES)
 
 
 @dataclass(frozen=True)
@@ -88,8 +115,9 @@ class Found:
     layouts : that were examined or refused, in the order of the grid
     best : the least that is proved; None where none is
     nearest : the best of those examined; proofs : of `best`, else of the last that was tried, up to its failure
-    tried : how many were put to the proof; candidates : how many reached the target on the records of the search
-    failed : those that fell short in the proof, each with the tolerance that showed it
+    tried : how many were put to the proof, of `most` that might be
+    candidates : how many reached the target on the records of the search
+    failed : those that fell short, in the proof or with a tolerance before it, each with the tolerance that showed it
     """
 
     layouts: tuple[Layout, ...]
@@ -97,82 +125,110 @@ class Found:
     nearest: Layout | None
     proofs: tuple[Proof, ...]
     tried: int
+    most: int
     candidates: int
     failed: tuple[Trial, ...] = ()
 
 
 def find_least(
-    designs: Designs,
-    target: Target,
-    *,
-    search: Measure,
-    glance: Measure,
-    prove: Measure,
-    progress: Progress = no_progress,
-    full: int = FULL,
+    designs: Designs, target: Target, measures: Measures, *, progress: Progress = no_progress, full: int = FULL
 ) -> Found:
     """Return the least layout that reaches a target and is proved.
+
+    A layout is put to the proof only where it holds with all tolerances on the records of the search, which may choose
+    among layouts as they like; those of the proof choose among few.
 
     Parameters
     ----------
     designs : the layouts
     target : to be reached
-    search : measures studies on the records of the search
-    glance, prove : measure them on all others, as they are and with twins
+    measures : of studies, on the records of the search and of the proof
     progress : called as layouts are examined
     full : layouts up to which the whole grid is examined
     """
 
     def examine(places: Sequence[Place]) -> list[Layout]:
-        return _examined([designs.layout(place) for place in places], designs, search, progress)
+        return _examined(places, designs, measures.search, progress)
 
     known = search_grid(designs.sizes, examine, target, full=full)
     ranked = sorted(known.values(), key=lambda each: merit(each, target))
     candidates = [each for each in ranked if each.reached is not None and target.may_hold(each.reached)]
+    most = measures.most(len(candidates))
+    looks: list[tuple[Measure, Callable[[Reached], bool]]] = [(measures.search, target.may_hold)]
+    if measures.proof is not None:
+        looks += [(measure, target.holds) for measure in measures.proof(most)]
+    order, tried = list(tolerances()), 0
+    best: Layout | None = None
     proofs: tuple[Proof, ...] = ()
     failed: list[Trial] = []
-    order = list(tolerances() if designs.has_ties else (AS_DRAWN,))
-    for tried, layout in enumerate(candidates[:MOST_TRIES], start=1):
-        progress("proof", tried - 1, min(len(candidates), MOST_TRIES))
-        proofs = prove_layout(designs, layout.place, target, order, glance=glance, prove=prove)
-        if all(each.holds for each in proofs):
-            return Found(_in_order(known), layout, layout, proofs, tried, len(candidates), tuple(failed))
+    for place, layout in enumerate(candidates[:MOST_TRIES]):
+        progress("proof", place, min(len(candidates), MOST_TRIES))
+        design = designs.design(layout.place)
+        build = cache(design.study)
+        for number, (measure, holds) in enumerate(looks):
+            tried += number == min(1, len(looks) - 1)
+            proofs = prove(build, order if design.has_ties else [AS_DRAWN], measure, holds)
+            if not proofs[-1].holds:
+                break
+        if proofs[-1].holds:
+            best = layout
+            break
         failed.append(Trial(layout, proofs[-1]))
         order.sort(key=lambda each: each != proofs[-1].tolerance)  # it may well be the one that fails the next
-    nearest = next((each for each in ranked if each.reached is not None), None)
-    return Found(_in_order(known), None, nearest, proofs, len(failed), len(candidates), tuple(failed))
+        if tried == most:
+            break
+    nearest = best or next((each for each in ranked if each.reached is not None), None)
+    every = tolerances()
+    proofs = tuple(sorted(proofs, key=lambda proof: every.index(proof.tolerance)))
+    return Found(_in_order(known), best, nearest, proofs, tried, most, len(candidates), tuple(failed))
 
 
-def prove_layout(
-    designs: Designs, place: Place, target: Target, order: Sequence[Tolerance], *, glance: Measure, prove: Measure
+def prove(
+    build: Callable[[Tolerance], Study], order: Sequence[Tolerance], measure: Measure, holds: Callable[[Reached], bool]
 ) -> tuple[Proof, ...]:
     """Return what a layout reaches with every tolerance, up to the first with which it does not reach the target.
 
     Parameters
     ----------
-    designs, target : as for `find_least`
-    place : of the layout
+    build : returns the study of the layout with a tolerance
     order : the tolerances, those that may fail it first
-    glance, prove : on records that the search did not see, as they are and with twins
+    measure : of studies
+    holds : whether what is reached will do
     """
-    first, *others = (order[at : at + TOGETHER] for at in range(0, len(order), TOGETHER))
-    looks = [(first, prove)]
-    if glance is not prove:
-        looks = [(first, glance), (first, prove), *((group, glance) for group in others)]
     found: list[Proof] = []
-    for group, measure in (*looks, *((group, prove) for group in others)):
-        try:
-            studies = [designs.study(place, each) for each in group]
-        except AssessError:  # with a tolerance it cannot be built
-            return (*found, Proof(group[-1], Reached(None), False))
-        new = [
-            Proof(each, reached, target.holds(reached)) for each, reached in zip(group, measure(studies), strict=True)
-        ]
-        if failed := next((each for each in new if not each.holds), None):
-            return (*found, failed)
-        found = [*found, *new] if measure is prove else found
-    every = tolerances()
-    return tuple(sorted(found, key=lambda proof: every.index(proof.tolerance)))
+    for first in range(0, len(order), TOGETHER):
+        studies: dict[Tolerance, Study] = {}
+        refused: Proof | None = None
+        for each in order[first : first + TOGETHER]:
+            try:
+                studies[each] = build(each)
+            except AssessError as error:
+                why = message("retrofit-not-built", {"error": str(error)})
+                refused = Proof(each, Reached(None), False, why)
+                break
+        for each, reached in zip(studies, measure(list(studies.values())) if studies else (), strict=True):
+            found.append(Proof(each, reached, holds(reached)))
+            if not found[-1].holds:
+                return tuple(found)
+        if refused is not None:
+            return (*found, refused)
+    return tuple(found)
+
+
+def most_proofs(records: int, reach: float, candidates: int) -> int:
+    """Return how many layouts may be put to the proof on the same records.
+
+    Each then counts at a confidence of 1 - 0.16 / n (Bonferroni), so that the one that is chosen has its share at 84 %
+    whatever led to it; with more, not even records of which none overturns could show that share.
+
+    Parameters
+    ----------
+    records : of the proof
+    reach : the share to be shown [-]
+    candidates : that reach the target in the search
+    """
+    shown = (1.0 - CONFIDENCE) / (1.0 - reach) ** records
+    return max(1, int(min(MOST_PROOFS, candidates, shown + 1e-9)))
 
 
 def upper_share(overturned: int, number: int, *, confidence: float = CONFIDENCE) -> float:
@@ -197,7 +253,14 @@ def measure_index(studies: Sequence[Study]) -> list[Reached]:
 
 
 def measure_histories(
-    target: Target, motions: Sequence[ScaledRecord], *, pga: float, site_pga: float, twins: bool, threads: int
+    target: Target,
+    motions: Sequence[ScaledRecord],
+    *,
+    pga: float,
+    site_pga: float,
+    twins: bool,
+    threads: int,
+    confidence: float = CONFIDENCE,
 ) -> Measure:
     """Return what measures studies by histories: the largest ratio, or the upper end of the share that overturns.
 
@@ -208,6 +271,7 @@ def measure_histories(
     pga : of the action [m/s2]; site_pga : that the factors refer to [m/s2]
     twins : whether each record is run with its twins
     threads : 0 for all cores
+    confidence : of the interval of a share [-]
     """
 
     def measure(studies: Sequence[Study]) -> list[Reached]:
@@ -215,7 +279,8 @@ def measure_histories(
         found = []
         for each in ratios.max(axis=2, initial=0.0):
             overturned = int(np.isinf(each).sum())
-            value = upper_share(overturned, each.size) if target.kind == "probability" else float(each.max())
+            share = target.kind == "probability"
+            value = upper_share(overturned, each.size, confidence=confidence) if share else float(each.max())
             found.append(Reached(value, overturned))
         return found
 
@@ -228,7 +293,8 @@ def record_ratios(
     """Return the largest rotation over the one that overturns, inf where it does [studies, records, runs] [-].
 
     Of several mechanisms, states of the building, rebounds, polarities and actions not shown to last the worst counts.
-    The histories of all studies are packed into one call of the solver, by equation.
+    The histories of all studies are packed into one call of the solver, by equation, and a ground motion is carried up
+    the building once for all that stand on it alike.
 
     Parameters
     ----------
@@ -242,8 +308,14 @@ def record_ratios(
     worst = np.zeros((len(studies), len(motions), runs.size))
     scales = share * np.array([motion.scaling.factor for motion in motions])[:, None] * runs
     packs: dict[tuple[Equation, bool], _Pack] = {}
+    known: dict[tuple[Amplification, int], BaseMotion] = {}
+
+    def at_base(amplification: Amplification, record: Record) -> BaseMotion:
+        key = (amplification, id(record))
+        return known.get(key) or known.setdefault(key, base_motion(amplification, record))
+
     for number, study in enumerate(studies):
-        for case in _cases_of(study, motions):
+        for case in _cases_of(study, motions, at_base):
             held = any(each.memory is not None for each in (case.oscillator, *case.others))
             packs.setdefault((case.equation, held), _Pack()).add(number, case)
     for (equation, _), pack in packs.items():
@@ -296,7 +368,9 @@ class _Pack:
         np.maximum.at(worst, study, ratio.reshape(shape))
 
 
-def _cases_of(study: Study, motions: Sequence[ScaledRecord]) -> Iterator[RockingCase]:
+def _cases_of(
+    study: Study, motions: Sequence[ScaledRecord], at_base: Callable[[Amplification, Record], BaseMotion]
+) -> Iterator[RockingCase]:
     """Yield what the histories of each mechanism are run for, in every state of the building."""
     basis = study.question.basis
     methods = () if basis is None else basis.methods
@@ -305,7 +379,7 @@ def _cases_of(study: Study, motions: Sequence[ScaledRecord]) -> Iterator[Rocking
         states = building_states(asked, mechanism.name)
         for state in states:
             there = on_building(asked, mechanism.name, state, among=states)
-            yield rocking_case(there, mechanism, tuple(motions))
+            yield rocking_case(there, mechanism, tuple(motions), at_base=at_base)
 
 
 def _merged(oscillator: Oscillator) -> Oscillator:
@@ -377,32 +451,34 @@ def _index_of(study: Study) -> float | None:
     return min(each.value for each in known) if least else max(each.value for each in known)
 
 
-def _examined(layouts: Sequence[Layout], designs: Designs, measure: Measure, progress: Progress) -> list[Layout]:
+def _examined(places: Sequence[Place], designs: Designs, measure: Measure, progress: Progress) -> list[Layout]:
     """Return layouts with what they reach; one that cannot be built is refused.
 
     Histories of a batch run while the next is built: the solver does not hold the interpreter's lock.
     """
-    found: dict[Place, Layout] = {each.place: each for each in layouts}
+    found: dict[Place, Layout] = {}
     with ThreadPoolExecutor(1) as pool:
         running: list[tuple[list[Place], Future[Sequence[Reached]]]] = []
         try:
-            for first in range(0, len(layouts), BATCH):
-                progress("layouts", first, len(layouts))
+            for first in range(0, len(places), BATCH):
+                progress("layouts", first, len(places))
                 studies: dict[Place, Study] = {}
-                for each in layouts[first : first + BATCH]:
-                    if each.refused is None:
+                for place in places[first : first + BATCH]:
+                    design = designs.design(place)
+                    found[place] = design.layout
+                    if design.layout.refused is None:
                         try:
-                            studies[each.place] = designs.study(each.place, AS_DRAWN)
+                            studies[place] = design.study(AS_DRAWN)
                         except AssessError as error:
                             refused = message("retrofit-not-built", {"error": str(error)})
-                            found[each.place] = replace(each, refused=refused)
+                            found[place] = replace(design.layout, refused=refused)
                 running.append((list(studies), pool.submit(measure, list(studies.values()))))
-            for places, answer in running:
-                for place, reached in zip(places, answer.result(), strict=True):
+            for batch, answer in running:
+                for place, reached in zip(batch, answer.result(), strict=True):
                     found[place] = replace(found[place], reached=reached)
         finally:
             pool.shutdown(cancel_futures=True)
-    return [found[each.place] for each in layouts]
+    return [found[place] for place in places]
 
 
 def _in_order(known: dict[Place, Layout]) -> tuple[Layout, ...]:

@@ -9,7 +9,7 @@ from math import isfinite
 
 from assess.cli.tables import messages_text, text_table
 from assess.messages.message import count_noun, escape_text
-from assess.results.retrofit import Layout, Reached, RetrofitResults, Trial
+from assess.results.retrofit import CONFIDENCE, Layout, Reached, RetrofitResults, Trial
 from reports.render.table_text import csv_lines
 
 MOST_SHOWN, MOST_FAILED = 12, 5
@@ -31,6 +31,11 @@ def retrofit_text(results: RetrofitResults) -> str:
         f"{sum(each.refused is not None for each in results.layouts)} refused, {results.candidates} reach it; "
         f"{results.tried} put to the proof{f' on {len(results.proof_records)} others' * bool(results.proof_records)}",
     ]
+    if results.confidence is not None:
+        lines.append(
+            f"in the proof a share counts at a confidence of {results.confidence:.4g}, so that of up to "
+            f"{count_noun(results.most, 'layout')} on the same records the one that is chosen has it at {CONFIDENCE:g}"
+        )
     refused = Counter(each.refused.key for each in results.layouts if each.refused is not None)
     for key, number in refused.items():
         first = next(each.refused for each in results.layouts if each.refused is not None and each.refused.key == key)
@@ -48,9 +53,11 @@ def retrofit_text(results: RetrofitResults) -> str:
     text = "".join(f"{line}\n" for line in lines)
     if results.best is None and results.failed:
         shown_of = f" (the first {MOST_FAILED} of {len(results.failed)})" * (len(results.failed) > MOST_FAILED)
-        text += f"fell short in the proof, with these factors on their ties{shown_of}:\n" + text_table(
+        text += f"fell short, with these factors on their ties{shown_of}:\n" + text_table(
             *_failed_rows(results, results.failed[:MOST_FAILED])
         )
+        refusals = dict.fromkeys(str(each.proof.refused) for each in results.failed if each.proof.refused)
+        text += "".join(f"  {escape_text(why)}\n" for why in list(refusals)[:MOST_FAILED])
     if results.front:
         text += "layouts for which none that takes less reaches as much (Pareto front):\n" + text_table(
             *_rows(results, results.front[:MOST_SHOWN])
@@ -80,7 +87,10 @@ def retrofit_json(results: RetrofitResults) -> str:
         "proved": best is not None,
         "best": best,
         "verdict": results.verdict,
+        "currency": results.currency,
         "tried": results.tried,
+        "most": results.most,
+        "confidence": results.confidence,
         "candidates": results.candidates,
         "search_records": results.search_records,
         "proof_records": results.proof_records,
@@ -91,7 +101,8 @@ def retrofit_json(results: RetrofitResults) -> str:
 
 def _rows(results: RetrofitResults, layouts: Sequence[Layout]) -> tuple[list[str], list[list[str]]]:
     keys = [f"{each.key} [{each.unit}]" if each.unit else each.key for each in results.varied]
-    header = ["cost" if results.priced else "steel [kg]", results.target.kind, *keys, "proof"]
+    cost = f"cost [{results.currency}]" if results.currency else "cost"
+    header = [cost if results.priced else "steel [kg]", results.target.kind, *keys, "proof"]
     proof = ["falls short" if results.fell_short(each) else "holds" * (each == results.best) for each in layouts]
     return header, [
         [f"{each.objective:.5g}", _reached(each.reached), *(f"{value:.6g}" for value in each.values), said]
@@ -106,7 +117,7 @@ def _failed_rows(results: RetrofitResults, failed: Sequence[Trial]) -> tuple[lis
         [
             *row[:-1],
             *(f"{getattr(each.proof.tolerance, name):g}" for name in names),
-            _reached(each.proof.reached),
+            "cannot be built" if each.proof.refused else _reached(each.proof.reached),
             str(each.proof.reached.overturned),
         ]
         for row, each in zip(rows, failed, strict=True)
@@ -114,7 +125,8 @@ def _failed_rows(results: RetrofitResults, failed: Sequence[Trial]) -> tuple[lis
 
 
 def _amount(results: RetrofitResults, layout: Layout) -> str:
-    return f"{f'cost {layout.objective:.6g}, ' * results.priced}{layout.steel:.4g} kg of steel"
+    cost = f"cost {layout.objective:.6g} {results.currency}".rstrip()
+    return f"{f'{cost}, ' * results.priced}{layout.steel:.4g} kg of steel"
 
 
 def _reached(reached: Reached | None) -> str:

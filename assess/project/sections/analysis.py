@@ -497,6 +497,21 @@ class PlaceSection(ProjectSection):
     """degrees north, like 42.35"""
 
 
+WrittenPrice = Annotated[
+    int | float | str, number_or_text('write a price, such as 4 or "4 EUR/kg"'), WRITTEN_QUANTITY_SCHEMA
+]
+
+
+class Retrofit(ProjectSection):
+    """What `assess retrofit` reckons with."""
+
+    evidence = FREE
+
+    prices: dict[StrictStr, WrittenPrice] = Field(default_factory=dict)
+    """for the least cost in place of the least steel: of "steel" for each kg, of a "tie" with its plates, of a varied
+    key for each unit of change: numbers, or texts like "4 EUR/kg"; those of `--price` stand before them"""
+
+
 TARGET = Evidence("chosen", "up", "absent: the rate is compared with nothing", judged="a larger rate is met sooner")
 
 
@@ -559,6 +574,8 @@ class Analysis(ProjectSection):
     """a table [analysis.fragility] for `assess fragility`: { measures, states, method, samples, seed, … }"""
     risk: Risk | None = None
     """a table [analysis.risk] for `assess fragility`: the hazard of the site, { hazard | curve, site, target }"""
+    retrofit: Retrofit | None = None
+    """{ prices } for `assess retrofit`"""
     uncertainty: Uncertainty | None = None
     """{ samples, seed, thickness }: how the answers spread when the numbers given as { mean, cov } vary together"""
 

@@ -47,7 +47,7 @@ def test_exit_codes(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     for extra, said in (
         (("--vary", "area"), "write KEY=VALUE"),
         (("--vary", f"{COUNT}=5"), "twice"),
-        (("--price", "steel=much"), "is not a number"),
+        (("--price", "steel=much"), "write a price from 0, such as 4"),
     ):
         code, line = ended_with(capsys, "retrofit", path, *ASKED, *extra)
         assert code == 2

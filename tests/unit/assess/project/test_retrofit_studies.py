@@ -30,7 +30,7 @@ OTHERS = (
 
 @needs_real_records
 def test_a_facade_under_67_records_is_proved_on_those_that_the_search_did_not_see(tmp_path: Path) -> None:
-    """What suffices under the records of the search falls short under others: the proof takes more steel."""
+    """What suffices under the records of the search falls short with tolerances or others: the proof takes more."""
     files = [*sorted(row["file"] for row in index_rows() if row["format"] == "PEER AT2"), *OTHERS]
     named = json.dumps([str(REAL_RECORDS / file) for file in files])
     (tmp_path / "project.toml").write_text(FACADE.replace('["records/*.csv"]', named), encoding="utf-8")
@@ -39,9 +39,10 @@ def test_a_facade_under_67_records_is_proved_on_those_that_the_search_did_not_se
     assert len(found.search_records) + len(found.proof_records) == 67
     assert abs(len(found.search_records) - 33) <= 1
     assert found.best is not None
-    assert found.tried > 1
+    assert found.failed
+    assert found.most == 5  # 0.16 / 0.9^34: so many could show it with no record that overturns
     assert len(found.proofs) == 25
-    assert all(each.reached.overturned <= 1 for each in found.proofs)
+    assert all(each.reached.overturned == 0 for each in found.proofs)
     least = min(each.steel for each in found.layouts if each.reached and found.target.may_hold(each.reached))
     assert found.best.steel > least
 
@@ -66,9 +67,10 @@ def test_on_the_church_three_starts_find_what_the_whole_grid_has(tmp_path: Path)
     designs = _designs(build_with_cases(load(path)), RetrofitQuestion("index", 1.0, vary, spacing=4.0))
     target, least = Target("index", 1.0, rising=True), float("inf")
     for place in product(*map(range, designs.sizes)):
-        layout = designs.layout(place)
+        design = designs.design(place)
+        layout = design.layout
         if layout.refused is None and layout.objective < least:
-            (reached,) = measure_index([designs.study(place, AS_DRAWN)])
+            (reached,) = measure_index([design.study(AS_DRAWN)])
             least = layout.objective if target.holds(reached) else least
     searched = min(each.objective for each in found.layouts if each.reached and target.holds(each.reached))
     assert least <= searched <= 1.01 * least

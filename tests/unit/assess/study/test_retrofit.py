@@ -3,16 +3,26 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
+from functools import partial
 from itertools import product
+from typing import Any
 
 import numpy as np
 import pytest
 from scipy.stats import binom
 
 from assess.errors import ProjectError
-from assess.results.retrofit import Layout, Place, Reached, Target, pareto_front
-from assess.study.retrofit import split_by_event, tolerances, upper_share
+from assess.results.retrofit import Layout, Place, Reached, Target, Tolerance, pareto_front, proof_confidence
+from assess.study.retrofit import (
+    MOST_PROOFS,
+    Measures,
+    find_least,
+    most_proofs,
+    split_by_event,
+    tolerances,
+    upper_share,
+)
 from assess.study.retrofit_search import search_grid
 from assess.study.study import ScaledRecord
 from tests.support.motions import noise
@@ -30,6 +40,73 @@ def test_at_the_upper_end_so_few_are_as_rare_as_the_confidence_says(overturned: 
     share = upper_share(overturned, 34)
     assert binom.cdf(overturned, 34, share) == pytest.approx(1.0 - 0.84, rel=1e-9)
     assert upper_share(34, 34) == 1.0
+
+
+@dataclass(frozen=True)
+class Drawn:
+    """A layout without ties that is its own study, and whose records overturn as they were drawn."""
+
+    layout: Layout
+    has_ties: bool = False
+
+    def study(self, tolerance: Tolerance) -> Any:
+        return self.layout
+
+
+class DrawnDesigns:
+    """Layouts on one axis, the least first."""
+
+    def __init__(self, number: int) -> None:
+        self.sizes = (number,)
+
+    def design(self, place: Place) -> Drawn:
+        return Drawn(Layout(place, (float(place[0]),), float(place[0]), float(place[0])))
+
+
+@pytest.mark.parametrize(("records", "reach", "most"), [(25, 0.1, 2), (34, 0.1, 5), (50, 0.05, 2), (60, 0.2, 10)])
+@pytest.mark.parametrize("alike", [0.0, 0.5])
+def test_the_share_of_the_layout_that_is_chosen_holds_at_84_in_100(
+    records: int, reach: float, most: int, alike: float
+) -> None:
+    """Of twelve layouts that all exceed the share by a hair, one is chosen in 16 of 100 searches at most.
+
+    alike : of the records, whose outcome all layouts share. Counted each at 84 %, they are chosen far more often.
+    """
+    rng, target, runs = np.random.default_rng(7), Target("probability", reach, rising=False), 2000
+    assert most_proofs(records, reach, 12) == most
+    chosen = {True: 0, False: 0}
+    for _ in range(runs):
+        drawn = rng.random((12, records))
+        drawn[:, : round(alike * records)] = drawn[0, : round(alike * records)]
+        overturned = (drawn < reach * 1.0001).sum(axis=1)
+        for rule in chosen:
+
+            def measured(layouts: Sequence[Any], confidence: float) -> list[Reached]:
+                found = [int(overturned[each.place[0]]) for each in layouts]  # noqa: B023
+                return [Reached(upper_share(n, records, confidence=confidence), n) for n in found]
+
+            def proof(layouts: int) -> Any:
+                return (partial(measured, confidence=proof_confidence(layouts if rule else 1)),) * 2  # noqa: B023
+
+            measures = Measures(
+                lambda layouts: [Reached(0.0) for _ in layouts],
+                proof,
+                partial(most_proofs, records, reach) if rule else lambda candidates: candidates,
+            )
+            chosen[rule] += find_least(DrawnDesigns(12), target, measures).best is not None
+    bound = 0.16 + 3.0 * np.sqrt(0.16 * 0.84 / runs)
+    assert chosen[True] / runs <= bound
+    assert chosen[False] / runs > bound
+
+
+def test_of_as_many_layouts_as_may_be_proved_none_needs_a_record_that_overturns() -> None:
+    """With one more, not even no record that overturns could show the share, by 1 - a^(1/n)."""
+    for records, reach in ((25, 0.1), (34, 0.1), (50, 0.05), (13, 0.2)):
+        most = most_proofs(records, reach, 1000)
+        assert 1.0 - (0.16 / most) ** (1.0 / records) <= reach
+        assert most == MOST_PROOFS or 1.0 - (0.16 / (most + 1)) ** (1.0 / records) > reach
+    assert most_proofs(1000, 0.1, 3) == 3
+    assert most_proofs(1000, 0.1, 0) == 1
 
 
 def examine(places: Sequence[Place]) -> list[Layout]:

@@ -180,7 +180,7 @@ def _measures(target: Target, motions: _GroundMotions, *, jobs: int) -> Measures
     search = measured(motions.seen, twins=False)
     if target.kind != "probability":
         return Measures(search, lambda _: proof(1))
-    return Measures(search, proof, partial(most_proofs, len(motions.rest), target.reach))
+    return Measures(search, proof, partial(most_proofs, len(motions.rest), target.reach), spread=True)
 
 
 def _results(

@@ -101,11 +101,14 @@ class Measures:
     proof : on all others, as they are and with twins, for a number of layouts that may be put to the proof; None where
         the target has no records, and what is found in the search stands
     most : how many of a number of candidates may be
+    spread : whether these are taken from as many parts of the candidates, the least of each: few that are alike would
+        fall short under the same records
     """
 
     search: Measure
     proof: Callable[[int], tuple[Measure, Measure]] | None = None
     most: Callable[[int], int] = lambda candidates: min(candidates, MOST_TRIES)
+    spread: bool = False
 
 
 @dataclass(frozen=True)
@@ -161,12 +164,19 @@ def find_least(
     best: Layout | None = None
     proofs: tuple[Proof, ...] = ()
     failed: list[Trial] = []
-    for place, layout in enumerate(candidates[:MOST_TRIES]):
-        progress("proof", place, min(len(candidates), MOST_TRIES))
+    parts_done = 0
+    for place, layout in enumerate(candidates):
+        part = place * most // len(candidates)
+        if measures.spread and part < parts_done:
+            continue
+        if len(failed) == MOST_TRIES:
+            break
+        progress("proof", len(failed), min(len(candidates), MOST_TRIES))
         design = designs.design(layout.place)
         build = cache(design.study)
         for number, (measure, holds) in enumerate(looks):
-            tried += number == min(1, len(looks) - 1)
+            if number == min(1, len(looks) - 1):
+                tried, parts_done = tried + 1, part + 1
             proofs = prove(build, order if design.has_ties else [AS_DRAWN], measure, holds)
             if not proofs[-1].holds:
                 break

@@ -92,6 +92,7 @@ def test_the_share_of_the_layout_that_is_chosen_holds_at_84_in_100(
                 lambda layouts: [Reached(0.0) for _ in layouts],
                 proof,
                 partial(most_proofs, records, reach) if rule else lambda candidates: candidates,
+                spread=True,
             )
             chosen[rule] += find_least(DrawnDesigns(12), target, measures).best is not None
     bound = 0.16 + 3.0 * np.sqrt(0.16 * 0.84 / runs)

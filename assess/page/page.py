@@ -6,6 +6,7 @@ What is picked and tried is one state for every browser that is open, so that a 
 from __future__ import annotations
 
 import threading
+import time
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager, suppress
 from functools import partial
@@ -21,16 +22,19 @@ from assess.model.candidates import Candidate
 from assess.page import words
 from assess.page.jobs import Newest, ProjectRun
 from assess.page.movement import Movement
-from assess.page.opened import Number, OpenedProject, ShownMechanism
 from assess.page.scene import Drawing
 from assess.page.server import PageServer
-from assess.results import MechanismResult
+from assess.project.edited import Number
+from assess.project.opened import OpenedProject
+from assess.project.trials import ShownMechanism
+from assess.study import curves
 from records.errors import RecordError
 from spectra.errors import SpectrumError
 
 STEEPEST = 80.0  # deg
 MOST_NUMBERS = 16
 RANGE = (0.5, 1.5)  # of the value in the file
+ONE_STEP = 0.8  # s: a value that is set again so soon is still being slid or typed
 FILES = (("report.pdf", "report"), ("report.html", "report as a page"), ("results.json", "results"))
 
 
@@ -44,8 +48,12 @@ class Page:
         self._run: ProjectRun | None = None
         self._of_numbers: list[Any] = []
         self._of_missing: list[Any] = []
-        self.picked: str | Candidate = opened.rank()[0] if opened.rank() else ""
+        self._order = opened.rank()
+        self._is_sorted = self._is_picked_by_hand = False
+        self.picked: str | Candidate = next(iter(self._order), "")
         self._options: dict[str, str | Candidate] = {}
+        self._last_moved: tuple[object, float] = (None, 0.0)
+        self._done = ""
         self.drawing = Drawing(server.viser, moved=self._dragged)
         self._lay_out()
         self._show_project()
@@ -77,15 +85,13 @@ class Page:
         gui.configure_theme(control_width="large", show_logo=False, show_share_button=False)
         gui.main_panel.dock_right()
         self.status = gui.add_html(words.status("reading"))
+        self.fault = gui.add_html("")
         self.building = gui.add_html("")
         self.mechanisms = gui.add_dropdown("Mechanism", ("-",), hint="The worst first.")
         self.facts = gui.add_html("")
-        empty = np.zeros(2)
-        line = {"label": "restoring moment [kN m]", "stroke": "#0072b2", "width": 2}
-        self.curve = gui.add_uplot(
-            (empty, empty), ({"label": "rotation [rad]"}, line), title="Capacity curve", aspect=1.8,
-            scales={"x": {"time": False}},
-        )  # fmt: skip
+        self.shown_curve = gui.add_dropdown("Curve", (curves.CAPACITY, curves.PGA, curves.ENVELOPE))
+        empty = curves.capacity(None)
+        self.curve = gui.add_uplot(empty.data, empty.series, aspect=1.8, scales={"x": {"time": False}})
         self.movement = Movement(
             gui, self.drawing, find=lambda: opened.motion(self.picked) if isinstance(self.picked, str) else None
         )
@@ -101,26 +107,30 @@ class Page:
                 0.0,
                 hint="Where positive, the crack falls towards the direction.",
             )
+            self.weakest = gui.add_button("Find the weakest crack", hint="Tries elevations and angles.")
         with gui.add_folder("Values", expand_by_default=False) as self.numbers:
             pass
         with gui.add_folder("To complete it", expand_by_default=False) as self.missing:
             pass
         with gui.add_folder("Project file"):
-            for label, what in (
-                ("Undo", opened.undo), ("Write", opened.write),
-                ("Add what was found", opened.add_found), ("Read again", self._read_again),
-            ):  # fmt: skip
-                gui.add_button(label).on_click(partial(self._change_file, what))
+            self.undo, self.write, self.add, again = (
+                gui.add_button(label) for label in ("Undo", "Write", "Add what was found", "Read again")
+            )
             self.run = gui.add_button("Run")
             self.cancel = gui.add_button("Cancel", disabled=True)
             self.links = gui.add_html("")
         with gui.add_folder("Drawing", expand_by_default=False):
             labels = gui.add_checkbox("Names of parts", True)
-        self.mechanisms.on_update(
-            lambda event: self._if_by_hand(event, lambda: self.pick(self._options[self.mechanisms.value]))
-        )
+        for button, what in (
+            (self.undo, opened.edited.undo), (self.write, opened.write),
+            (self.add, opened.add_found), (again, opened.read),
+        ):  # fmt: skip
+            button.on_click(partial(self._change_file, what))
+        self.mechanisms.on_update(lambda event: self._if_by_hand(event, self._pick_by_hand))
         for each in (self.elevation, self.angle):
-            each.on_update(lambda event: self._if_by_hand(event, self._typed_crack))
+            each.on_update(lambda event: self._if_by_hand(event, partial(self._typed_crack, event.target)))
+        self.weakest.on_click(lambda _: self._thorough.ask(self._find_weakest))
+        self.shown_curve.on_update(lambda event: self._if_by_hand(event, lambda: self._ask(True)))
         labels.on_update(lambda _: self.drawing.label_parts(labels.value))
         self.run.on_click(lambda _: self._start_run())
         self.cancel.on_click(lambda _: None if self._run is None else self._run.cancel())
@@ -128,14 +138,22 @@ class Page:
     def _if_by_hand(self, event: Any, what: Callable[[], None]) -> None:
         """Do something where a browser, and not the page itself, has set a value."""
         if event.client_id is not None:
-            with self._told():
+            with self._told(by_hand=True):
                 what()
 
-    def _told(self) -> _Told:
-        return _Told(self.status)
+    def _told(self, *, by_hand: bool = False) -> _Told:
+        """Say what is wrong in the block; what was wrong before is left until something is done by hand."""
+        if by_hand:
+            self.fault.content = self._done = ""
+        return _Told(self.status, self.fault)
+
+    def _pick_by_hand(self) -> None:
+        self._is_picked_by_hand = True
+        self.pick(self._options[self.mechanisms.value])
 
     def _show_project(self) -> None:
         with self._turn:
+            self._order, self._is_sorted = self.opened.rank(), False
             self.drawing.draw_building(self.opened.parts())
             self._list_mechanisms()
             self._show_picked()
@@ -145,27 +163,41 @@ class Page:
         self._thorough.ask(self._catch_up)
 
     def _catch_up(self) -> None:
-        """Find what is not known yet: parts and mechanisms, the outcome, and that of what is tried."""
+        """Find what is not known yet: parts and mechanisms, and the outcome with what is tried."""
         opened = self.opened
-        with self._told():
-            if not opened.is_searched:
+        if not opened.is_searched:
+            with self._told():
                 opened.find_others()
-                with self._turn:
-                    self.drawing.draw_building(opened.parts())
-                    self._list_mechanisms()
-            if opened.verdict is None and opened.study.spectrum is not None:
+            with self._turn:
+                self.drawing.draw_building(opened.parts())
+                self._list_mechanisms()
+        if opened.has_site and not opened.is_decided:
+            self._say("finding what a run decides")
+            revision = opened.edited.revision
+            with self._told():
                 opened.find_outcome()
-                with self._turn:
-                    self._list_mechanisms()
-                    self._list_missing()
-            self._recompute(histories=opened.by_histories and opened.study.spectrum is not None)
+            if opened.edited.revision != revision:
+                return  # what is tried now has been asked
+            with self._turn:
+                self._sort_once()
+                self._list_mechanisms()
+                self._list_missing()
+        with self._told():
+            self._recompute(at_rest=True)
+
+    def _sort_once(self) -> None:
+        """Put the worst first once the outcome of a project is known, and pick it unless another was picked by hand."""
+        if self._is_sorted or not self.opened.is_decided:
+            return
+        self._order, self._is_sorted = self.opened.rank(), True
+        if not self._is_picked_by_hand and not self.opened.edited.changes and self._order:
+            self.picked = self._order[0]
+            self._list_mechanisms()
+            self._show_picked()
 
     def _list_mechanisms(self) -> None:
-        opened, ranked = self.opened, self.opened.rank()
-        options: dict[str, str | Candidate] = {
-            words.option(number, name, opened, opened.outline(name)): name
-            for number, name in enumerate(ranked, start=1)
-        }
+        opened = self.opened
+        options: dict[str, str | Candidate] = {words.option(name, opened): name for name in self._order}
         options |= {words.option_found(each): each for each in opened.proposed}
         names = [each if isinstance(each, str) else each.name for each in options.values()]
         self._options = options or {"no mechanism": ""}
@@ -178,69 +210,123 @@ class Page:
     def _show_picked(self) -> None:
         opened, picked = self.opened, self.picked
         self._list_numbers()
+        self._show_state()
+        cut = opened.cut_of(picked) if isinstance(picked, str) and picked else None
+        for each in (self.elevation, self.angle, self.weakest):
+            each.disabled = cut is None
         if isinstance(picked, Candidate):
             parts = [each.name for each in opened.parts()]
             self.drawing.place_plane(None, None)
             self.drawing.mark_parts(place for place, name in enumerate(parts) if name in picked.parts)
             self.facts.content = words.candidate(picked)
-            self.elevation.disabled = self.angle.disabled = True
             return
         self.drawing.mark_parts(())
         if not picked:
             return
         self._recompute()
-        cut = opened.cut_of(picked)
         self.drawing.place_plane(cut, opened.outline(picked).result)
-        for each in (self.elevation, self.angle):
-            each.disabled = cut is None
         if cut is not None:
             self._show_crack(cut.point[2], cut.angle)
+        if self.shown_curve.value == curves.ENVELOPE:
+            self._thorough.ask(self._catch_up)
+
+    def _show_state(self) -> None:
+        """Show the building's verdict, of what it is, and which buttons have something to do."""
+        edited = self.opened.edited
+        self.building.content = words.building(self.opened)
+        self.undo.disabled, self.write.disabled = not edited.can_undo, not edited.changes
+        self.add.disabled = not self.opened.proposed
 
     def _show_crack(self, elevation: float, angle: float) -> None:
         self.elevation.value = round(elevation, 3)
         self.angle.value = float(np.clip(degrees(angle), -STEEPEST, STEEPEST))
 
-    def _recompute(self, *, histories: bool = False) -> None:
-        """Show the mechanism that is picked with what is tried; with histories if nothing else was tried meanwhile."""
+    def _recompute(self, *, at_rest: bool = False) -> None:
+        """Show the mechanism that is picked with what is tried, unless something else was tried meanwhile."""
         picked, asked = self.picked, self._state()
         if not isinstance(picked, str) or not picked:
+            with self._turn:
+                self._show_state()
             return
-        shown = self.opened.examine(picked, histories=histories)
+        shown = self.opened.examine(picked)
+        curve = self._curve(shown, at_rest=at_rest)
         with self._turn:
             if self._state() == asked:
-                self._show(shown)
+                self._show(shown, curve)
+
+    def _curve(self, shown: ShownMechanism, *, at_rest: bool) -> curves.Curve | None:
+        """Return the curve that is asked for; None where that which is shown stays until the mechanism rests."""
+        if self.shown_curve.value == curves.CAPACITY or shown.result is None:
+            return curves.capacity(shown.result)
+        if self.shown_curve.value == curves.PGA:
+            return curves.pga(shown.checks)
+        return curves.envelope(self.opened.envelope(shown.name)) if at_rest else None
 
     def _state(self) -> tuple[object, ...]:
         """Return what an answer is of: it is shown only as long as that is the same."""
-        return self.picked, self.opened.changes, id(self.opened.project)
+        return self.picked, self.opened.edited.revision
 
-    def _show(self, shown: ShownMechanism) -> None:
-        opened = self.opened
-        outcome = "fail" if shown.fault else shown.verdict.outcome.value if shown.verdict else "not known"
+    def _show(self, shown: ShownMechanism, curve: curves.Curve | None) -> None:
+        known = shown.verdict is not None and not (shown.as_typed and shown.verdict.outcome.value == "pass")
+        outcome = "fail" if shown.fault else shown.verdict.outcome.value if known and shown.verdict else "not known"
         with self.server.viser.atomic():
             self.drawing.draw_mechanism(shown, outcome=outcome)
             self.movement.show(shown.mechanism, shown.result, self._state())
-            self.facts.content = words.mechanism(opened, shown)
-            self.building.content = words.building(
-                opened.verdict, has_site=opened.study.spectrum is not None, changed=len(opened.changes)
-            )
-            if shown.result is not None:
-                self.curve.data = _curve(shown.result)
-        self.status.content = words.status(shown.fault or "ready")
+            self.facts.content = words.mechanism(self.opened, shown)
+            self._show_state()
+            if curve is not None:
+                self.curve.series, self.curve.data = curve.series, curve.data
+        waits = self.opened.has_site and not self.opened.is_decided and not shown.fault
+        self._say("finding what a run decides" if waits else "ready")
+
+    def _say(self, text: str) -> None:
+        """Say what the page is doing, after what was done by hand last."""
+        self.status.content = words.status("; ".join(filter(None, (self._done, text))))
+
+    def _goes_on(self, moved: object) -> bool:
+        """Return whether what is moved now was moved just before: it is then one step of undo."""
+        (last, then), now = self._last_moved, time.monotonic()
+        self._last_moved = moved, now
+        return last is moved and now - then < ONE_STEP
 
     def _dragged(self, point: Sequence[float], angle: float, released: bool) -> None:
         if isinstance(self.picked, str):
-            self.opened.move_cut(self.picked, point, angle)
+            self.fault.content = self._done = ""
+            goes_on = self._last_moved[0] is self.drawing
+            self._last_moved = (None if released else self.drawing), time.monotonic()
+            self.opened.move_cut(self.picked, point, angle, goes_on=goes_on)
             self._show_crack(point[2], angle)
             self._ask(released)
 
-    def _typed_crack(self) -> None:
+    def _typed_crack(self, field: Any) -> None:
+        """Try the elevation or the angle that was typed, and leave the other as it is."""
         cut = self.opened.cut_of(self.picked) if isinstance(self.picked, str) else None
         if cut is not None and isinstance(self.picked, str):
-            angle = radians(self.angle.value)
-            self.opened.move_cut(self.picked, (*cut.point[:2], self.elevation.value), angle)
-            self.drawing.move_plane((*cut.point[:2], self.elevation.value), angle)
+            x, y, z = cut.point
+            point = (x, y, self.elevation.value if field is self.elevation else z)
+            angle = radians(self.angle.value) if field is self.angle else cut.angle
+            self.opened.move_cut(self.picked, point, angle, goes_on=self._goes_on(field))
+            self.drawing.move_plane(point, angle)
             self._ask(True)
+
+    def _find_weakest(self) -> None:
+        """Find the weakest crack of the mechanism that is picked, and try it."""
+        picked, asked = self.picked, self._state()
+        if not isinstance(picked, str):
+            return
+        with self._told(by_hand=True):
+            found = self.opened.find_weakest_crack(picked, self._tell_search)
+            with self._turn:
+                if self._state() != asked:
+                    return
+                self._last_moved = (None, 0.0)
+                self.opened.move_cut(picked, found.cut.point, found.cut.angle)
+                self._show_picked()
+            self._done = words.weakest(found)
+            self._catch_up()
+
+    def _tell_search(self, tried: int) -> None:
+        self.status.content = words.status(f"looking for the weakest crack: {tried} tried")
 
     def _ask(self, rests: bool) -> None:
         """Show what is tried, and where it rests find the outcome too."""
@@ -270,7 +356,8 @@ class Page:
 
     def _moved_number(self, number: Number, handle: Any, event: Any) -> None:
         def change() -> None:
-            self.opened.change({number.path: number.file_value(handle.value)})
+            value = number.file_value(handle.value)
+            self.opened.edited.change({number.path: value}, goes_on=self._goes_on(handle))
             self._ask(True)
 
         self._if_by_hand(event, change)
@@ -280,39 +367,38 @@ class Page:
         found = () if self.opened.verdict is None else self.opened.verdict.missing
         with self.missing:
             for each in found:
-                self._of_missing.append(self._gui.add_html(words.status(f"{each.key}: {each.text}")))
+                self._of_missing.append(self._gui.add_html(words.missing(each)))
                 if each.toml:
                     field = self._gui.add_text("TOML", each.toml, multiline="\n" in each.toml)
+                    source = self._gui.add_text("Source", "", hint="Who vouches for it: survey, test, drawing, …")
                     button = self._gui.add_button("Try it")
-                    button.on_click(partial(self._add_lines, each, field))
-                    self._of_missing += [field, button]
+                    button.on_click(partial(self._add_lines, each, field, source))
+                    self._of_missing += [field, source, button]
 
-    def _add_lines(self, missing: Missing, field: Any, _: Any) -> None:
-        with self._told():
-            self.opened.add_lines(missing, field.value)
+    def _add_lines(self, missing: Missing, field: Any, source: Any, _: Any) -> None:
+        with self._told(by_hand=True):
+            self._last_moved = (None, 0.0)
+            self.opened.edited.add_lines(missing, field.value, source=source.value.strip())
             self._ask(True)
 
     def _change_file(self, what: Callable[[], str], _: Any) -> None:
-        with self._told() as told, self._turn:
-            before = self.opened.project
-            said = what()
-            if self.opened.project is not before:
+        with self._told(by_hand=True), self._turn:
+            self._last_moved = (None, 0.0)
+            self._done = what()
+            if self.opened.edited.project is not self.opened.built_of:
+                self.opened.refresh()
+            if self.opened.decision is None:
                 self._show_project()
-                self.start()
             else:
                 self._show_picked()
-            told.content = said
-
-    def _read_again(self) -> str:
-        self.opened.read()
-        return "read again"
+            self.start()
 
     def _start_run(self) -> None:
-        with self._told():
-            if self.opened.changes:
+        with self._told(by_hand=True):
+            if self.opened.edited.changes:
                 raise AssessError("values are tried that are not written: write them, or undo, and run then")
             self.run.disabled, self.cancel.disabled = True, False
-            self._run = ProjectRun(self.opened.project.path, tell=self._tell_run, done=self._end_run)
+            self._run = ProjectRun(self.opened.edited.project.path, tell=self._tell_run, done=self._end_run)
 
     def _tell_run(self, line: str) -> None:
         self.status.content = words.status(f"run: {line}")
@@ -322,6 +408,7 @@ class Page:
         self.run.disabled, self.cancel.disabled = False, True
         self.status.content = words.status(f"run: {fault or 'done'}")
         if fault:
+            self.fault.content = words.fault(f"run: {fault}")
             return
         found = [(name, text) for name, text in FILES if (self._run.folder / name).is_file()]
         self.server.files.update({f"/{name}": self._run.folder / name for name, _ in found})
@@ -358,16 +445,17 @@ def open_page(project: Path, *, port: int = 0, tell: Callable[[str], object] = l
 class _Told:
     """Says on the page what is wrong in the block, in place of a traceback."""
 
-    def __init__(self, status: Any) -> None:
-        self._status, self.content = status, ""
+    def __init__(self, status: Any, fault: Any) -> None:
+        self._status, self._fault = status, fault
 
     def __enter__(self) -> _Told:
         return self
 
     def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, _: object) -> bool:
         told = isinstance(error, AssessError | SpectrumError | RecordError | OSError)
-        if told or (error is None and self.content):
-            self._status.content = words.status(str(error) if told else self.content)
+        if told:
+            self._fault.content = words.fault(str(error))
+            self._status.content = words.status("stopped, as follows")
         return told
 
 
@@ -376,12 +464,3 @@ def _remove(handles: list[Any]) -> None:
         with suppress(KeyError):
             each.remove()
     handles.clear()
-
-
-def _curve(result: MechanismResult) -> tuple[np.ndarray, np.ndarray]:
-    """Return rotation [rad] and restoring moment [kN m] of both branches, the negative one mirrored back."""
-    curves = [(1.0, result.curve.positive)] + ([] if result.curve.negative is None else [(-1.0, result.curve.negative)])
-    rotation = np.concatenate([sign * np.array(each.rotation_rad) for sign, each in reversed(curves)])
-    moment = np.concatenate([sign * np.array(each.restoring_n_m) / 1e3 for sign, each in reversed(curves)])
-    order = np.argsort(rotation, kind="stable")
-    return rotation[order], moment[order]

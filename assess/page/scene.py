@@ -11,7 +11,8 @@ import numpy as np
 
 from assess.geometry.surface import parallel_sections, simplify
 from assess.mechanisms.mechanism import CutAngle
-from assess.page.opened import ShownMechanism, ShownPart
+from assess.project.opened import ShownPart
+from assess.project.trials import ShownMechanism
 from assess.results import DrawnLoad, MechanismResult, NamedPoint, View
 from assess.study.rocking_motion import BlockPlace
 from spectra.arrays import FloatArray

@@ -6,48 +6,82 @@ from collections.abc import Iterable, Sequence
 from html import escape
 
 from assess.codes.check import Check
+from assess.codes.question import Missing
 from assess.codes.verdict import (
+    Decision,
     MechanismVerdict,
-    Verdict,
+    State,
     action_text,
+    building_index_text,
     index_of,
+    least_index,
     margin_of,
     named_index_text,
     number_text,
     outcome_text,
+    target_text,
 )
 from assess.model.candidates import Candidate
-from assess.page.opened import OpenedProject, ShownMechanism, deciding_checks
+from assess.model.weakest_crack import WeakestCrack
+from assess.project.evidence import meaning_of
+from assess.project.opened import OpenedProject
+from assess.project.trials import ShownMechanism, deciding_checks
 from assess.results import OscillatorResult
+from reports.chapters.key_plan import not_examined_text
+from reports.chapters.verdict import PageList, headline, page_lists
+from reports.language.locale import Locale
 
 FIGURES = 4
 WAITING = "not known yet"
+STYLE = "margin:0.3em 0.9em;font-size:0.85em;overflow-wrap:anywhere"
+CELL = "padding:0.1em 0.5em 0.1em 0;text-align:left;vertical-align:top;overflow-wrap:normal"
+WARNS = "border-left:0.3em solid #d55e00;padding-left:0.5em"
 
 
 def status(text: str) -> str:
-    """Return a line on what the page is doing, or what was wrong."""
+    """Return a line on what the page is doing."""
     return f'<p role="status" aria-live="polite" style="{STYLE}">{escape(text)}</p>'
 
 
-def building(found: Verdict | None, *, has_site: bool, changed: int) -> str:
-    """Return the verdict of the building as the file has it, and how many values are tried beside."""
-    if found is None:
-        said = "being examined" if has_site else "no [site]: multipliers alone"
-    else:
-        near = outcome_text(found.outcome, near=found.at_the_limit)
-        said = f"<b>{escape(near.upper())}</b> at {escape(action_text(found.action))}, by {escape(found.basis)}"
-        if found.other_state is not None and found.state != "as-typed":
-            said += "; values without a source are replaced"
-    tried = f"<br>{changed} value{'s' * (changed != 1)} tried, not written" if changed else ""
-    return f'<p style="{STYLE}">Building: {said}{tried}</p>'
+def fault(text: str) -> str:
+    """Return a line on what was wrong, which stays until something else is done; nothing where nothing was."""
+    return f'<p role="alert" style="{STYLE};{WARNS}"><b>{escape(text)}</b></p>' if text else ""
 
 
-def option(number: int, name: str, opened: OpenedProject, shown: ShownMechanism) -> str:
-    """Return the entry of a mechanism in the list."""
+def building(opened: OpenedProject) -> str:
+    """Return the verdict of the building and of what: conditions, replaced values, and what is not examined."""
+    tried = len(opened.edited.changes)
+    values = f"{tried} value{'s' * (tried != 1)} tried, not written"
+    if opened.decision is None:
+        said = "being examined" if opened.has_site else "no [site]: multipliers alone"
+        return f'<p style="{STYLE}">Building: {said}{f"<br>{values}" if tried else ""}</p>' + _found(opened)
+    found, results = opened.decision.verdict, opened.decision.results
+    of = f"with what is tried: {values}" if tried else "as in the file"
+    if not opened.is_decided:
+        of = f"as decided before the last change; it is being examined with what is tried now: {values}"
+    near = outcome_text(found.outcome, near=found.at_the_limit).upper()
+    index = building_index_text(found)
+    lines = [
+        f"Building: <b>{escape(near)}</b> ({escape(of)})",
+        escape(f"at {action_text(found.action)}, by {found.basis or 'no basis'}"),
+        escape(f"index {index}, target {target_text(found) or 'not known'}; local mechanisms only") if index else "",
+        escape(Locale().text(headline(found))),
+    ]
+    unexamined = not_examined_text(results)
+    lists = "".join(_list(each, is_open=place == 0) for place, each in enumerate(page_lists(results, found)))
+    left_out = "" if unexamined is None else _warning(f"Possible, not examined: {Locale().text(unexamined)}")
+    return f'<p style="{STYLE}">{"<br>".join(filter(None, lines))}</p>' + left_out + _found(opened) + lists
+
+
+def option(name: str, opened: OpenedProject) -> str:
+    """Return the entry of a mechanism in the list, with its number in the report."""
+    shown, mechanisms = opened.outline(name), opened.built_of.content.mechanisms
     least = "" if shown.result is None else multiplier(shown.result.oscillator)
-    outcome = shown.verdict.outcome.value if shown.verdict else "falls at rest" if shown.fault else ""
-    label = opened.project.content.mechanisms[name].label or name
-    return " · ".join(each for each in (f"{number}. {label}", least, outcome) if each)
+    verdict = shown.verdict
+    outcome = verdict.outcome.value if verdict else "falls at rest" if shown.fault else ""
+    index = "" if verdict is None else named_index_text(least_index(verdict))
+    title = f"M{list(mechanisms).index(name) + 1} {mechanisms[name].label or name}"
+    return " · ".join(each for each in (title, least, outcome, index) if each)
 
 
 def option_found(each: Candidate) -> str:
@@ -81,7 +115,25 @@ def mechanism(opened: OpenedProject, shown: ShownMechanism) -> str:
         ("overturning rotation [rad]", number_text(found.overturning_rad, FIGURES)),
         ("restitution [-]", number_text(found.restitution, FIGURES)),
     ]
-    return _table(("", ""), rows) + _methods(opened, shown) + _verdict(shown.verdict)
+    fault = f"<br><b>{escape(shown.fault)}</b>" if shown.fault else ""
+    said = f'<p style="{STYLE}">{escape(_of_what(opened, shown))}{fault}</p>'
+    return said + _table(("", ""), rows) + _methods(opened, shown) + _verdict(shown)
+
+
+def missing(each: Missing) -> str:
+    """Return what is missing for a verdict, with why and the sentence of the manual on it."""
+    meaning = meaning_of(each.key)
+    manual = f"<br><i>{escape(meaning)}</i>" if meaning else ""
+    return f'<p style="{STYLE}"><b>{escape(each.key)}</b>: {escape(each.text)}{manual}</p>'
+
+
+def weakest(found: WeakestCrack) -> str:
+    """Return what is said of the weakest crack."""
+    ends = f"; it is at an end of what is looked at ({', '.join(found.ends)}): a weaker one may lie beyond"
+    return (
+        f"weakest crack: multiplier {number_text(found.multiplier, FIGURES)}, "
+        f"{100.0 * found.share:.3g} % of the mass moves{ends if found.ends else ''}"
+    )
 
 
 def links(paths: Iterable[tuple[str, str]]) -> str:
@@ -90,14 +142,40 @@ def links(paths: Iterable[tuple[str, str]]) -> str:
     return f'<p style="{STYLE}">{made}</p>'
 
 
-STYLE = "margin:0.3em 0.9em;font-size:0.85em;overflow-wrap:anywhere"
-CELL = "padding:0.1em 0.5em 0.1em 0;text-align:left;vertical-align:top;overflow-wrap:normal"
+def _found(opened: OpenedProject) -> str:
+    """Return a warning of mechanisms that were found and are not in the file; nothing where there are none."""
+    proposed = opened.proposed
+    known = [each.multiplier for each in proposed if each.multiplier is not None]
+    if not proposed:
+        return ""
+    results = [opened.outline(name).result for name in opened.built_of.content.mechanisms]
+    own = [each.oscillator.uplift_multiplier for each in results if each is not None]
+    stronger = sum(each is not None and each > min(known) for each in own) if known else 0
+    least = f"; the weakest has a multiplier of {number_text(min(known), FIGURES)}" if known else ""
+    below = f", less than {stronger} of the {len(own)} of the file" if stronger else ""
+    count = f"{len(proposed)} mechanism{'s' * (len(proposed) != 1)} found on the bodies and not in the file"
+    return _warning(f"{count}: no part of this verdict{least}{below}")
+
+
+def _of_what(opened: OpenedProject, shown: ShownMechanism) -> str:
+    """Return of which values the numbers of a mechanism are."""
+    if shown.as_typed or opened.decision is None:
+        more = ": what a run decides by follows when it rests" if opened.has_site else ""
+        return f"With the values as typed{more}."
+    decided = opened.decision.decided.of.get(shown.name)
+    case = None if decided is None else decided.case
+    said = "As a run decides" + ("" if case is None else f", in the controlling case of {case.name}")
+    if opened.decision.verdict.state != State.REPLACED:
+        return f"{said}."
+    lines = (f"{each.key}: {each.instead} for {each.value}" for each in opened.decision.verdict.overrides)
+    return f"{said}, with values in place of those without a source: {'; '.join(lines) or 'see above'}."
 
 
 def _methods(opened: OpenedProject, shown: ShownMechanism) -> str:
     checks = deciding_checks(shown.checks, opened.study)
     absent = [each for each in opened.methods if not any(check.procedure == each for check in checks)]
-    rows = [_method(opened, each) for each in checks] + [(each, "", "when it rests", "", "", "") for each in absent]
+    rest = "when it rests" if shown.as_typed else "not answered"
+    rows = [_method(opened, each) for each in checks] + [(each, "", rest, "", "", "") for each in absent]
     return _table(("method", "state", "outcome", "D/C", "index", "holds"), rows) if rows else ""
 
 
@@ -114,12 +192,40 @@ def _method(opened: OpenedProject, check: Check) -> tuple[str, ...]:
     )
 
 
-def _verdict(found: MechanismVerdict | None) -> str:
-    if found is None:
+def _verdict(shown: ShownMechanism) -> str:
+    found = shown.verdict
+    if found is None or (shown.as_typed and found.outcome == Decision.PASS):
         return f'<p style="{STYLE}">Verdict: {WAITING}</p>'
     margin = "" if found.margin is None else f", holds {number_text(found.margin)} x the action"
-    why = "".join(f"<br>{escape(each.reason.text)}" for each in found.answers if each.outcome.value != "pass")
-    return f'<p style="{STYLE}">Verdict: <b>{escape(found.outcome.value.upper())}</b>{escape(margin)}{why}</p>'
+    of = " with the values as typed" if shown.as_typed else ""
+    number = len(found.conditions)
+    held = f", on {number} condition{'s' * (number != 1)}" if number else ""
+    lines = "".join(f"<br>{escape(line)}" for line in _reasons(found))
+    outcome = escape(found.outcome.value.upper())
+    return f'<p style="{STYLE}">Verdict{of}: <b>{outcome}</b>{escape(margin)}{held}{lines}</p>'
+
+
+def _reasons(found: MechanismVerdict) -> list[str]:
+    """Return why answers do not pass, and on what the pass depends."""
+    why = [each.reason.text for each in found.answers if each.outcome != Decision.PASS]
+    return [*why, *(f"on condition: {each.text}" for each in found.conditions)]
+
+
+def _warning(text: str) -> str:
+    return f'<p style="{STYLE};{WARNS}">{escape(text)}</p>'
+
+
+def _list(found: PageList, *, is_open: bool) -> str:
+    """Return a list of page 1 of the report, which opens under its title."""
+    if not found.points:
+        return ""
+    points = "".join(f"<li>{escape(Locale().text(each))}</li>" for each in found.points)
+    title = escape(Locale().text(found.title))
+    opening = " open" if is_open else ""
+    return (
+        f'<details{opening} style="{STYLE}"><summary>{title} {len(found.points)}</summary>'
+        f'<ul style="margin:0;padding-left:1.2em">{points}</ul></details>'
+    )
 
 
 def _table(head: Sequence[str], rows: Iterable[Sequence[str]]) -> str:

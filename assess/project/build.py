@@ -267,12 +267,16 @@ class BuiltProject:
 
     study : what its verdict depends on; solids : its bodies by name, None without geometry
     study_at : builds the study of mechanisms by their names, of other content of the project
+    bodies_at : returns the bodies by name, of other content of the project
+    study_to_decide : builds what `build_to_decide` does, of a project that differs in a few values
     """
 
     project: Project
     study: Study
     solids: Mapping[str, Solid | None]
     study_at: Callable[[sections.Content, tuple[str, ...]], Study]
+    bodies_at: Callable[[sections.Content], Bodies]
+    study_to_decide: Callable[[Project], Study]
 
 
 def build_with_cases(project: Project) -> BuiltProject:
@@ -284,6 +288,7 @@ def build_with_cases(project: Project) -> BuiltProject:
     ------
     AssessError, SpectrumError or RecordError : as `build`
     """
+    content = project.content
     with locate_errors(str(project.path)):
         study, files, _ = _deciding_study(project)
         refuse_changes(files.states)
@@ -294,7 +299,15 @@ def build_with_cases(project: Project) -> BuiltProject:
         known = _files_of_case(content, directed, files)
         return _study_of_mechanisms(content, known, names=names, built_by=mechanism_as_given)
 
-    return BuiltProject(directed, study, files.solids, study_at)
+    def bodies_at(content: sections.Content) -> Bodies:
+        return bodies_of(content, _files_of_case(content, directed, files).solids)
+
+    def study_to_decide(tried: Project) -> Study:
+        same = all(getattr(tried.content, key) == getattr(content, key) for key in ("site", "verdict", "building"))
+        with locate_errors(str(project.path)):  # the state before the works depends on what is asked of the site
+            return _study_to_decide(tried, known=Known(content, files) if same else None)
+
+    return BuiltProject(directed, study, files.solids, study_at, bodies_at, study_to_decide)
 
 
 def levels_of(given: tuple[float, ...] | None, spectrum: Spectrum | None) -> tuple[float, ...]:

@@ -74,6 +74,23 @@ def every_key() -> tuple[Key, ...]:
     return (*_keys_of("", {"": Content}), *_keys_of("KEY", {"": UncertainNumber}))
 
 
+def meaning_of(key: str) -> str:
+    """Return the sentence of the manual on a key of a project, as on `site.limit_state`; empty where there is none."""
+    tables: list[Table] = [Content]
+    text, steps = "", iter(key.split("."))
+    for step in steps:
+        name = step.partition("[")[0]
+        holding = [table for table in tables if name in table.table_keys()]
+        if not holding:
+            break
+        text = next((said for table in holding if (said := table.meanings().get(name))), "")
+        places = [place for table in holding for place in places_below("", table.table_keys()[name].annotation)]
+        if any(path.startswith(".NAME") for path, _, _ in places):
+            next(steps, None)
+        tables = [table for _, _, table in places if table is not None]
+    return text
+
+
 def places_below(path: str, annotation: Any, form: str = "") -> Iterator[Place]:
     """Yield what a key may hold: each table, and each value that is none, with its place and form.
 

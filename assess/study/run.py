@@ -18,12 +18,13 @@ from assess.codes.check import BuildingState, Check
 from assess.codes.context import Context
 from assess.codes.procedures import pga_rules, uses_histories
 from assess.codes.question import Question, methods_of
-from assess.codes.verdict import Verdict
+from assess.codes.verdict import State, Verdict
 from assess.errors import AssessError
 from assess.mechanisms.mechanism import Mechanism
 from assess.messages.message import Message, locate, note, warning
 from assess.results import SCHEMA_VERSION, Control, MechanismResult, Results, SensitivityResult, SweepResult
 from assess.results.provenance import describe_program, stamp
+from assess.results.run import FallingMechanism
 from assess.short_repr import ShortRepr
 from assess.study.amplification import MechanismAmplification
 from assess.study.assessment import assess_mechanisms, building_states, check_mechanism, on_building, rules_of_histories
@@ -49,7 +50,7 @@ from assess.study.histories import (
 )
 from assess.study.history_controls import convergence_control, energy_control, governing_history
 from assess.study.level_peaks import RockingCase, Solved
-from assess.study.mechanism_results import comparison_rows
+from assess.study.mechanism_results import comparison_rows, parameters
 from assess.study.states import (
     Overrides,
     decides,
@@ -64,6 +65,7 @@ from assess.study.study import (
     Progress,
     ScaledRecord,
     Study,
+    SweepCase,
     may_follow_motion,
     needs_motions,
     no_progress,
@@ -115,7 +117,7 @@ def run_study(study: Study, *, jobs: int = 0, progress: Progress = no_progress) 
     motions = motions_of(study, spectrum, jobs=jobs)
     study = replace(study, suite_faults=suite_faults(study, spectrum, motions))
     solved: Solved = {}  # the two states share most of their histories
-    typed = _run_state(study, spectrum, motions, jobs=jobs, progress=progress, solved=solved)
+    typed, _ = _run_state(study, spectrum, motions, jobs=jobs, progress=progress, solved=solved)
     assert typed.verdict is not None
     progress("values without a source", 0, 1)
     overrides = find_overrides(study, motions, jobs=jobs)
@@ -123,7 +125,10 @@ def run_study(study: Study, *, jobs: int = 0, progress: Progress = no_progress) 
     typed = replace(typed, verdict=require_sources(typed.verdict, overrides))
     assert typed.verdict is not None
     apart = _replaced_apart(study, overrides)
-    other = None if replaced is None else _worst_verdict((replaced, *apart), overrides, jobs=jobs, solved=solved)
+    other = None
+    if replaced is not None:
+        others = (_decide_state(state, jobs=jobs, solved=solved) for state in (replaced, *apart))
+        other = reduce(with_worse, (require_sources(each.verdict, overrides) for each in others))
     if replaced is None or other is None or not decides(other, typed.verdict):
         return replace(typed, verdict=merge_states(typed.verdict, other, overrides.lines))
     known = {each.name for each in study.falling}
@@ -135,7 +140,7 @@ def run_study(study: Study, *, jobs: int = 0, progress: Progress = no_progress) 
         there = require_spectrum(state)
         motions = motions_of(state, there, jobs=jobs)
         state = replace(state, suite_faults=suite_faults(state, there, motions))
-        found = _run_state(state, there, motions, jobs=jobs, progress=progress, solved=solved)
+        found, _ = _run_state(state, there, motions, jobs=jobs, progress=progress, solved=solved)
         assert found.verdict is not None
         return replace(found, verdict=require_sources(found.verdict, overrides))
 
@@ -172,19 +177,6 @@ def _with_worse(found: Results, other: Results, *, why: str) -> Results:
             *(warning(why, place) for place in sorted(places)),
         ),
     )
-
-
-def _worst_verdict(
-    states: Sequence[Study],
-    overrides: Overrides,
-    *,
-    jobs: int,
-    solved: Solved,
-    run: DecidingHistories | None = None,
-) -> Verdict:
-    """Return the verdict of the first state, each mechanism as it comes off worst in any."""
-    found = (find_state_verdict(state, jobs=jobs, run=run, solved=solved) for state in states)
-    return reduce(with_worse, (require_sources(each, overrides) for each in found))
 
 
 def _replaced_apart(study: Study, overrides: Overrides) -> tuple[Study, ...]:
@@ -233,8 +225,11 @@ def _run_state(
     jobs: int,
     progress: Progress,
     solved: Solved | None = None,
-) -> Results:
-    """Assess one state of a study under its motions. solved: histories that the other state has found."""
+) -> tuple[Results, Mapping[str, MechanismSweep]]:
+    """Assess one state of a study under its motions; with the sweep that represents each swept mechanism.
+
+    solved : histories that the other state has found
+    """
     sweeps = run_sweeps(study, motions, jobs=jobs, progress=progress)
     swept, without_typed = {each.mechanism for each in sweeps}, mechanisms_beside_cases(study.sweeps)
     as_typed = [each for each in study.mechanisms if each.name not in swept or each.name in without_typed]
@@ -265,7 +260,7 @@ def _run_state(
     ties = ties_in_space(
         study.resolved, _mechanisms_by_name(study, controlling), results, beside, pga_g=question.action.pga_g
     )
-    return Results(
+    found = Results(
         schema_version=SCHEMA_VERSION,
         program=program,
         inputs=study.inputs,
@@ -296,6 +291,7 @@ def _run_state(
         verification=study.annex,
         uncertainty=uncertainty(study, spectrum, motions, results, jobs=jobs, progress=progress),
     )
+    return found, controlling
 
 
 def _mechanisms_by_name(study: Study, controlling: Mapping[str, MechanismSweep]) -> Mapping[str, Mechanism]:
@@ -315,6 +311,37 @@ class CheckedMechanism:
     checks: tuple[Check, ...]
 
 
+@dataclass(frozen=True, repr=False)
+class DecidedMechanism(ShortRepr):
+    """A mechanism as it decides.
+
+    study : of it alone, in the state that decides; case : that of a sweep that controls, None where none does
+    checks : by the methods that may decide
+    """
+
+    study: Study
+    checks: tuple[Check, ...]
+    case: SweepCase | None = None
+
+
+@dataclass(frozen=True, repr=False)
+class Decided(ShortRepr):
+    """A verdict, and what it was found of: its mechanisms by name, and those that fall at rest as typed."""
+
+    verdict: Verdict
+    of: Mapping[str, DecidedMechanism]
+    falling: tuple[FallingMechanism, ...]
+
+    @property
+    def mechanisms(self) -> tuple[MechanismResult, ...]:
+        """Each mechanism as it decides, with its checks marked; a swept one in its controlling case."""
+        return tuple(
+            mark_result(self.verdict, each.study.question, replace(found, checks=each.checks))
+            for each in self.of.values()
+            for found in parameters(each.study)
+        )
+
+
 def find_outcome(study: Study, *, jobs: int = 1) -> Verdict:
     """Return the verdict of a study but for how near its answers by histories are to their limits.
 
@@ -328,6 +355,20 @@ def find_outcome(study: Study, *, jobs: int = 1) -> Verdict:
     jobs : number of threads; 0 for all cores
     """
     return find_verdict(study, jobs=jobs, run=_histories_of_outcome)
+
+
+def find_decided_outcome(study: Study, *, jobs: int = 1, solved: Solved | None = None) -> Decided:
+    """Return the verdict of `find_outcome`, with the mechanisms in the state in which each decides.
+
+    What the verdict hangs on has the values with a source too, where no history decides.
+
+    Parameters
+    ----------
+    study, jobs : as of `find_outcome`
+    solved : histories that earlier calls have found, which are added to
+    """
+    by_histories = any(map(uses_histories, methods_of(study.question)))
+    return _find_decided(study, jobs=jobs, run=_histories_of_outcome, with_sources=not by_histories, solved=solved)
 
 
 def find_verdict(study: Study, *, jobs: int = 1, run: DecidingHistories | None = None) -> Verdict:
@@ -344,20 +385,47 @@ def find_verdict(study: Study, *, jobs: int = 1, run: DecidingHistories | None =
     ProjectError : if the study has no spectrum
     AssessError : if a record, mechanism or procedure cannot be evaluated
     """
-    solved: Solved = {}
-    typed = find_state_verdict(study, jobs=jobs, run=run, solved=solved)
+    return _find_decided(study, jobs=jobs, run=run).verdict
+
+
+def _find_decided(
+    study: Study,
+    *,
+    jobs: int,
+    run: DecidingHistories | None,
+    with_sources: bool = False,
+    solved: Solved | None = None,
+) -> Decided:
+    solved = {} if solved is None else solved
+    typed = _decide_state(study, jobs=jobs, run=run, solved=solved)
     methods = methods_of(study.question)
     study = replace(study, procedures=tuple(procedure for procedure in study.procedures if procedure in methods))
     motions: tuple[ScaledRecord, ...] = ()
     if any(not each.source for each in study.replaceables) and needs_motions(study):
         motions = motions_of(study, require_spectrum(study), jobs=jobs)
-    overrides = find_overrides(study, motions, jobs=jobs, with_sources=False)
+    overrides = find_overrides(study, motions, jobs=jobs, with_sources=with_sources)
     replaced, overrides = _replaced(study, overrides)
-    other = None
-    if replaced is not None:
-        states = (replaced, *_replaced_apart(study, overrides))
-        other = _worst_verdict(states, overrides, jobs=jobs, run=run, solved=solved)
-    return merge_states(require_sources(typed, overrides), other, overrides.lines)
+
+    def sourced(state: Decided) -> Decided:
+        return replace(state, verdict=require_sources(state.verdict, overrides))
+
+    typed = sourced(typed)
+    if replaced is None:
+        return replace(typed, verdict=merge_states(typed.verdict, None, overrides.lines))
+    states = (replaced, *_replaced_apart(study, overrides))
+    others = [sourced(_decide_state(state, jobs=jobs, run=run, solved=solved)) for state in states]
+    other = reduce(_with_worse_decided, others)
+    verdict = merge_states(typed.verdict, other.verdict, overrides.lines)
+    known = {each.name for each in typed.falling}
+    is_shown = verdict.state == State.REPLACED and {each.name for one in others for each in one.falling} == known
+    return replace(_with_worse_decided(other, typed) if is_shown else typed, verdict=verdict)
+
+
+def _with_worse_decided(found: Decided, other: Decided) -> Decided:
+    """Return what was decided with the mechanisms of another state that come off worse there."""
+    worse = worse_in(other.verdict, found.verdict)
+    there = {name: each for name, each in other.of.items() if name in worse}
+    return replace(found, verdict=with_worse(found.verdict, other.verdict), of={**found.of, **there})
 
 
 def find_state_verdict(
@@ -369,12 +437,27 @@ def find_state_verdict(
     tried. A study with sweeps is run whole, since its controlling cases decide. Parameters and errors are those of
     `find_verdict`.
     """
+    return _decide_state(study, jobs=jobs, run=run, solved=solved).verdict
+
+
+def _decide_state(
+    study: Study, *, jobs: int, run: DecidingHistories | None = None, solved: Solved | None = None
+) -> Decided:
     if study.sweeps:
         motions = motions_of(study, require_spectrum(study), jobs=jobs)
         study = replace(study, suite_faults=suite_faults(study, require_spectrum(study), motions))
-        decided = _run_state(study, require_spectrum(study), motions, jobs=jobs, progress=no_progress).verdict
-        assert decided is not None
-        return decided
+        found, controlling = _run_state(study, require_spectrum(study), motions, jobs=jobs, progress=no_progress)
+        assert found.verdict is not None
+        cases = {name: swept.controlling_case for name, swept in controlling.items()}
+        decided = {
+            each.name: DecidedMechanism(
+                _only(cases[each.name].study if each.name in cases else study, each.name),
+                each.checks,
+                cases.get(each.name),
+            )
+            for each in found.mechanisms
+        }
+        return Decided(found.verdict, decided, study.falling)
     spectrum = require_spectrum(study)
     methods = methods_of(study.question)
     study = replace(study, procedures=tuple(procedure for procedure in study.procedures if procedure in methods))
@@ -387,7 +470,12 @@ def find_state_verdict(
         _check_what_decides(study, spectrum, motions, mechanism, run, jobs=jobs, solved=solved)
         for mechanism in study.mechanisms
     ]
-    return decide(study, checked)
+    decided = {each.name: DecidedMechanism(_only(study, each.name), each.checks) for each in checked}
+    return Decided(decide(study, checked), decided, study.falling)
+
+
+def _only(study: Study, name: str) -> Study:
+    return replace(study, mechanisms=tuple(each for each in study.mechanisms if each.name == name), falling=())
 
 
 @dataclass(frozen=True, repr=False)

@@ -41,8 +41,8 @@ def at_rest(page) -> Iterator[Page]:
     page.pick("thin")
     yield page
     page.movement.rest()
-    while page.opened.changes:
-        page.opened.undo()
+    while page.opened.edited.changes:
+        page.opened.edited.undo()
     page.pick("thin")
 
 

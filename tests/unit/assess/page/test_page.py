@@ -19,6 +19,7 @@ pytest.importorskip("viser", reason="needs viser: .venv/serve of the Makefile")
 from assess.page import words
 from assess.page.page import Page, open_page
 from assess.page.scene import angle_of, quaternion
+from assess.study.curves import CAPACITY, ENVELOPE, PGA
 from tests.support.projects import NTC, block, project_toml, wall
 
 PATIENCE = 60.0  # s
@@ -51,8 +52,12 @@ def at_rest(page) -> Iterator[Page]:
     """The page with the wall that is cut, and nothing tried."""
     page.pick("thin")
     yield page
-    while page.opened.changes:
-        page.opened.undo()
+    page.fault.content = ""
+    page._last_moved = (None, 0.0)
+    while page.opened.edited.changes:
+        page.opened.edited.undo()
+    page.start()
+    assert page.wait(PATIENCE)
     page.pick("thin")
 
 
@@ -65,8 +70,8 @@ def by_hand(handle, value) -> None:
 
 def test_mechanisms_are_listed_with_multiplier_and_outcome(at_rest):
     first, second, *_ = at_rest.mechanisms.options
-    assert first == f"1. {HOSTILE} · 0.2000 · fail"
-    assert second.startswith("2. thick · 0.2500 · ")
+    assert first.startswith(f"M1 {HOSTILE} · 0.2000 · fail · zeta_E 0.")
+    assert second.startswith("M2 thick · 0.2500 · ")
     assert "<b>FAIL</b>" in at_rest.building.content
 
 
@@ -95,7 +100,8 @@ def test_a_crack_that_is_dragged_moves_the_numbers(at_rest):
     assert (at_rest.elevation.value, at_rest.angle.value) == (2.0, 0.0)
     drag(at_rest, (0.0, 0.0, 2.0), radians(20.0))
     assert at_rest.angle.value == pytest.approx(20.0)
-    assert at_rest.opened.changes == ({("mechanisms", "thin", "cut"): {"point": [0, 0, 2], "angle": "20.00 deg"}},)
+    tilted = {("mechanisms", "thin", "cut"): {"point": [0, 0, 2], "angle": "20.00 deg"}}
+    assert at_rest.opened.edited.changes == ({("mechanisms", "thin", "cut"): "2 m"}, tilted)
 
 
 def drag(page: Page, point: tuple[float, float, float], angle: float) -> None:
@@ -106,11 +112,12 @@ def drag(page: Page, point: tuple[float, float, float], angle: float) -> None:
 
 def test_a_crack_that_misses_is_said_and_the_next_one_shown(at_rest):
     drag(at_rest, (0.0, 0.0, 9.0), 0.0)
-    assert "misses the body" in at_rest.status.content
+    assert "misses the body" in at_rest.fault.content
     assert "misses the body" in at_rest.facts.content
     drag(at_rest, (0.0, 0.0, 2.0), 0.0)
     assert ">0.3000<" in at_rest.facts.content
     assert "ready" in at_rest.status.content
+    assert not at_rest.fault.content
 
 
 def test_a_crack_that_is_typed_is_that_dragged(at_rest):
@@ -127,9 +134,74 @@ def test_a_value_that_slides_moves_the_numbers(at_rest):
     assert ">0.2500<" in at_rest.facts.content
 
 
+def test_each_drag_and_each_value_is_a_step_of_undo(at_rest):
+    """What is slid or typed on within a moment is one."""
+    for elevation in (2.0, 2.5):
+        drag(at_rest, (0.0, 0.0, elevation), 0.0)
+    by_hand(at_rest.elevation, 2.2)
+    by_hand(at_rest.elevation, 2.25)
+    assert [each["mechanisms", "thin", "cut"] for each in at_rest.opened.edited.changes] == ["2 m", "2.5 m", "2.25 m"]
+    assert not at_rest.undo.disabled
+    assert not at_rest.write.disabled
+
+
+def test_the_angle_alone_leaves_the_elevation(at_rest):
+    at_rest.opened.move_cut("thin", (0.1234, 0.0, 1.23456), 0.2)
+    by_hand(at_rest.angle, 30.0)
+    assert at_rest.opened.edited.changes[-1]["mechanisms", "thin", "cut"] == {
+        "point": [0.1234, 0.0, 1.2346], "angle": "30.00 deg",
+    }  # fmt: skip
+
+
+def test_nothing_to_undo_or_write_is_no_button(at_rest):
+    assert at_rest.undo.disabled
+    assert at_rest.write.disabled
+
+
+def test_a_refusal_stays_until_something_else_is_done(at_rest):
+    path = at_rest.opened.edited.project.path
+    before = path.read_bytes()
+    drag(at_rest, (0.0, 0.0, 2.0), 0.0)
+    path.write_bytes(before + b"# by another")
+    at_rest._change_file(at_rest.opened.write, None)
+    assert at_rest.wait(PATIENCE)
+    assert "press “Read again”" in at_rest.fault.content
+    path.write_bytes(before)
+    by_hand(at_rest.elevation, 2.1)
+    assert at_rest.wait(PATIENCE)
+    assert not at_rest.fault.content
+
+
+def test_the_weakest_crack_is_found_and_tried(at_rest):
+    at_rest._find_weakest()
+    assert "weakest crack: multiplier" in at_rest.status.content
+    assert at_rest.opened.edited.changes
+    assert not at_rest.opened.examine("thin").as_typed
+
+
+@pytest.mark.parametrize("title", [CAPACITY, PGA, ENVELOPE])
+def test_each_curve_is_drawn(at_rest, title):
+    by_hand(at_rest.shown_curve, title)
+    assert at_rest.wait(PATIENCE)
+    across, along = at_rest.curve.data
+    assert across.size > 5
+    assert np.isfinite(along).sum() > 5
+    by_hand(at_rest.shown_curve, CAPACITY)
+
+
+def test_the_building_states_what_it_is_of(at_rest):
+    said = at_rest.building.content
+    assert "as in the file" in said
+    assert "Possible, not examined: not stated" in said
+    assert "found on the bodies and not in the file" in said
+    drag(at_rest, (0.0, 0.0, 2.0), 0.0)
+    assert "with what is tried: 1 value tried" in at_rest.building.content
+    assert "As a run decides" in at_rest.facts.content
+
+
 def test_undo_puts_the_crack_back(at_rest):
     drag(at_rest, (0.0, 0.0, 2.0), 0.0)
-    at_rest._change_file(at_rest.opened.undo, None)
+    at_rest._change_file(at_rest.opened.edited.undo, None)
     assert ">0.2000<" in at_rest.facts.content
     assert at_rest.elevation.value == 1.0
     assert "taken back" in at_rest.status.content
@@ -191,7 +263,7 @@ def test_in_a_browser(at_rest, tmp_path):
         field = driver.find_element(By.ID, label.get_attribute("for"))
         field.send_keys(Keys.CONTROL, "a")
         field.send_keys("2", Keys.ENTER)
-        wait_for(lambda: bool(at_rest.opened.changes))
+        wait_for(lambda: bool(at_rest.opened.edited.changes))
         awaited(driver, lambda text: "value tried, not written" in text)
         assert at_rest.wait(PATIENCE)
         assert ">0.3000<" in at_rest.facts.content
@@ -234,7 +306,7 @@ def test_the_handle_of_the_crack_is_dragged_in_a_browser(at_rest, tmp_path, monk
         wait_for(lambda: bool(told) and told[-1][2])
         assert not told[0][2]
         assert at_rest.wait(PATIENCE)
-        (setting,) = at_rest.opened.changes
+        (setting,) = at_rest.opened.edited.changes
         assert list(setting) == [("mechanisms", "thin", "cut")]
         awaited(driver, lambda text: "1 value tried, not written" in text)
 

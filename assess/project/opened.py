@@ -1,0 +1,258 @@
+"""A project that is open: its parts and mechanisms, what is tried on it, and what the program says of both.
+
+Every number is found by the functions that a run calls, of what would be in the file.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from assess.codes.procedures import uses_histories
+from assess.codes.question import methods_of
+from assess.codes.verdict import RANKS, Verdict
+from assess.errors import AssessError
+from assess.geometry.solid import Solid
+from assess.mechanisms.mechanism import CutAngle, CutPlane
+from assess.mechanisms.single_block import SingleBlock
+from assess.model.candidates import Candidate
+from assess.model.weakest_crack import WeakestCrack
+from assess.project.build import BuiltProject, build_with_cases
+from assess.project.edited import EditedProject, Number
+from assess.project.found_mechanisms import FoundMechanisms, find_mechanisms
+from assess.project.project_file import Project
+from assess.project.site_and_structure import definitions_of
+from assess.project.trials import Decider, Decision, ShownMechanism, envelope_of, try_mechanism, weakest_crack
+from assess.results import EnvelopeResult
+from assess.study.mechanism_results import parameters
+from assess.study.rocking_motion import RockingMotion, governing_motion
+from assess.study.study import Study
+from spectra.errors import SpectrumError
+
+
+@dataclass(frozen=True)
+class ShownPart:
+    """A part of the building: its name, what it is ("body" where that is not known), its surface."""
+
+    name: str
+    kind: str
+    solid: Solid
+
+
+class OpenedProject:
+    """A project, the values that are tried on it, and what is known of both.
+
+    edited : the file and what is tried
+    decision : what a run decides, of the file and what was tried at the revision `decided_of`; None if not known
+    found : the parts of the building and what they can do, once `is_searched`
+    """
+
+    def __init__(self, path: Path) -> None:
+        self.edited = EditedProject(path)
+        self.refresh()
+
+    def read(self) -> str:
+        """Read the project anew, and forget what was tried.
+
+        Raises
+        ------
+        AssessError, SpectrumError or RecordError : it cannot be assessed
+        """
+        self.edited.read()
+        self.refresh()
+        return "read again"
+
+    def refresh(self) -> None:
+        """Build the project as its file was read, and forget what is known of what it was before."""
+        self._built: BuiltProject = build_with_cases(self.edited.project)
+        self._decider = Decider(self._built)
+        self.built_of: Project = self.edited.project
+        self.decision: Decision | None = None
+        self.decided_of: int | None = None
+        self.found: FoundMechanisms | None = None
+        self.is_searched = False
+        self._results = {each.name: each for each in parameters(self._built.study)}
+
+    @property
+    def is_decided(self) -> bool:
+        """Whether the decision that is known is of what is tried now."""
+        return self.decided_of == self.edited.revision
+
+    @property
+    def title(self) -> str:
+        """The title of the project, or the name of its folder."""
+        return self.edited.project.content.title or self.edited.project.folder.name
+
+    @property
+    def study(self) -> Study:
+        """The study of the project as its file has it."""
+        return self._built.study
+
+    @property
+    def has_site(self) -> bool:
+        """Whether there is an action to decide on."""
+        return self.study.spectrum is not None
+
+    @property
+    def verdict(self) -> Verdict | None:
+        """The verdict that is known."""
+        return None if self.decision is None else self.decision.verdict
+
+    @property
+    def methods(self) -> tuple[str, ...]:
+        """The procedures that may decide."""
+        return methods_of(self.study.question)
+
+    @property
+    def by_histories(self) -> bool:
+        """Whether one of the procedures that may decide follows time histories."""
+        return any(map(uses_histories, self.methods))
+
+    @property
+    def proposed(self) -> Sequence[Candidate]:
+        """The mechanisms that were found on the bodies and are not in the file, the weakest first."""
+        return () if self.found is None else self.found.new
+
+    def parts(self) -> Iterator[ShownPart]:
+        """Yield every part of the building."""
+        known: set[str] = set()
+        if self.found is not None:
+            for part in self.found.structure.parts:
+                known.add(part.name)
+                yield ShownPart(part.name, part.kind, part.solid)
+        for name, solid in self._built.solids.items():
+            if solid is not None and not any(each == name or each.startswith(f"{name} ") for each in known):
+                yield ShownPart(name, "body", solid)
+
+    def rank(self) -> tuple[str, ...]:
+        """Return the mechanisms of the file, the worst first: by outcome and margin, then by multiplier."""
+
+        def badness(name: str) -> tuple[float, ...]:
+            shown = self.outline(name)
+            multiplier = None if shown.result is None else shown.result.oscillator.uplift_multiplier
+            least = float("inf") if multiplier is None else multiplier
+            if shown.verdict is None:
+                return (-float(bool(shown.fault)), 0.0, least)
+            margin = float("inf") if shown.verdict.margin is None else shown.verdict.margin
+            return (-float(RANKS.index(shown.verdict.outcome)), margin, least)
+
+        return tuple(sorted(self.built_of.content.mechanisms, key=badness))
+
+    def outline(self, name: str) -> ShownMechanism:
+        """Return a mechanism as it was decided last, or else as the file has it, without its checks."""
+        if self.decision is not None and name in self.decision.shown:
+            return self.decision.shown[name]
+        falls = next((f"falls at rest: {each.reason}" for each in self.study.falling if each.name == name), "")
+        built = next((each for each in self.study.mechanisms if each.name == name), None)
+        return ShownMechanism(name, self._results.get(name), fault=falls, mechanism=built)
+
+    def find_others(self) -> None:
+        """Find what the parts of the building are, and the mechanisms that they can have beside those of the file."""
+        project = self.built_of
+        try:
+            found = find_mechanisms(project)
+        except (AssessError, SpectrumError):  # nothing in it is drawn as a building is
+            found = None
+        if self.built_of is project:
+            self.found, self.is_searched = found, True
+
+    def find_outcome(self) -> Verdict | None:
+        """Find what a run decides once what is tried is written, and keep it; None without a site.
+
+        Raises
+        ------
+        AssessError, SpectrumError or RecordError : as a run of it
+        """
+        revision, decider = self.edited.revision, self._decider
+        if self.has_site and not self.is_decided:
+            found = decider.decide(self.edited.tried_project() if self.edited.changes else self.built_of)
+            if self.edited.revision == revision and self._decider is decider:
+                self.decision, self.decided_of = found, revision
+        return self.verdict
+
+    def examine(self, name: str) -> ShownMechanism:
+        """Return a mechanism with what is tried: as a run decides where that is known, else as typed."""
+        if self.is_decided and self.decision is not None and name in self.decision.shown:
+            return self.decision.shown[name]
+        if not self.edited.changes and self.outline(name).fault:
+            return self.outline(name)
+        try:
+            content = self.edited.content(self._built.project)
+        except AssessError as error:
+            return ShownMechanism(name, None, fault=str(error))
+        return try_mechanism(self._built, content, name)
+
+    def numbers(self, name: str) -> tuple[Number, ...]:
+        """Return the numbers that the file gives and a mechanism depends on, as they are tried, but for places.
+
+        Raises
+        ------
+        ProjectError : what is tried cannot be read
+        """
+        return self.edited.numbers(name, self._built.project)
+
+    def cut_of(self, name: str) -> CutAngle | None:
+        """Return the crack of a mechanism of one block, as it is tried, by point and angle; None where none moves it.
+
+        Raises
+        ------
+        ProjectError : what is tried cannot be read
+        """
+        content, result = self.edited.content(self._built.project), self._results.get(name)
+        definition = definitions_of(content).get(name)
+        if not isinstance(definition, SingleBlock) or result is None or result.view is None:
+            return None
+        cut = definition.cut
+        if isinstance(cut, CutPlane):
+            return None
+        if isinstance(cut, CutAngle):
+            return cut
+        x, y, z = ((a + b) / 2.0 for a, b in zip(*result.view.axes[0].ends, strict=True))
+        return CutAngle((x, y, z if cut is None else cut), 0.0)
+
+    def move_cut(self, name: str, point: Sequence[float], angle: float, *, goes_on: bool = False) -> None:
+        """Try another crack: a point of it [x, y, z] [m], and its angle as `CutAngle` has it [rad]."""
+        before = self.cut_of(name)
+        if before is not None:
+            x, y, z = point
+            self.edited.move_cut(name, before, replace(before, point=(x, y, z), angle=angle), goes_on=goes_on)
+
+    def find_weakest_crack(self, name: str, progress: Callable[[int], object]) -> WeakestCrack:
+        """Find the weakest crack of a mechanism of one block with what is tried; progress: as of the search."""
+        return weakest_crack(self._built, self.edited.content(self._built.project), name, progress)
+
+    def envelope(self, name: str) -> EnvelopeResult | None:
+        """Return the overturning envelope of a mechanism with what is tried; None where it has none."""
+        return envelope_of(self._study_of(name))
+
+    def motion(self, name: str) -> RockingMotion | None:
+        """Return how a mechanism moves under the record that governs, with what is tried; None where none is answered.
+
+        Raises
+        ------
+        AssessError, SpectrumError or RecordError : it cannot be followed
+        """
+        return governing_motion(self._study_of(name))
+
+    def _study_of(self, name: str) -> Study:
+        """Return the study of one mechanism with what is tried, in the state that decides where that is known."""
+        known = self.decision if self.is_decided else None
+        if known is not None and name in known.decided.of:
+            return known.decided.of[name].study
+        return self._built.study_at(self.edited.content(self._built.project), (name,))
+
+    def write(self) -> str:
+        """Write what is tried into the file, as long as the project can then be assessed; return what was done.
+
+        Raises
+        ------
+        AssessError, SpectrumError or RecordError : it cannot, or the file has changed; nothing is written then
+        """
+        if self.edited.changes and not self.is_decided:
+            self._built.study_to_decide(self.edited.tried_project())
+        return self.edited.write()
+
+    def add_found(self) -> str:
+        """Write the mechanisms that were found and are not in the file at its end; return what was done."""
+        return self.edited.add_found(self.found)

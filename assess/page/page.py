@@ -35,6 +35,7 @@ STEEPEST = 80.0  # deg
 MOST_NUMBERS = 16
 RANGE = (0.5, 1.5)  # of the value in the file
 ONE_STEP = 0.8  # s: a value that is set again so soon is still being slid or typed
+SOURCE_HINT = "“measured: …” or “literature: …”, by whom and when; “assumed: …” is no source."
 FILES = (("report.pdf", "report"), ("report.html", "report as a page"), ("results.json", "results"))
 
 
@@ -120,7 +121,7 @@ class Page:
             self.cancel = gui.add_button("Cancel", disabled=True)
             self.links = gui.add_html("")
         with gui.add_folder("Drawing", expand_by_default=False):
-            labels = gui.add_checkbox("Names of parts", True)
+            self.labels = gui.add_checkbox("Names of parts", False, hint="Those of parts that move are always shown.")
         for button, what in (
             (self.undo, opened.edited.undo), (self.write, opened.write),
             (self.add, opened.add_found), (again, opened.read),
@@ -131,7 +132,7 @@ class Page:
             each.on_update(lambda event: self._if_by_hand(event, partial(self._typed_crack, event.target)))
         self.weakest.on_click(lambda _: self._thorough.ask(self._find_weakest))
         self.shown_curve.on_update(lambda event: self._if_by_hand(event, lambda: self._ask(True)))
-        labels.on_update(lambda _: self.drawing.label_parts(labels.value))
+        self.labels.on_update(lambda _: self._label_parts())
         self.run.on_click(lambda _: self._start_run())
         self.cancel.on_click(lambda _: None if self._run is None else self._run.cancel())
 
@@ -170,6 +171,7 @@ class Page:
                 opened.find_others()
             with self._turn:
                 self.drawing.draw_building(opened.parts())
+                self._label_parts()
                 self._list_mechanisms()
         if opened.has_site and not opened.is_decided:
             self._say("finding what a run decides")
@@ -211,6 +213,7 @@ class Page:
         opened, picked = self.opened, self.picked
         self._list_numbers()
         self._show_state()
+        self._label_parts()
         cut = opened.cut_of(picked) if isinstance(picked, str) and picked else None
         for each in (self.elevation, self.angle, self.weakest):
             each.disabled = cut is None
@@ -229,6 +232,11 @@ class Page:
             self._show_crack(cut.point[2], cut.angle)
         if self.shown_curve.value == curves.ENVELOPE:
             self._thorough.ask(self._catch_up)
+
+    def _label_parts(self) -> None:
+        picked = self.picked
+        moving = self.opened.study.moving.get(picked, ()) if isinstance(picked, str) else picked.parts
+        self.drawing.label_parts(self.labels.value or not picked, moving=moving)
 
     def _show_state(self) -> None:
         """Show the building's verdict, of what it is, and which buttons have something to do."""
@@ -370,7 +378,11 @@ class Page:
                 self._of_missing.append(self._gui.add_html(words.missing(each)))
                 if each.toml:
                     field = self._gui.add_text("TOML", each.toml, multiline="\n" in each.toml)
-                    source = self._gui.add_text("Source", "", hint="Who vouches for it: survey, test, drawing, …")
+                    source = self._gui.add_text(
+                        "Source",
+                        "",
+                        hint=SOURCE_HINT,
+                    )
                     button = self._gui.add_button("Try it")
                     button.on_click(partial(self._add_lines, each, field, source))
                     self._of_missing += [field, source, button]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Collection, Iterable, Sequence
 from itertools import pairwise
 from math import atan2, cos, dist, sin
 from typing import Any
@@ -61,7 +61,7 @@ class Drawing:
         self._frames: dict[int, Any] = {}
         self._plane: Any = None
         self._along = np.array([1.0, 0.0, 0.0])
-        self.show_labels = True
+        self.show_labels = False
         self._scene.configure_default_lights(cast_shadow=False)
 
     def draw_building(self, parts: Iterable[ShownPart]) -> None:
@@ -104,11 +104,11 @@ class Drawing:
         self._camera.look_at = tuple(middle)
         self._camera.position = tuple(middle + away * np.array(VIEW))
 
-    def label_parts(self, shown: bool) -> None:
-        """Show or hide the labels of the parts."""
+    def label_parts(self, shown: bool, *, moving: Collection[str] = ()) -> None:
+        """Show or hide the labels of the parts, but for those of parts that move in any case."""
         self.show_labels = shown
         for each in self._labels:
-            each.visible = shown
+            each.visible = shown or each.text.partition(": ")[2] in moving
 
     def mark_parts(self, places: Iterable[int]) -> None:
         """Mark the parts at these places as those that move in a mechanism without a drawing of its own."""

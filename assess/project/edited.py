@@ -164,16 +164,24 @@ class EditedProject:
 
         Raises
         ------
-        ProjectError : it is no TOML
+        ProjectError : it is no TOML, or the project cannot be read with it; it is not tried then
         """
         heading = next(iter(toml_lines([missing], ())), "")
         try:
             tables = tomllib.loads(f"{heading}\n{text}\n")
         except tomllib.TOMLDecodeError as error:
             raise ProjectError(f"{missing.key}: {text!r:.60}: {error}; write it as the example shows") from None
-        setting = dict(_leaves((), tables))
-        stated = {("report", "sources", ".".join(map(str, path))): source for path in setting if path[0] != "report"}
-        self.change(setting | (stated if source else {}))
+        setting: dict[KeyPath, Any] = dict(_leaves((), tables))
+        if source:
+            stated = look_up(self._tried(self.project.raw), ("report", "sources"))[1]
+            vouched = {".".join(map(str, path)): source for path in setting}
+            setting["report", "sources"] = {**(stated if isinstance(stated, Mapping) else {}), **vouched}
+        self.change(setting)
+        try:
+            self.tried_project()
+        except ProjectError:
+            self._try(self.changes[:-1])
+            raise
 
     def undo(self) -> str:
         """Take back what was tried last, or else what was written last; return what was done.

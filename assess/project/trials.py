@@ -17,6 +17,7 @@ from assess.codes.verdict import MechanismVerdict, Verdict, at_action
 from assess.errors import AssessError, MechanismError
 from assess.mechanisms.mechanism import Mechanism
 from assess.mechanisms.single_block import SingleBlock
+from assess.messages.message import Message
 from assess.model.weakest_crack import WeakestCrack, find_weakest_crack
 from assess.project import sections
 from assess.project.build import BuiltProject
@@ -139,7 +140,9 @@ class Decider:
         decided = find_decided_outcome(study, jobs=0, solved=self.solved)
         while len(self.solved) > MOST_SOLVED:
             del self.solved[next(iter(self.solved))]
-        return Decision(decided, _page_results(project, decided), {each.name: each for each in _shown(decided)})
+        return Decision(
+            decided, _page_results(project, decided, study.messages), {each.name: each for each in _shown(decided)}
+        )
 
 
 def deciding_checks(checks: tuple[Check, ...], study: Study) -> tuple[Check, ...]:
@@ -160,7 +163,7 @@ def _shown(decided: Decided) -> Iterator[ShownMechanism]:
             yield ShownMechanism(name, result, result.checks, one, as_typed=False, mechanism=built)
 
 
-def _page_results(project: Project, decided: Decided) -> Results:
+def _page_results(project: Project, decided: Decided, warnings: tuple[Message, ...]) -> Results:
     """Return results that hold what page 1 of the report says of a verdict, but for pictures and records."""
     content = project.content
     listed = checklist(content.report, content.mechanisms)
@@ -168,7 +171,7 @@ def _page_results(project: Project, decided: Decided) -> Results:
         schema_version=SCHEMA_VERSION,
         program=describe_program(),
         inputs=(),
-        warnings=(),
+        warnings=warnings,
         project=resolve(project),
         spectrum=None,
         records=(),

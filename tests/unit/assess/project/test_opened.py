@@ -115,7 +115,7 @@ def test_what_is_tried_is_decided_as_a_run_decides_once_it_is_written(tmp_path, 
     assert [(each.key, each.instead) for each in opened.verdict.overrides] == [
         (each.key, each.instead) for each in run.verdict.overrides
     ]
-    assert bool(opened.decision.decided.cases) is swept
+    assert (opened.decision.decided.of["wall"].case is not None) is swept
 
 
 def test_a_project_that_can_no_longer_be_assessed_is_not_written(opened):

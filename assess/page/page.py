@@ -375,7 +375,7 @@ class Page:
         found = () if self.opened.verdict is None else self.opened.verdict.missing
         with self.missing:
             for each in found:
-                self._of_missing.append(self._gui.add_html(words.missing(each)))
+                self._of_missing.append(self._gui.add_html(words.missing_input(each)))
                 if each.toml:
                     field = self._gui.add_text("TOML", each.toml, multiline="\n" in each.toml)
                     source = self._gui.add_text(

@@ -120,7 +120,7 @@ def mechanism(opened: OpenedProject, shown: ShownMechanism) -> str:
     return said + _table(("", ""), rows) + _methods(opened, shown) + _verdict(shown)
 
 
-def missing(each: Missing) -> str:
+def missing_input(each: Missing) -> str:
     """Return what is missing for a verdict, with why and the sentence of the manual on it."""
     meaning = meaning_of(each.key)
     manual = f"<br><i>{escape(meaning)}</i>" if meaning else ""

@@ -23,8 +23,9 @@ from assess.project.edited import EditedProject, Number
 from assess.project.found_mechanisms import FoundMechanisms, find_mechanisms
 from assess.project.project_file import Project
 from assess.project.site_and_structure import definitions_of
-from assess.project.trials import Decider, Decision, ShownMechanism, envelope_of, try_mechanism, weakest_crack
+from assess.project.trials import Decider, Decision, ShownMechanism, try_mechanism, weakest_crack
 from assess.results import EnvelopeResult
+from assess.study.envelopes import envelope_of
 from assess.study.mechanism_results import parameters
 from assess.study.rocking_motion import RockingMotion, governing_motion
 from assess.study.study import Study

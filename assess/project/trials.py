@@ -24,15 +24,14 @@ from assess.project.build import BuiltProject
 from assess.project.project_file import Project, resolve
 from assess.project.sections.content import checklist
 from assess.project.site_and_structure import definitions_of
-from assess.results import SCHEMA_VERSION, EnvelopeResult, MechanismResult, ReportMatter, Results
+from assess.results import SCHEMA_VERSION, MechanismResult, ReportMatter, Results
 from assess.results.provenance import describe_program
 from assess.study.assessment import checks_without_twins
 from assess.study.checks import decide
-from assess.study.envelopes import DEFAULT_GRID, envelope_cases, map_envelopes
 from assess.study.level_peaks import Solved
 from assess.study.mechanism_results import parameters
 from assess.study.run import CheckedMechanism, Decided, find_decided_outcome
-from assess.study.study import Study, no_progress
+from assess.study.study import Study
 from spectra.errors import SpectrumError
 
 MOST_SOLVED = 500  # solutions of histories that are kept for the next decision
@@ -63,6 +62,12 @@ def try_mechanism(built: BuiltProject, content: sections.Content, name: str) -> 
     """Return a mechanism of other content of a project with the values as typed, without time histories.
 
     Direction and sides that the project leaves open stay what they are with its own values.
+
+    Parameters
+    ----------
+    built : the project, whose files are read
+    content : its tables with what is tried
+    name : of the mechanism
     """
     try:
         study = built.study_at(content, (name,))
@@ -89,18 +94,15 @@ def weakest_crack(
 ) -> WeakestCrack:
     """Find the weakest crack of a mechanism of one block, with what is tried besides; errors are those of the search.
 
+    Parameters
+    ----------
+    built, content, name : as of `try_mechanism`
     progress : called with the number of cracks that have been tried
     """
     definition = definitions_of(content)[name]
     if not isinstance(definition, SingleBlock):
         raise MechanismError(f'mechanism "{name}": its crack is not that of one block; edit it in the file')
     return find_weakest_crack(name, definition, built.bodies_at(content), progress=progress)
-
-
-def envelope_of(study: Study) -> EnvelopeResult | None:
-    """Return the overturning envelope of a study of one mechanism, by its own pulses or else sine pulses."""
-    found = map_envelopes(envelope_cases(study, {}), study.pulses or DEFAULT_GRID, jobs=0, progress=no_progress)
-    return next(iter(found.values()), None)
 
 
 @dataclass(frozen=True, repr=False)
@@ -146,7 +148,13 @@ class Decider:
 
 
 def deciding_checks(checks: tuple[Check, ...], study: Study) -> tuple[Check, ...]:
-    """Return the checks by the methods that may decide, at the action of the site."""
+    """Return the checks by the methods that may decide, at the action of the site.
+
+    Parameters
+    ----------
+    checks : of one mechanism
+    study : whose question is decided
+    """
     methods, action = methods_of(study.question), study.question.action
     return tuple(each for each in checks if each.procedure in methods and at_action(each, action))
 

@@ -100,6 +100,12 @@ def run_envelopes(study: Study, *, jobs: int = 0, progress: Progress = no_progre
     )
 
 
+def envelope_of(study: Study) -> EnvelopeResult | None:
+    """Return the envelope of a lone mechanism, by its own pulses or the default ones; None where there is none."""
+    found = map_envelopes(envelope_cases(study, {}), study.pulses or DEFAULT_GRID, jobs=0, progress=no_progress)
+    return next(iter(found.values()), None)
+
+
 def envelope_cases(study: Study, controlling: Mapping[str, MechanismSweep]) -> tuple[EnvelopeCase, ...]:
     """Return the mechanisms whose envelopes are sought, swept ones in their controlling case.
 

@@ -98,7 +98,13 @@ class PageList:
 
 
 def page_lists(results: Results, verdict: Verdict) -> tuple[PageList, ...]:
-    """Return the lists of page 1: conditions, what the verdict hangs on, what is missing, warnings."""
+    """Return the lists of page 1: conditions, what the verdict hangs on, what is missing, warnings.
+
+    Parameters
+    ----------
+    results : of a run
+    verdict : its verdict
+    """
     is_open = verdict.outcome == Decision.INCOMPLETE
     lists = (
         PageList(

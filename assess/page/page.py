@@ -9,6 +9,7 @@ import threading
 import time
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager, suppress
+from dataclasses import replace
 from functools import partial
 from math import degrees, radians
 from pathlib import Path
@@ -25,6 +26,7 @@ from assess.page.movement import Movement
 from assess.page.scene import Drawing
 from assess.page.server import PageServer
 from assess.project.edited import Number
+from assess.project.key_errors import KeyPath
 from assess.project.opened import OpenedProject
 from assess.project.trials import ShownMechanism
 from assess.study import curves
@@ -55,7 +57,7 @@ class Page:
         self._options: dict[str, str | Candidate] = {}
         self._last_moved: tuple[object, float] = (None, 0.0)
         self._done = ""
-        self.drawing = Drawing(server.viser, moved=self._dragged)
+        self.drawing = Drawing(server.viser, moved=self._dragged, moved_end=self._dragged_end)
         self._lay_out()
         self._show_project()
 
@@ -215,11 +217,13 @@ class Page:
         self._show_state()
         self._label_parts()
         cut = opened.cut_of(picked) if isinstance(picked, str) and picked else None
-        for each in (self.elevation, self.angle, self.weakest):
-            each.disabled = cut is None
+        self.elevation.disabled = cut is None
+        self.angle.disabled = cut is None or not cut.turns
+        self.weakest.disabled = cut is None or not cut.turns or cut.aside != 0.0
         if isinstance(picked, Candidate):
             parts = [each.name for each in opened.parts()]
             self.drawing.place_plane(None, None)
+            self.drawing.place_ties({}, None)
             self.drawing.mark_parts(place for place, name in enumerate(parts) if name in picked.parts)
             self.facts.content = words.candidate(picked)
             return
@@ -227,7 +231,9 @@ class Page:
         if not picked:
             return
         self._recompute()
-        self.drawing.place_plane(cut, opened.outline(picked).result)
+        result = opened.outline(picked).result
+        self.drawing.place_plane(cut, result)
+        self.drawing.place_ties(opened.tie_ends(picked), result)
         if cut is not None:
             self._show_crack(cut.point[2], cut.angle)
         if self.shown_curve.value == curves.ENVELOPE:
@@ -299,12 +305,19 @@ class Page:
 
     def _dragged(self, point: Sequence[float], angle: float, released: bool) -> None:
         if isinstance(self.picked, str):
-            self.fault.content = self._done = ""
-            goes_on = self._last_moved[0] is self.drawing
-            self._last_moved = (None if released else self.drawing), time.monotonic()
-            self.opened.move_cut(self.picked, point, angle, goes_on=goes_on)
+            self._drag(partial(self.opened.move_cut, self.picked, point, angle), self.drawing, released)
             self._show_crack(point[2], angle)
-            self._ask(released)
+
+    def _dragged_end(self, key: KeyPath, at: Sequence[float], released: bool) -> None:
+        self._drag(partial(self.opened.move_end, key, at), key, released)
+
+    def _drag(self, move: Callable[..., None], what: object, released: bool) -> None:
+        """Try where something is dragged to; from when it is taken until it is let go this is one step."""
+        self.fault.content = self._done = ""
+        goes_on = self._last_moved[0] == what
+        self._last_moved = (None if released else what), time.monotonic()
+        move(goes_on=goes_on)
+        self._ask(released)
 
     def _typed_crack(self, field: Any) -> None:
         """Try the elevation or the angle that was typed, and leave the other as it is."""
@@ -314,7 +327,7 @@ class Page:
             point = (x, y, self.elevation.value if field is self.elevation else z)
             angle = radians(self.angle.value) if field is self.angle else cut.angle
             self.opened.move_cut(self.picked, point, angle, goes_on=self._goes_on(field))
-            self.drawing.move_plane(point, angle)
+            self.drawing.move_plane(replace(cut, point=point, angle=angle))
             self._ask(True)
 
     def _find_weakest(self) -> None:

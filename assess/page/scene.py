@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterable, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from itertools import pairwise
 from math import atan2, cos, dist, sin
 from typing import Any
@@ -10,10 +10,11 @@ from typing import Any
 import numpy as np
 
 from assess.geometry.surface import parallel_sections, simplify
-from assess.mechanisms.mechanism import CutAngle
+from assess.project.dragged import Crack
+from assess.project.key_errors import KeyPath
 from assess.project.opened import ShownPart
 from assess.project.trials import ShownMechanism
-from assess.results import DrawnLoad, MechanismResult, NamedPoint, View
+from assess.results import DrawnLoad, MechanismResult, NamedPoint, Place, View
 from assess.study.rocking_motion import BlockPlace
 from spectra.arrays import FloatArray
 
@@ -51,15 +52,25 @@ class Drawing:
     """What is drawn in the scene of a server of viser.
 
     moved : called with a point of the plane [m], its angle in the plane of motion [rad] and whether it is let go
+    moved_end : called with the key of an end of a tie, where it is [m], and whether it is let go
     """
 
-    def __init__(self, viser: Any, *, moved: Callable[[Sequence[float], float, bool], None]) -> None:
-        self._scene, self._camera, self._moved = viser.scene, viser.initial_camera, moved
+    def __init__(
+        self,
+        viser: Any,
+        *,
+        moved: Callable[[Sequence[float], float, bool], None],
+        moved_end: Callable[[KeyPath, Sequence[float], bool], None],
+    ) -> None:
+        self._scene, self._camera = viser.scene, viser.initial_camera
+        self._moved, self._moved_end = moved, moved_end
         self._parts: list[Any] = []
         self._labels: list[Any] = []
         self._shown: list[Any] = []
         self._frames: dict[int, Any] = {}
         self._plane: Any = None
+        self._ends: dict[KeyPath, Any] = {}
+        self._ties: list[Any] = []
         self._along = np.array([1.0, 0.0, 0.0])
         self.show_labels = False
         self._scene.configure_default_lights(cast_shadow=False)
@@ -137,46 +148,67 @@ class Drawing:
         self._clear([each for each in self._shown if each.name not in names])
         self._shown = made
 
-    def place_plane(self, cut: CutAngle | None, result: MechanismResult | None) -> None:
+    def place_plane(self, crack: Crack | None, result: MechanismResult | None) -> None:
         """Put the handle of the crack where it is; None takes it away."""
-        if cut is None or result is None or result.view is None:
-            if self._plane is not None:
-                self._plane.remove()
-                self._plane = None
-            return
-        self._along = np.array(result.view.direction)
-        position, turned = np.array(cut.point), quaternion(self._along, cut.angle)
         if self._plane is not None:
-            self._plane.position, self._plane.wxyz = position, turned
+            self._plane.remove()
+            self._plane = None
+        if crack is None or result is None or result.view is None:
             return
-        size = float(max(result.view.size))
+        self._along, size = np.array(result.view.direction), float(max(result.view.size))
         self._plane = self._scene.add_transform_controls(
-            "/crack", scale=max(0.4, size / 4.0), active_axes=(True, False, True), position=position, wxyz=turned,
-            depth_test=False,
+            "/crack", scale=max(0.4, size / 4.0), active_axes=(crack.turns, False, True), depth_test=False,
+            disable_rotations=not crack.turns, position=np.array(crack.point),
+            wxyz=quaternion(self._along, crack.angle, crack.aside),
         )  # fmt: skip
         half = 0.6 * size
         corners = np.array([[-half, -half, 0.0], [half, -half, 0.0], [half, half, 0.0], [-half, half, 0.0]])
-        faces = np.array([[0, 1, 2], [0, 2, 3]])
         self._scene.add_mesh_simple(
-            "/crack/plane",
-            corners,
-            faces,
-            color=HINGE,
-            opacity=0.25,
-            side="double",
-            cast_shadow=False,
-            receive_shadow=False,
-        )
+            "/crack/plane", corners, np.array([[0, 1, 2], [0, 2, 3]]), color=HINGE, opacity=0.25, side="double",
+            cast_shadow=False, receive_shadow=False,
+        )  # fmt: skip
 
         @self._plane.on_update  # type: ignore[untyped-decorator, unused-ignore]
         async def _(event: Any) -> None:
             plane = event.target
             self._moved(plane.position.tolist(), angle_of(plane.wxyz, self._along), event.phase == "end")
 
-    def move_plane(self, point: Sequence[float], angle: float) -> None:
+    def move_plane(self, crack: Crack) -> None:
         """Put the handle of the crack elsewhere."""
         if self._plane is not None:
-            self._plane.position, self._plane.wxyz = np.array(point), quaternion(self._along, angle)
+            self._plane.position = np.array(crack.point)
+            self._plane.wxyz = quaternion(self._along, crack.angle, crack.aside)
+
+    def place_ties(self, ends: Mapping[KeyPath, Place], result: MechanismResult | None) -> None:
+        """Draw ties with a handle at each of their ends, by its key in the file; those of before are taken away."""
+        self._clear([*self._ends.values()])
+        size = 1.0 if result is None or result.view is None else float(max(result.view.size))
+        self._ends = {key: self._handle_of_end(key, at, size) for key, at in ends.items()}
+        self._draw_ties()
+
+    def _handle_of_end(self, key: KeyPath, at: Place, size: float) -> Any:
+        handle = self._scene.add_transform_controls(
+            f"/ties/{key[-2]}-{key[-1]}", scale=max(0.3, size / 6.0), disable_rotations=True, depth_test=False,
+            position=np.array(at),
+        )  # fmt: skip
+
+        @handle.on_update  # type: ignore[untyped-decorator, unused-ignore]
+        async def _(event: Any) -> None:
+            self._draw_ties()
+            self._moved_end(key, event.target.position.tolist(), event.phase == "end")
+
+        return handle
+
+    def _draw_ties(self) -> None:
+        """Draw a line between the handles at both ends of each tie."""
+        places = {key: each.position for key, each in self._ends.items()}
+        pairs = [
+            (at, places[far]) for key, at in places.items() if (far := (*key[:-1], "anchor")) in places and key != far
+        ]
+        if pairs:
+            self._ties = [self._segments("/ties/lines", pairs, LOAD["tie"], 0.03)]
+        else:
+            self._clear(self._ties)
 
     def place_blocks(self, places: Sequence[BlockPlace]) -> None:
         """Put the blocks of the mechanism where they are after a rotation; at rest where none is given."""
@@ -244,14 +276,16 @@ class Drawing:
         handles.clear()
 
 
-def quaternion(along: FloatArray, angle: float) -> tuple[float, float, float, float]:
-    """Return the rotation (w, x, y, z) that turns x to a direction, and then tilts its plane by an angle [rad].
+def quaternion(along: FloatArray, angle: float, aside: float = 0.0) -> tuple[float, float, float, float]:
+    """Return the rotation (w, x, y, z) that turns x to a direction, and then tilts its plane by angles [rad].
 
-    A positive angle lets the plane fall towards the direction.
+    A positive angle lets the plane fall towards the direction, a positive one aside to its left.
     """
     yaw = atan2(along[1], along[0])
     a, b, c, d = cos(yaw / 2.0), sin(yaw / 2.0), cos(angle / 2.0), sin(angle / 2.0)
-    return (a * c, -b * d, a * d, b * c)  # about z by the yaw, times about y by the angle
+    w, x, y, z = a * c, -b * d, a * d, b * c  # about z by the yaw, times about y by the angle
+    e, f = cos(aside / 2.0), sin(aside / 2.0)
+    return (w * e + x * f, x * e - w * f, y * e - z * f, z * e + y * f)  # times about x by what is aside, backwards
 
 
 def angle_of(wxyz: FloatArray, along: FloatArray) -> float:

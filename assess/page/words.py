@@ -117,7 +117,9 @@ def mechanism(opened: OpenedProject, shown: ShownMechanism) -> str:
     ]
     fault = f"<br><b>{escape(shown.fault)}</b>" if shown.fault else ""
     said = f'<p style="{STYLE}">{escape(_of_what(opened, shown))}{fault}</p>'
-    return said + _table(("", ""), rows) + _methods(opened, shown) + _verdict(shown)
+    warned = () if shown.mechanism is None else shown.mechanism.warnings
+    doubts = "".join(_warning(each.text) for each in warned)
+    return said + doubts + _table(("", ""), rows) + _methods(opened, shown) + _verdict(shown)
 
 
 def missing_input(each: Missing) -> str:

@@ -6,13 +6,11 @@ import tomllib
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from hashlib import sha256
-from math import degrees
 from pathlib import Path
 from typing import Any
 
 from assess.codes.question import Missing, toml_lines
 from assess.errors import OutputError, ProjectError
-from assess.mechanisms.mechanism import CutAngle
 from assess.outputs.writing import replace_file
 from assess.project import sections
 from assess.project.bars import with_bars
@@ -23,7 +21,6 @@ from assess.project.project_file import Project, load, load_tree, parse_toml
 from assess.project.toml_text import with_changes
 from spectra.arrays import is_number
 
-LEVEL = 0.0005  # rad: a crack less inclined than this is written as an elevation
 PLACES = frozenset({"direction", "cut", "crack", "profile", "base", "at", "anchor", "hinges", "point", "centroid"})
 """Keys of places and directions, which are not numbers to be varied one by one."""
 PURE = frozenset({"ratio", "number"})
@@ -120,26 +117,9 @@ class EditedProject:
             and name in dependents(content, each.path[:2])
         )
 
-    def move_cut(self, name: str, before: CutAngle, after: CutAngle, *, goes_on: bool = False) -> None:
-        """Try another crack of a mechanism of one block.
-
-        Parameters
-        ----------
-        name : of the mechanism
-        before, after : the crack as it is tried, and the one to try: coordinates that are the same stay as written
-        goes_on : whether this is still the step that was tried last, as while the crack is dragged
-        """
-        key: KeyPath = ("mechanisms", name, "cut")
-        written = look_up(self._tried(self.project.raw), key)[1]
-        point = written.get("point", before.point) if isinstance(written, Mapping) else before.point
-        kept = [
-            stated if new == old else round(float(new), 4) + 0.0
-            for stated, old, new in zip(point, before.point, after.point, strict=True)
-        ]
-        cut: Any = {"point": kept, "angle": f"{degrees(after.angle):.2f} deg"}
-        if abs(after.angle) <= LEVEL and not isinstance(look_up(self.project.raw, key)[1], Mapping):
-            cut = f"{kept[2]:.6g} m" if is_number(kept[2]) else kept[2]
-        self.change({key: cut}, goes_on=goes_on)
+    def tried_value(self, key: KeyPath) -> Any:
+        """Return what the file says at a key with what is tried; None where it says nothing."""
+        return look_up(self._tried(self.project.raw), key)[1]
 
     def change(self, setting: Setting, *, goes_on: bool = False) -> None:
         """Try other values at some keys.

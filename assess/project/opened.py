@@ -14,17 +14,17 @@ from assess.codes.question import methods_of
 from assess.codes.verdict import RANKS, Verdict
 from assess.errors import AssessError
 from assess.geometry.solid import Solid
-from assess.mechanisms.mechanism import CutAngle, CutPlane
-from assess.mechanisms.single_block import SingleBlock
 from assess.model.candidates import Candidate
 from assess.model.weakest_crack import WeakestCrack
 from assess.project.build import BuiltProject, build_with_cases
+from assess.project.dragged import Crack, crack_entry, crack_of, end_value, tie_ends
 from assess.project.edited import EditedProject, Number
 from assess.project.found_mechanisms import FoundMechanisms, find_mechanisms
+from assess.project.key_errors import KeyPath
 from assess.project.project_file import Project
 from assess.project.site_and_structure import definitions_of
 from assess.project.trials import Decider, Decision, ShownMechanism, try_mechanism, weakest_crack
-from assess.results import EnvelopeResult
+from assess.results import EnvelopeResult, Place
 from assess.study.envelopes import envelope_of
 from assess.study.mechanism_results import parameters
 from assess.study.rocking_motion import RockingMotion, governing_motion
@@ -193,31 +193,48 @@ class OpenedProject:
         """
         return self.edited.numbers(name, self._built.project)
 
-    def cut_of(self, name: str) -> CutAngle | None:
-        """Return the crack of a mechanism of one block, as it is tried, by point and angle; None where none moves it.
+    def cut_of(self, name: str) -> Crack | None:
+        """Return the crack of a mechanism, as it is tried; None where none can be moved.
 
         Raises
         ------
         ProjectError : what is tried cannot be read
         """
-        content, result = self.edited.content(self._built.project), self._results.get(name)
-        definition = definitions_of(content).get(name)
-        if not isinstance(definition, SingleBlock) or result is None or result.view is None:
-            return None
-        cut = definition.cut
-        if isinstance(cut, CutPlane):
-            return None
-        if isinstance(cut, CutAngle):
-            return cut
-        x, y, z = ((a + b) / 2.0 for a, b in zip(*result.view.axes[0].ends, strict=True))
-        return CutAngle((x, y, z if cut is None else cut), 0.0)
+        return crack_of(self._definition_of(name), self._results.get(name))
 
     def move_cut(self, name: str, point: Sequence[float], angle: float, *, goes_on: bool = False) -> None:
-        """Try another crack: a point of it [x, y, z] [m], and its angle as `CutAngle` has it [rad]."""
-        before = self.cut_of(name)
+        """Try another crack: a point of it [x, y, z] [m], and its angle as `Crack` has it [rad]."""
+        before, (x, y, z) = self.cut_of(name), point
         if before is not None:
-            x, y, z = point
-            self.edited.move_cut(name, before, replace(before, point=(x, y, z), angle=angle), goes_on=goes_on)
+            key, value = crack_entry(
+                name,
+                before,
+                replace(before, point=(x, y, z), angle=angle),
+                written=self.edited.tried_value(("mechanisms", name)),
+                along=self._direction_of(name),
+            )
+            self.edited.change({key: value}, goes_on=goes_on)
+
+    def tie_ends(self, name: str) -> dict[KeyPath, Place]:
+        """Return the ends of the ties of a mechanism in space [m], as they are tried, by their keys.
+
+        Raises
+        ------
+        ProjectError : what is tried cannot be read
+        """
+        return tie_ends(name, self._definition_of(name), self._results.get(name))
+
+    def move_end(self, key: KeyPath, at: Sequence[float], *, goes_on: bool = False) -> None:
+        """Try another end of a tie: its key, and where it is to be [x, y, z] [m]."""
+        value = end_value(at, self.edited.tried_value(key), self._direction_of(str(key[1])))
+        self.edited.change({key: value}, goes_on=goes_on)
+
+    def _definition_of(self, name: str) -> object:
+        return definitions_of(self.edited.content(self._built.project)).get(name)
+
+    def _direction_of(self, name: str) -> Place:
+        view = self._results[name].view if name in self._results else None
+        return (1.0, 0.0, 0.0) if view is None else view.direction
 
     def find_weakest_crack(self, name: str, progress: Callable[[int], object]) -> WeakestCrack:
         """Find the weakest crack of a mechanism of one block with what is tried; progress: as of the search."""

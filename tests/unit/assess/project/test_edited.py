@@ -2,13 +2,10 @@
 
 from __future__ import annotations
 
-from math import radians
-
 import pytest
 
 from assess.codes.question import Missing
 from assess.errors import ProjectError
-from assess.mechanisms.mechanism import CutAngle
 from assess.project.edited import EditedProject
 from assess.project.evidence import every_key, meaning_of
 from tests.support.projects import block, project_toml
@@ -43,14 +40,6 @@ def test_every_step_makes_a_revision(edited):
         act()
         assert edited.revision not in seen
         seen.add(edited.revision)
-
-
-def test_a_level_crack_is_an_elevation_and_an_inclined_one_has_a_point(edited):
-    level = CutAngle((0.0, 0.0, 1.0), 0.0)
-    edited.move_cut("wall", level, CutAngle((0.0, 0.0, 1.5), 0.0))
-    edited.move_cut("wall", CutAngle((0.0, 0.0, 1.5), 0.0), CutAngle((0.0, 0.0, 1.5), radians(10.0)))
-    first, second = (each["mechanisms", "wall", "cut"] for each in edited.changes)
-    assert (first, second) == ("1.5 m", {"point": [0.0, 0.0, 1.5], "angle": "10.00 deg"})
 
 
 def test_what_is_missing_is_written_with_its_source(edited):

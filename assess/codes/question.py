@@ -80,6 +80,7 @@ class Question:
     target_nbs : share of the new building standard to be reached [%], of NZSEE 2017
     missing : what the whole project lacks, without which its numbers stand for no action
     provisional : what a provisional value stands for, with which its numbers are computed
+    struck_out : mechanisms that the engineer leaves out, each with the reason
     """
 
     basis: Basis | None
@@ -95,6 +96,7 @@ class Question:
     target_nbs: float | None = None
     missing: tuple[Missing, ...] = ()
     provisional: tuple[Missing, ...] = ()
+    struck_out: tuple[tuple[str, str], ...] = ()
 
 
 @dataclass(frozen=True)

@@ -249,7 +249,7 @@ def verdict(question: Question, mechanisms: Sequence[MechanismChecks]) -> Verdic
         target=target,
         outcome=Decision.INCOMPLETE,
         at_the_limit=False,
-        conditions=(),
+        conditions=tuple(map(_of_struck_out, question.struck_out)),
         missing=criteria.missing,
         mechanisms=(),
         limit_states=tuple(state.name for state in states),
@@ -263,7 +263,7 @@ def verdict(question: Question, mechanisms: Sequence[MechanismChecks]) -> Verdic
 def with_mechanisms(building: Verdict, found: Sequence[MechanismVerdict]) -> Verdict:
     """Return the verdict of a building whose mechanisms come off so.
 
-    What is missing for the building stays, and that of each mechanism joins it.
+    Conditions of the building and what is missing for it stay, and those of each mechanism join them.
 
     Parameters
     ----------
@@ -271,11 +271,13 @@ def with_mechanisms(building: Verdict, found: Sequence[MechanismVerdict]) -> Ver
     found : the verdict of each mechanism
     """
     outcome = worst_outcome(one.outcome for one in found)
+    of_mechanisms = [condition for one in building.mechanisms for condition in one.conditions]
+    own = [condition for condition in building.conditions if condition not in of_mechanisms]
     return replace(
         building,
         outcome=outcome,
         at_the_limit=_near_limit(outcome, [one.at_the_limit for one in found if one.outcome == outcome]),
-        conditions=_unique(each for one in found for each in one.conditions),
+        conditions=_unique((*own, *(each for one in found for each in one.conditions))),
         missing=merge_missing((*building.missing, *(each for one in found for each in one.missing))),
         mechanisms=tuple(found),
         index=_index(found),
@@ -283,6 +285,11 @@ def with_mechanisms(building: Verdict, found: Sequence[MechanismVerdict]) -> Ver
         if outcome == Decision.INCOMPLETE
         else None,
     )
+
+
+def _of_struck_out(struck: tuple[str, str]) -> Message:
+    name, reason = struck
+    return message("struck-out", {"name": name, "reason": reason}, severity=Severity.WARNING, where="report.struck_out")
 
 
 class Falling(Protocol):

@@ -318,6 +318,7 @@ TEXTS: Mapping[str, str] = {
     "vouches for them; name one in [report.sources]: {keys}",
     "not-sought": "a pass is valid only for the mechanism as stated, as no weaker one is sought and no source vouches "
     "for it; name one in [report.sources]: {keys}",
+    "struck-out": 'a pass is valid only if "{name}" cannot occur, which is struck out: {reason}',
     "slope-as-beam": "a pass is valid only if a ridge beam or a wall carries the upper end of {what}, which slopes one "
     "way: else it pushes, and has a thrust",
     "units-slide": "a pass is valid only if the units under the plate of {what} do not slide on their beds before a "

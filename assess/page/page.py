@@ -99,22 +99,20 @@ class Page:
             gui, self.drawing, find=lambda: opened.motion(self.picked) if isinstance(self.picked, str) else None
         )
         with gui.add_folder("Crack"):
-            self.elevation = gui.add_number(
-                "Elevation [m]", 0.0, step=0.01, hint="Of the crack, or of the point it turns about."
-            )
-            self.angle = gui.add_slider(
-                "Angle [deg]",
-                -STEEPEST,
-                STEEPEST,
-                0.5,
-                0.0,
-                hint="Where positive, the crack falls towards the direction.",
-            )
+            turns = "Of the crack, or of the point it turns about."
+            self.elevation = gui.add_number("Elevation [m]", 0.0, step=0.01, hint=turns)
+            towards = "Where positive, the crack falls towards the direction."
+            self.angle = gui.add_slider("Angle [deg]", -STEEPEST, STEEPEST, 0.5, 0.0, hint=towards)
             self.weakest = gui.add_button("Find the weakest crack", hint="Tries elevations and angles.")
         with gui.add_folder("Values", expand_by_default=False) as self.numbers:
             pass
         with gui.add_folder("To complete it", expand_by_default=False) as self.missing:
             pass
+        with gui.add_folder("Strike out", expand_by_default=False):
+            self.reason = gui.add_text(
+                "Reason", "", hint="Why it cannot occur, by whom and when; a pass depends on it."
+            )
+            self.strike = gui.add_button("Strike out")
         with gui.add_folder("Project file"):
             self.undo, self.write, self.add, again = (
                 gui.add_button(label) for label in ("Undo", "Write", "Add what was found", "Read again")
@@ -132,6 +130,7 @@ class Page:
         self.mechanisms.on_update(lambda event: self._if_by_hand(event, self._pick_by_hand))
         for each in (self.elevation, self.angle):
             each.on_update(lambda event: self._if_by_hand(event, partial(self._typed_crack, event.target)))
+        self.strike.on_click(lambda _: self._strike_out())
         self.weakest.on_click(lambda _: self._thorough.ask(self._find_weakest))
         self.shown_curve.on_update(lambda event: self._if_by_hand(event, lambda: self._ask(True)))
         self.labels.on_update(lambda _: self._label_parts())
@@ -144,11 +143,16 @@ class Page:
             with self._told(by_hand=True):
                 what()
 
-    def _told(self, *, by_hand: bool = False) -> _Told:
+    @contextmanager
+    def _told(self, *, by_hand: bool = False) -> Iterator[None]:
         """Say what is wrong in the block; what was wrong before is left until something is done by hand."""
         if by_hand:
             self.fault.content = self._done = ""
-        return _Told(self.status, self.fault)
+        try:
+            yield
+        except (AssessError, SpectrumError, RecordError, OSError) as error:
+            self.fault.content = words.fault(str(error))
+            self.status.content = words.status("stopped, as follows")
 
     def _pick_by_hand(self) -> None:
         self._is_picked_by_hand = True
@@ -257,7 +261,7 @@ class Page:
 
     def _recompute(self, *, at_rest: bool = False) -> None:
         """Show the mechanism that is picked with what is tried, unless something else was tried meanwhile."""
-        picked, asked = self.picked, self._state()
+        picked, asked, known = self.picked, self._state(), self.opened.decided_of
         if not isinstance(picked, str) or not picked:
             with self._turn:
                 self._show_state()
@@ -265,7 +269,7 @@ class Page:
         shown = self.opened.examine(picked)
         curve = self._curve(shown, at_rest=at_rest)
         with self._turn:
-            if self._state() == asked:
+            if (self._state(), self.opened.decided_of) == (asked, known):
                 self._show(shown, curve)
 
     def _curve(self, shown: ShownMechanism, *, at_rest: bool) -> curves.Curve | None:
@@ -330,6 +334,16 @@ class Page:
             self.drawing.move_plane(replace(cut, point=point, angle=angle))
             self._ask(True)
 
+    def _strike_out(self) -> None:
+        """Try the project without the mechanism that is picked."""
+        name = self.picked if isinstance(self.picked, str) else self.picked.name
+        with self._told(by_hand=True), self._turn:
+            self._last_moved = (None, 0.0)
+            self.opened.edited.strike_out(name, self.reason.value)
+            self.reason.value, self._done = "", f"{name} is struck out"
+            self._show_picked()
+            self.start()
+
     def _find_weakest(self) -> None:
         """Find the weakest crack of the mechanism that is picked, and try it."""
         picked, asked = self.picked, self._state()
@@ -391,11 +405,7 @@ class Page:
                 self._of_missing.append(self._gui.add_html(words.missing_input(each)))
                 if each.toml:
                     field = self._gui.add_text("TOML", each.toml, multiline="\n" in each.toml)
-                    source = self._gui.add_text(
-                        "Source",
-                        "",
-                        hint=SOURCE_HINT,
-                    )
+                    source = self._gui.add_text("Source", "", hint=SOURCE_HINT)
                     button = self._gui.add_button("Try it")
                     button.on_click(partial(self._add_lines, each, field, source))
                     self._of_missing += [field, source, button]
@@ -454,7 +464,7 @@ def open_page(project: Path, *, port: int = 0, tell: Callable[[str], object] = l
     ------
     AssessError, SpectrumError or RecordError : the project cannot be read, or the page not be served
     """
-    server = PageServer(port=port)
+    server = PageServer(port=port, label=(project.parent if project.is_file() else project).resolve().name)
     try:
         page = Page(server, OpenedProject(project))
         try:
@@ -465,23 +475,6 @@ def open_page(project: Path, *, port: int = 0, tell: Callable[[str], object] = l
             page.close()
     finally:
         server.close()
-
-
-class _Told:
-    """Says on the page what is wrong in the block, in place of a traceback."""
-
-    def __init__(self, status: Any, fault: Any) -> None:
-        self._status, self._fault = status, fault
-
-    def __enter__(self) -> _Told:
-        return self
-
-    def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, _: object) -> bool:
-        told = isinstance(error, AssessError | SpectrumError | RecordError | OSError)
-        if told:
-            self._fault.content = words.fault(str(error))
-            self._status.content = words.status("stopped, as follows")
-        return told
 
 
 def _remove(handles: list[Any]) -> None:

@@ -42,6 +42,7 @@ LOAD: dict[str, Colour] = {"mass": (107, 76, 154), "force": (107, 76, 154), "tie
 UNMARKED, MARKED = 0.35, 0.9  # opacity of parts
 PART_TRIANGLES = 4000
 MOST_LABELS = 40
+PLAIN: dict[str, Any] = {"side": "double", "cast_shadow": False, "receive_shadow": False}
 AWAY, VIEW = 1.1, (0.62, -0.66, 0.42)  # of the diagonal of what is seen, and from where
 LEVEL_KINDS = ("horizontal-arch",)  # whose plane of motion is not upright
 ARROW = 0.12  # of the mechanism's size
@@ -86,15 +87,7 @@ class Drawing:
             colour = KINDS.get(part.kind, WALL)
             self._parts.append(
                 self._scene.add_mesh_simple(
-                    f"/parts/{number}",
-                    vertices,
-                    triangles,
-                    color=colour,
-                    opacity=UNMARKED,
-                    flat_shading=True,
-                    side="double",
-                    cast_shadow=False,
-                    receive_shadow=False,
+                    f"/parts/{number}", vertices, triangles, color=colour, opacity=UNMARKED, flat_shading=True, **PLAIN
                 )
             )
             if number < MOST_LABELS:
@@ -164,9 +157,8 @@ class Drawing:
         half = 0.6 * size
         corners = np.array([[-half, -half, 0.0], [half, -half, 0.0], [half, half, 0.0], [-half, half, 0.0]])
         self._scene.add_mesh_simple(
-            "/crack/plane", corners, np.array([[0, 1, 2], [0, 2, 3]]), color=HINGE, opacity=0.25, side="double",
-            cast_shadow=False, receive_shadow=False,
-        )  # fmt: skip
+            "/crack/plane", corners, np.array([[0, 1, 2], [0, 2, 3]]), color=HINGE, opacity=0.25, **PLAIN
+        )
 
         @self._plane.on_update  # type: ignore[untyped-decorator, unused-ignore]
         async def _(event: Any) -> None:
@@ -238,9 +230,8 @@ class Drawing:
                     made.append(self._segments(f"/blocks/{number}/hatch", np.concatenate(strokes), HINGE, size / 400.0))
             made.append(
                 self._scene.add_mesh_simple(
-                    name, vertices[used], places.reshape(-1, 3), flat_shading=True, side="double", cast_shadow=False,
-                    color=OUTCOMES.get(outcome, UNKNOWN) if moves else FIXED, opacity=None if moves else 0.6,
-                    receive_shadow=False,
+                    name, vertices[used], places.reshape(-1, 3), flat_shading=True,
+                    color=OUTCOMES.get(outcome, UNKNOWN) if moves else FIXED, opacity=None if moves else 0.6, **PLAIN,
                 )
             )  # fmt: skip
         return made

@@ -12,12 +12,14 @@ Its messages that open a tunnel to another host have no handler.
 
 from __future__ import annotations
 
+import gzip
 import os
 import secrets
 import socket
 import warnings
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
+from html import escape
 from http import HTTPStatus
 from mimetypes import guess_type
 from pathlib import Path
@@ -34,6 +36,7 @@ POLICY = (
     "frame-ancestors 'none'; form-action 'none'; base-uri 'none'"
 )
 """What a browser may load: what the page brings along, and its own socket."""
+LIBRARY_TITLE = b"<title>Viser</title>"
 HEADERS = {
     "Cache-Control": "no-store",
     "Referrer-Policy": "no-referrer",
@@ -56,7 +59,7 @@ class PageServer:
         Parameters
         ----------
         port : of the address; any free one where 0
-        label : shown above the panel
+        label : title of the window
 
         Raises
         ------
@@ -70,10 +73,10 @@ class PageServer:
         self._secret = secrets.token_urlsafe(32)
         self.address = f"http://{HOST}:{self.port}/?token={self._secret}"
         self.files: dict[str, Path] = {}
-        guard = _Guard(self.port, self._secret, self.files, library)
+        guard = _Guard(self.port, self._secret, self.files, library, label)
         try:
             with _guarded(library, guard, self._socket):
-                self.viser = library.ViserServer(host=HOST, port=self.port, label=label or None, verbose=False)
+                self.viser = library.ViserServer(host=HOST, port=self.port, verbose=False)
         except BaseException:
             self._socket.close()
             raise
@@ -92,8 +95,8 @@ class PageServer:
 class _Guard:
     """What may be asked of the server, and by whom."""
 
-    def __init__(self, port: int, secret: str, files: Mapping[str, Path], library: Any) -> None:
-        self.used, self._files = False, files
+    def __init__(self, port: int, secret: str, files: Mapping[str, Path], library: Any, title: str) -> None:
+        self.used, self._files, self._title = False, files, f"<title>{escape(title or 'assess')}</title>".encode()
         self._hosts = (f"{HOST}:{port}", f"localhost:{port}")
         self._cookie, self._secret = f"assess_{port}", secret
         self._response, self._headers = library.infra._infra.Response, library.infra._infra.Headers
@@ -116,11 +119,25 @@ class _Guard:
             file = None if upgraded else self._files.get(urlsplit(request.path).path)
             response = process(connection, request) if file is None else self._file(file)
             if response is not None:
+                if file is None:
+                    self._entitle(response)
                 response.headers.update(HEADERS)
                 response.headers["Content-Security-Policy"] = POLICY.format(socket=f"ws://{host}")
             return response
 
         return guarded
+
+    def _entitle(self, response: Any) -> None:
+        """Put the title of the window in place of the library's."""
+        if not response.headers.get("Content-Type", "").startswith("text/html"):
+            return
+        packed = response.headers.get("Content-Encoding") == "gzip"
+        plain = gzip.decompress(response.body) if packed else response.body
+        if LIBRARY_TITLE in plain:
+            body = plain.replace(LIBRARY_TITLE, self._title, 1)
+            response.body = gzip.compress(body) if packed else body
+            del response.headers["Content-Length"]
+            response.headers["Content-Length"] = str(len(response.body))
 
     def _is_secret(self, text: str) -> bool:
         return secrets.compare_digest(text.encode("utf-8", "replace"), self._secret.encode())

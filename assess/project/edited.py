@@ -153,9 +153,24 @@ class EditedProject:
             raise ProjectError(f"{missing.key}: {text!r:.60}: {error}; write it as the example shows") from None
         setting: dict[KeyPath, Any] = dict(_leaves((), tables))
         if source:
-            stated = look_up(self._tried(self.project.raw), ("report", "sources"))[1]
             vouched = {".".join(map(str, path)): source for path in setting}
-            setting["report", "sources"] = {**(stated if isinstance(stated, Mapping) else {}), **vouched}
+            setting |= self._with_entries(("report", "sources"), vouched)
+        self._change_if_read(setting)
+
+    def strike_out(self, name: str, reason: str) -> None:
+        """Try the project without a mechanism, which cannot occur for a reason.
+
+        Raises
+        ------
+        ProjectError : there is no reason, or it is the last mechanism; it is not tried then
+        """
+        self._change_if_read(self._with_entries(("report", "struck_out"), {name: reason}))
+
+    def _with_entries(self, table: KeyPath, entries: Mapping[str, str]) -> dict[KeyPath, Any]:
+        stated = self.tried_value(table)
+        return {table: {**(stated if isinstance(stated, Mapping) else {}), **entries}}
+
+    def _change_if_read(self, setting: Setting) -> None:
         self.change(setting)
         try:
             self.tried_project()

@@ -24,6 +24,7 @@ from assess.model.structure_reading import structure_of_models
 from assess.outputs.writing import replace_file
 from assess.project.build import build_to_decide
 from assess.project.drawn_project import is_stated, mechanism_lines, unexamined_entries
+from assess.project.keys import read_content, with_values
 from assess.project.project_file import Project, load_tree, parse_toml
 from assess.project.sections import Content
 from assess.project.sections.content import checklist
@@ -51,6 +52,7 @@ class FoundMechanisms:
     in_file : by the name of a candidate, the mechanism of the project that is the same
     bodies : names of the project's bodies; parts into which one was split have others
     not_examined : why, by the entries of the list of the report that nothing in the file speaks of
+    struck_out : names of the candidates that the project strikes out, by these or as mechanisms of the file
     """
 
     structure: Structure
@@ -58,11 +60,12 @@ class FoundMechanisms:
     in_file: Mapping[str, str]
     bodies: frozenset[str]
     not_examined: Mapping[str, str]
+    struck_out: frozenset[str] = frozenset()
 
     @property
     def new(self) -> tuple[Candidate, ...]:
-        """The candidates that the project can state and does not."""
-        known = [each for each in self.candidates if each.name not in self.in_file]
+        """The candidates that the project can state and does not, nor strikes out."""
+        known = [each for each in self.candidates if each.name not in self.in_file.keys() | self.struck_out]
         return tuple(each for each in known if is_stated(each) and self.bodies.issuperset(each.parts))
 
     def open_entries(self, building_type: BuildingType) -> Mapping[str, OpenEntry]:
@@ -81,7 +84,8 @@ class FoundMechanisms:
         overturning : PGA at which the suite overturns half of its runs [g], by candidate; likewise
         """
         table = self.candidates.table()
-        table.insert(1, "in_file", [self.in_file.get(each.name, "") for each in self.candidates])
+        stated = {**dict.fromkeys(self.struck_out, "(struck out)"), **self.in_file}
+        table.insert(1, "in_file", [stated.get(each.name, "") for each in self.candidates])
         if overturning is not None:
             table.insert(5, "overturning_pga_g", [overturning.get(each.name) for each in self.candidates])
             return table.sort_values("overturning_pga_g", kind="stable")
@@ -121,7 +125,18 @@ def find_mechanisms(project: Project) -> FoundMechanisms:
     candidates = structure.mechanisms()
     in_file = _in_file(candidates, definitions, structure)
     unnamed = _unnamed_entries(content, candidates, stated=in_file)
-    return FoundMechanisms(structure, candidates, in_file, frozenset(solids), unnamed)
+    struck = _struck_out(project, candidates, structure)
+    return FoundMechanisms(structure, candidates, in_file, frozenset(solids), unnamed, struck)
+
+
+def _struck_out(project: Project, candidates: Candidates, structure: Structure) -> frozenset[str]:
+    """Return the candidates that a project strikes out, by their names or as mechanisms of the file."""
+    struck = project.content.report.struck_out
+    if not struck:
+        return frozenset()
+    whole = read_content(with_values(project.raw, {("report", "struck_out"): {}}, project.content), project.folder)
+    in_file = _in_file(candidates, definitions_of(whole), structure)
+    return frozenset(each.name for each in candidates if each.name in struck or in_file.get(each.name) in struck)
 
 
 def _unnamed_entries(content: Content, candidates: Candidates, *, stated: Collection[str]) -> dict[str, str]:

@@ -182,6 +182,8 @@ class OpenedProject:
             content = self.edited.content(self._built.project)
         except AssessError as error:
             return ShownMechanism(name, None, fault=str(error))
+        if name in content.report.struck_out:
+            return replace(self.outline(name), fault=f"struck out: {content.report.struck_out[name]}", verdict=None)
         return try_mechanism(self._built, content, name)
 
     def numbers(self, name: str) -> tuple[Number, ...]:

@@ -98,6 +98,7 @@ def question_of(
         target_nbs=verdict.target_nbs,
         missing=tuple(_scaled_down_hazard(content, scale)),
         provisional=tuple(_class_of_hazard(content)),
+        struck_out=tuple(content.report.struck_out.items()),
     )
 
 

@@ -80,6 +80,7 @@ def report_matter_of(content: Content, folder: Path) -> ReportMatter:
             for place, each in enumerate(front.figures, start=1)
         ),
         checklist=checklist(front, content.mechanisms),
+        struck_out=tuple(front.struck_out.items()),
     )
 
 

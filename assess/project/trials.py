@@ -188,6 +188,10 @@ def _page_results(project: Project, decided: Decided, warnings: tuple[Message, .
         comparison=(),
         sweeps=(),
         verdict=decided.verdict,
-        report=ReportMatter(building_type=content.report.building_type or "", checklist=listed),
+        report=ReportMatter(
+            building_type=content.report.building_type or "",
+            checklist=listed,
+            struck_out=tuple(content.report.struck_out.items()),
+        ),
         falling=decided.falling,
     )

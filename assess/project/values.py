@@ -212,6 +212,12 @@ CHECKLIST = Evidence(
     "free", "none", "nothing", judged='what is not examined makes the index "at most" and changes no outcome of what is'
 )
 """Of the keys that say what is examined of the list of possible mechanisms."""
+STRUCK_OUT = Evidence(
+    "chosen",
+    "up",
+    "nothing: the reason stands there; without one the file is refused",
+    judged="a mechanism that is struck out fails no more: it counts as not examined, and a pass depends on its reason",
+)
 _AN_ITEM = {"type": ["string", "integer"]}
 ItemKeys = Annotated[
     tuple[TextLine, ...],

@@ -73,7 +73,7 @@ class ReportMatter(ShortRepr):
     """Front matter and checklist of a report; texts are the user's, "" where not given.
 
     coordinates: latitude and longitude [deg], or the user's text; building_type, checklist: "" and empty if the project
-    file does not say what the building is.
+    file does not say what the building is; struck_out: names of mechanisms that are left out, each with the reason.
     """
 
     client: str = ""
@@ -94,11 +94,17 @@ class ReportMatter(ShortRepr):
     logo: Picture | None = None
     figures: tuple[Picture, ...] = ()
     checklist: tuple[ChecklistItem, ...] = ()
+    struck_out: tuple[tuple[str, str], ...] = ()
 
     @property
     def not_examined(self) -> tuple[ChecklistItem, ...]:
         """Items that are possible and were not examined: they make the building's index an upper bound."""
         return tuple(item for item in self.checklist if item.outcome == "not-examined")
+
+    @property
+    def number_left_out(self) -> int:
+        """How many mechanisms were not examined: items of the list, and those that are struck out."""
+        return len(self.not_examined) + len(self.struck_out)
 
 
 NO_MATTER = ReportMatter()

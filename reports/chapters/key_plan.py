@@ -161,14 +161,15 @@ def item_outcome(results: Results, item: ChecklistItem) -> Text:
 
 def not_examined_text(results: Results) -> Text | None:
     """Return the items that are possible and were not examined, the first of many; None where there are none."""
+    struck = [say("{mechanism} (struck out)", mechanism=Verbatim(name)) for name, _ in results.report.struck_out]
     if not results.report.checklist:
-        return say("not stated: the project does not say which mechanisms the building can have")
-    items = results.report.not_examined
+        unknown = say("not stated: the project does not say which mechanisms the building can have")
+        return listing([*struck, unknown]) if struck else unknown
+    items = [*struck, *(item_text(results, item) for item in results.report.not_examined)]
     if not items:
         return None
-    kept = items if len(items) <= MAX_NAMED + 1 else items[:MAX_NAMED]
-    shown = [item_text(results, item) for item in kept]
-    more = len(items) - len(kept)
+    shown = items if len(items) <= MAX_NAMED + 1 else items[:MAX_NAMED]
+    more = len(items) - len(shown)
     return listing([*shown, say_count("{number} other", "{number} others", more)] if more else shown)
 
 
@@ -179,7 +180,7 @@ def checklist_meaning(results: Results) -> Text:
             "The project does not say which mechanisms a building of this type can have: the verdict holds for the "
             "mechanisms examined and says nothing of others."
         )
-    number = len(results.report.not_examined)
+    number = results.report.number_left_out
     index = None if results.verdict is None else results.verdict.index
     if index is None:
         return _meaning_without_index(number)
@@ -230,7 +231,12 @@ IN_PLANE = frozenset(each.key for items in CHECKLISTS.values() for each in items
 
 def _checklist_blocks(results: Results) -> list[Block]:
     """Return the list, and what it means for the index of the building."""
-    return [*([checklist_table(results)] if results.report.checklist else []), Prose((checklist_meaning(results),))]
+    struck = [
+        say("Struck out: {mechanism}: {reason}", mechanism=Verbatim(name), reason=Verbatim(reason))
+        for name, reason in results.report.struck_out
+    ]
+    table = [checklist_table(results)] if results.report.checklist else []
+    return [*table, *(Prose((each,)) for each in struck), Prose((checklist_meaning(results),))]
 
 
 def _checklist_caption(results: Results) -> Text:

@@ -265,8 +265,9 @@ def _before(results: Results) -> Iterator[str]:
 def _unexamined(report: ReportMatter) -> str:
     """Say what else bounds the index: how many mechanisms the building can have that were not examined."""
     if not report.building_type:
-        return "; possible mechanisms not listed (report.building_type)"
-    number = len(report.not_examined)
+        struck = len(report.struck_out)
+        return "; possible mechanisms not listed (report.building_type)" + (f", {struck} struck out" if struck else "")
+    number = report.number_left_out
     return f"; {number} possible mechanism{'' if number == 1 else 's'} not examined" if number else ""
 
 

@@ -26,6 +26,7 @@ from assess.project.sections.mechanisms import ChainSection, MechanismSection
 from assess.project.sections.procedures import Procedures, VerdictSection
 from assess.project.values import (
     CHECKLIST,
+    STRUCK_OUT,
     DateText,
     GeographicCoordinates,
     InputFile,
@@ -89,6 +90,12 @@ class FigureSection(ProjectSection, title="FigureSection"):
 SOURCE = Evidence("measured", "up", '"assumed: …"', judged="a source vouches for other keys, which then count as typed")
 
 
+def vouches(text: str) -> bool:
+    """Return whether a text names a source: one that says "assumed", or is still to be filled in, is none."""
+    assumed = text.strip().lower().startswith(NO_SOURCE) or any(dots in text for dots in TO_FILL_IN)
+    return bool(text.strip()) and not assumed
+
+
 class Report(ProjectSection):
     """How the report looks, what its front matter says, and which mechanisms the building can have."""
 
@@ -138,6 +145,9 @@ class Report(ProjectSection):
     """keys of that list which the building cannot have, like ["corner", "chimney"]"""
     not_examined: Annotated[dict[TextLine, Paragraph], CHECKLIST] = Field(default_factory=dict)
     """keys of that list which are possible and were not examined, each with the reason"""
+    struck_out: Annotated[dict[TextLine, Paragraph], STRUCK_OUT] = Field(default_factory=dict)
+    """mechanisms of the file, or found on it, that are not examined, each with the reason why it cannot occur, on which
+    a pass then depends"""
     verification: InputFile | None = None
     """the verification.json that the report names, written by `assess verify --for PROJECT`; if absent that of the
     folder NAME-verification beside this file, where there is one"""
@@ -153,8 +163,7 @@ class Report(ProjectSection):
         key : with dots, items of lists counted from 0
         """
         found = source_line(key, self.sources)
-        none = found.strip().lower().startswith(NO_SOURCE) or any(dots in found for dots in TO_FILL_IN)
-        return "" if none else found
+        return found if vouches(found) else ""
 
     @model_validator(mode="after")
     def _revisions_differ(self) -> Report:
@@ -239,6 +248,29 @@ class Content(ProjectSection):
                 known = _known_names("bodies", self.bodies)
                 for place, key, reason in body_faults(mechanism.loads, self.bodies, moving=used, known=known):
                     yield ("mechanisms", name, "loads", place, key), reason
+
+    @model_validator(mode="before")
+    @classmethod
+    def _without_what_is_struck_out(cls, data: Any) -> Any:
+        """Leave out the mechanisms that the report strikes out, whatever their tables say."""
+        report, mechanisms = (data.get(key) if isinstance(data, Mapping) else None for key in ("report", "mechanisms"))
+        struck = report.get("struck_out") if isinstance(report, Mapping) else None
+        if not isinstance(struck, Mapping) or not isinstance(mechanisms, Mapping):
+            return data
+        if mechanisms and all(name in struck for name in mechanisms):
+            raise error_at(("report", "struck_out"), "every mechanism of the file is struck out; keep one")
+        return {**data, "mechanisms": {name: each for name, each in mechanisms.items() if name not in struck}}
+
+    @model_validator(mode="after")
+    def _reasons_for_striking_out(self) -> Content:
+        faults: list[tuple[KeyPath, str]] = []
+        for name, reason in self.report.struck_out.items():
+            if not vouches(reason):
+                why = 'no reason; write what was seen there, like "measured: the gable is tied to the roof, drawing 4"'
+                faults.append((("report", "struck_out", name), why))
+        if faults:
+            raise errors_at(faults)
+        return self
 
     @model_validator(mode="after")
     def _front_matter_agrees(self) -> Content:

@@ -376,3 +376,17 @@ def wait_for(condition, told=lambda: "") -> None:
     while not condition():
         assert time.monotonic() < end, told()
         time.sleep(0.2)
+
+
+def test_a_mechanism_is_struck_out_with_a_reason_alone(at_rest):
+    """What it fails by no longer counts, and the verdict depends on the reason."""
+    at_rest.pick("thin")
+    at_rest._strike_out()
+    assert "no reason" in at_rest.fault.content
+    at_rest.reason.value = "measured: <b>taken down</b>"
+    at_rest._strike_out()
+    assert at_rest.wait(PATIENCE)
+    assert at_rest.fault.content == ""
+    assert "struck out: measured: &lt;b&gt;taken down" in at_rest.facts.content
+    assert "<b>taken down" not in at_rest.building.content
+    assert "thin (struck out)" in at_rest.building.content

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gzip
 import http.client
 import socket
 from collections.abc import Iterator
@@ -26,7 +27,7 @@ VERSION = [f"viser-v{viser.__version__}"]
 
 @pytest.fixture(scope="module")
 def server() -> Iterator[PageServer]:
-    found = PageServer()
+    found = PageServer(label="<b>Casa & C.</b>")
     yield found
     found.close()
 
@@ -63,6 +64,17 @@ def test_the_secret_address_sets_a_cookie_that_no_other_site_and_no_script_gets(
     assert page.status == 200
     assert "default-src 'self'" in page.headers["Content-Security-Policy"]
     assert get(server, "/", Cookie=cookie(server), Host=f"localhost:{server.port}").status == 200
+
+
+@pytest.mark.parametrize("coding", ["gzip", "identity"])
+def test_the_window_has_the_title_of_the_project_as_text(server, coding):
+    with closing(http.client.HTTPConnection("127.0.0.1", server.port, timeout=10)) as connection:
+        connection.request("GET", "/", headers={"Cookie": cookie(server), "Accept-Encoding": coding})
+        found = connection.getresponse()
+        body = found.read()
+    assert int(found.headers["Content-Length"]) == len(body)
+    text = (gzip.decompress(body) if coding == "gzip" else body).decode()
+    assert "<title>&lt;b&gt;Casa &amp; C.&lt;/b&gt;</title>" in text
 
 
 @pytest.mark.parametrize("path", ["/", "/index.html", "/?token=", "/?token=wrong", "/?token=%ff", "/?other=1"])

@@ -75,6 +75,7 @@ PLATE = (
     ),
     *("hole", "embedment", "bond_strength"),
 )
+REASON = "the reason stands there, or the file is refused, and a pass has it as condition"
 SHARED_FATE = "alone it vouches for nothing: what it is the reason or source of is replaced with it"
 RISK = "it bears on fragility and risk, of which no verdict asks"
 MAY_STAND = {
@@ -116,6 +117,7 @@ MAY_STAND = {
         f"mechanisms.NAME.side_walls.{key}"
         for key in ("bond", "course", "overlap", "thickness", "friction", "density", "count")
     ),
+    REASON: ("report.struck_out.NAME",),
     SHARED_FATE: ("building.limit_states.NAME.reason", "report.sources.NAME"),
     RISK: (
         *("analysis.fragility.epistemic.NAME", "analysis.risk.target"),

@@ -1,0 +1,106 @@
+"""Mechanisms that the engineer strikes out with a reason: they fail no more, and a pass depends on the reason."""
+
+from pathlib import Path
+
+import pytest
+
+from assess.codes.verdict import Decision, Verdict
+from assess.errors import ProjectError
+from assess.project.build import build
+from assess.project.found_mechanisms import find_mechanisms
+from assess.project.opened import OpenedProject
+from assess.project.project_file import load
+from assess.results import Results
+from assess.study.run import find_verdict, run_study
+from tests.support.projects import NTC, block, project_toml, wall
+
+REASON = "measured: the parapet was taken down, photograph 7"
+
+
+def write(folder: Path, *, names: tuple[str, ...] = ("thick", "parapet"), **struck: str) -> Path:
+    """Write a project of a thick wall and a slender parapet, of which some are struck out."""
+    text = project_toml(
+        site={"spectrum": NTC, "limit_state": "SLV"},
+        materials={"m": {"density": 1800, "disintegration": "excluded"}},
+        report={"sources": {"materials.m.disintegration": "measured: survey"}, "struck_out": struck},
+        analysis={"procedures": ["ntc2018-nonlinear"]},
+        bodies={
+            "thick": wall(2.5, 3.0, 3.0, material="m"),
+            "parapet": wall(0.12, 3.0, 1.5, material="m", base=[0.0, 5.0, 0.0]),
+        },
+        mechanisms={name: block(name, direction=[1, 0, 0], sides="one") for name in names},
+    )
+    file = folder / "project.toml"
+    file.write_text(text, encoding="utf-8")
+    return file
+
+
+def verdict_of(file: Path) -> Verdict:
+    return find_verdict(build(load(file)))
+
+
+def test_what_is_struck_out_fails_no_more_and_a_pass_depends_on_the_reason(tmp_path: Path) -> None:
+    whole = verdict_of(write(tmp_path))
+    assert whole.outcome == Decision.FAIL
+    assert {each.mechanism: each.outcome for each in whole.mechanisms}["thick"] == Decision.PASS
+    found = verdict_of(write(tmp_path, parapet=REASON))
+    assert found.outcome == Decision.PASS
+    assert [each.mechanism for each in found.mechanisms] == ["thick"]
+    assert found.mechanisms[0].margin == next(each.margin for each in whole.mechanisms if each.mechanism == "thick")
+    (condition,) = (each for each in found.conditions if each.key == "struck-out")
+    assert "parapet" in condition.text
+    assert REASON in condition.text
+
+
+def test_results_name_it_among_what_is_not_examined(tmp_path: Path) -> None:
+    found: Results = run_study(build(load(write(tmp_path, parapet=REASON))), jobs=1)
+    assert found.report.struck_out == (("parapet", REASON),)
+    assert found.report.number_left_out == 1
+
+
+@pytest.mark.parametrize("reason", ["", "  ", "assumed: it will hold", "…"])
+def test_without_a_reason_nothing_is_struck_out(tmp_path: Path, reason: str) -> None:
+    with pytest.raises(ProjectError, match=r"report\.struck_out\.parapet.*no reason"):
+        load(write(tmp_path, parapet=reason))
+
+
+def test_one_mechanism_is_kept(tmp_path: Path) -> None:
+    with pytest.raises(ProjectError, match="every mechanism of the file is struck out"):
+        load(write(tmp_path, parapet=REASON, thick=REASON))
+
+
+def test_a_name_that_the_file_has_not_strikes_nothing_of_it(tmp_path: Path) -> None:
+    """It may be of a mechanism that is found on the bodies; it stands in the report all the same."""
+    found = verdict_of(write(tmp_path, parapett=REASON))
+    assert found.outcome == Decision.FAIL
+    assert {each.mechanism for each in found.mechanisms} == {"thick", "parapet"}
+    assert "struck-out" in [each.key for each in found.conditions]
+
+
+def test_what_is_struck_out_is_not_proposed_again(tmp_path: Path) -> None:
+    """Neither as it stands in the file nor, where it does not, by the name under which it is found."""
+
+    def proposed(names: tuple[str, ...], **struck: str) -> set[str]:
+        return {each.name for each in find_mechanisms(load(write(tmp_path, names=names, **struck))).new}
+
+    found = proposed(("thick",))
+    assert found
+    assert proposed(("thick", "parapet"), parapet=REASON) == proposed(("thick", "parapet")) == set()
+    assert proposed(("thick",), **dict.fromkeys(found, REASON)) == set()
+
+
+def test_on_the_page_it_is_tried_taken_back_and_written(tmp_path: Path) -> None:
+    file = write(tmp_path)
+    opened = OpenedProject(file)
+    with pytest.raises(ProjectError, match="no reason"):
+        opened.edited.strike_out("parapet", "")
+    opened.edited.strike_out("parapet", REASON)
+    assert opened.examine("parapet").fault == f"struck out: {REASON}"
+    found = opened.find_outcome()
+    assert found is not None
+    assert found.outcome == Decision.PASS
+    opened.edited.undo()
+    assert opened.find_outcome().outcome == Decision.FAIL  # type: ignore[union-attr]
+    opened.edited.strike_out("parapet", REASON)
+    opened.write()
+    assert verdict_of(file) == found

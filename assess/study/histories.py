@@ -53,6 +53,8 @@ def mechanism_histories(
     threads: int,
 ) -> RockingHistories:
     """Run the time histories of a mechanism at all levels of the study, with the scan where a procedure uses it."""
+    if not motions:
+        return RockingHistories((), ())
     return run_histories(
         case,
         motions,

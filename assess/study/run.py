@@ -444,9 +444,7 @@ def _decide_state(
     study: Study, *, jobs: int, run: DecidingHistories | None = None, solved: Solved | None = None
 ) -> Decided:
     if study.sweeps:
-        motions = motions_of(study, require_spectrum(study), jobs=jobs)
-        study = replace(study, suite_faults=suite_faults(study, require_spectrum(study), motions))
-        found, controlling = _run_state(study, require_spectrum(study), motions, jobs=jobs, progress=no_progress)
+        found, controlling = _run_what_decides(study, jobs=jobs)
         assert found.verdict is not None
         cases = {name: swept.controlling_case for name, swept in controlling.items()}
         decided = {
@@ -461,7 +459,7 @@ def _decide_state(
     spectrum = require_spectrum(study)
     methods = methods_of(study.question)
     study = replace(study, procedures=tuple(procedure for procedure in study.procedures if procedure in methods))
-    motions = ()
+    motions: tuple[ScaledRecord, ...] = ()
     if needs_motions(study):
         motions = motions_of(study, spectrum, jobs=jobs)
         study = replace(study, suite_faults=suite_faults(study, spectrum, motions))
@@ -472,6 +470,39 @@ def _decide_state(
     ]
     decided = {each.name: DecidedMechanism(_only(study, each.name), each.checks) for each in checked}
     return Decided(decide(study, checked), decided, study.falling)
+
+
+def _run_what_decides(study: Study, *, jobs: int) -> tuple[Results, Mapping[str, MechanismSweep]]:
+    """Run a study with sweeps without what cannot decide; whole where nothing decides on some mechanism.
+
+    The case that controls is then the most severe by all methods.
+    """
+    for asked in (_without_what_cannot_decide(study), study):
+        motions: tuple[ScaledRecord, ...] = ()
+        if asked is study or needs_motions(asked):
+            motions = motions_of(asked, require_spectrum(asked), jobs=jobs)
+            asked = replace(asked, suite_faults=suite_faults(asked, require_spectrum(asked), motions))
+        found, controlling = _run_state(asked, require_spectrum(asked), motions, jobs=jobs, progress=no_progress)
+        if all(any(check.role == "deciding" for check in each.checks) for each in found.mechanisms):
+            break
+    return found, controlling
+
+
+def _without_what_cannot_decide(study: Study) -> Study:
+    """Return a study without histories that may not decide, and without what no verdict is found of."""
+    methods = methods_of(study.question)
+    sweeps = (
+        replace(each, cases=tuple(replace(c, study=_without_what_cannot_decide(c.study)) for c in each.cases))
+        for each in study.sweeps
+    )
+    return replace(
+        study,
+        procedures=tuple(each for each in study.procedures if each in methods or not uses_histories(each)),
+        sweeps=tuple(sweeps),
+        pulses=None,
+        variables=(),
+        sampling=None,
+    )
 
 
 def _only(study: Study, name: str) -> Study:

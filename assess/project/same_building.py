@@ -1,6 +1,7 @@
 """Whether the state before the works is of the same building: every value of both projects that differs.
 
-Loads that only one of them has are the works, and so are bodies and materials that move in no mechanism of both.
+New ties are works. So may be any load that is gone, replaced or new, and as a load typed into one state alone would
+raise the index without works, each is named in the condition of a pass, as a value that differs is.
 """
 
 from __future__ import annotations
@@ -30,8 +31,17 @@ from assess.results.provenance import file_sha256
 
 Values = Mapping[str, ResolvedValue]
 DIFFERS = "differs-before"
-TABLES = ("bodies", "materials", "mechanisms", "building")
-NAMED_BY_USERS = TABLES[:3]
+LOAD_GONE, LOAD_NEW, TIE_NEW = "load-gone", "load-new", "tie-new"
+LOADS_THAT_DIFFER = {LOAD_GONE: "gone-there", LOAD_NEW: "new-here"}
+"""Loads that one state alone has, with what the condition of a pass says of each."""
+WORKS = {TIE_NEW: "new", LOAD_NEW: "new", LOAD_GONE: "gone"}
+DRAWN_HERE = "only-here"
+NAMED_BY_USERS = ("bodies", "materials", "mechanisms")
+WHOLE = ("building", "site", "procedures", "records")
+TABLES = (*NAMED_BY_USERS, *WHOLE, "verdict", "analysis")
+BESIDE = ("verdict.procedures", "verdict.rule", "verdict.survey_tolerance", "analysis.equation")
+"""Keys that an index depends on, of tables that are not compared as a whole."""
+TIE = "tie"  # kind of the loads that are ties
 WORDS = ("label", "examines")  # keys of a mechanism that change no number
 SHOWN = 3  # differences that the condition of a pass names
 DIGITS = 12  # of a SHA-256, as it is shown
@@ -40,7 +50,7 @@ DIGITS = 12  # of a SHA-256, as it is shown
 def differences_since_before(
     before: Values, here: Values, *, inputs: Sequence[Input], folder: Path
 ) -> tuple[Message, ...]:
-    """Return a warning for each value that differs, and a note for each load, body or material that one state has.
+    """Return a warning for each value or load that differs, and a note for each new tie, and body that one state has.
 
     Parameters
     ----------
@@ -52,22 +62,38 @@ def differences_since_before(
     sides = (_by_digest(before, digests.get), _by_digest(here, lambda path: file_sha256(folder / path)))
     walls = set(chain.from_iterable(_walls(before, here)))
     values: list[Message] = []
-    works: list[Message] = []
+    loads: list[Message] = []
+    drawn: list[Message] = []
     tables = dict.fromkeys(_table(key) for key in chain(*sides) if _table(key))
     for table in sorted(tables, key=lambda table: TABLES.index(table.split(".")[0])):
         one, other = ({key: each for key, each in side.items() if _table(key) == table} for side in sides)
-        if (one and other) or table in walls or table == "building":
+        if (one and other) or table in walls or table in TABLES:
             values += _value_differences(one, other)
-            works += _load_differences(f"{table}.loads", one, other)
+            loads += _load_differences(f"{table}.loads", one, other)
         elif not table.startswith("mechanisms."):
-            works.append(message("only-before" if one else "only-here", where=table))
-    return *values, *works
+            drawn.append(message("only-before" if one else DRAWN_HERE, where=table))
+    return *values, *loads, *drawn
+
+
+def works_shown(differences: Sequence[Message]) -> Iterator[str]:
+    """Yield each load that one state alone has, with its kind and whether it is new or gone."""
+    for each in differences:
+        if each.key in WORKS:
+            yield f"{each.where} ({each.values['kind']}) {WORKS[each.key]}"
 
 
 def same_building_conditions(differences: Sequence[Message]) -> Iterator[Message]:
-    """Yield the condition that the state before is of the same building, where values of it differ."""
+    """Yield the condition that the state before is of the same building, where values or loads of it differ.
+
+    Every load is named; of the values the first.
+    """
+    shown: list[Value] = [
+        message(LOADS_THAT_DIFFER[each.key], {**each.values, "key": each.where})
+        for each in differences
+        if each.key in LOADS_THAT_DIFFER
+    ]
     found = [each for each in differences if each.key == DIFFERS]
-    shown: list[Value] = [message("differs-there", {**each.values, "key": each.where}) for each in found[:SHOWN]]
+    shown += [message("differs-there", {**each.values, "key": each.where}) for each in found[:SHOWN]]
     if len(found) > SHOWN:
         shown.append(message("differs-more", {"number": whole_number(len(found) - SHOWN)}))
     if shown:
@@ -75,11 +101,11 @@ def same_building_conditions(differences: Sequence[Message]) -> Iterator[Message
 
 
 def _table(key: str) -> str:
-    """Return the table of a body, material or mechanism, or that of the building, that a key is in; else empty."""
+    """Return the table that a key is in, by its name where users name it; empty where no index depends on it."""
     first, *rest = key.split(".")
     if first in NAMED_BY_USERS and rest:
         return f"{first}.{rest[0]}"
-    return first if first == "building" else ""
+    return first if first in WHOLE or key in BESIDE else ""
 
 
 def _walls(before: Values, here: Values) -> Iterator[Sequence[str]]:
@@ -119,12 +145,20 @@ def _entries(key: str, way: str, one: Any, other: Any) -> Iterator[tuple[str, st
 
 
 def _load_differences(key: str, before: Values, here: Values) -> Iterator[Message]:
-    """Yield the loads and ties that one state alone has."""
-    old, new = (() if key not in side else side[key].value or () for side in (before, here))
-    for text, loads, others in (("only-before", old, new), ("only-here", new, old)):
-        for place, load in enumerate(loads, start=1):
-            if not any(same(load, other, tolerance=TOLERANCE) for other in others):
-                yield message(text, where=f"{key}[{place}]")
+    """Yield the loads and ties that one state alone has; of several alike each counts."""
+    old, new = (list(() if key not in side else side[key].value or ()) for side in (before, here))
+    left, added = list(range(len(old))), []
+    for place, load in enumerate(new):
+        kept = next((each for each in left if same(old[each], load, tolerance=TOLERANCE)), None)
+        if kept is None:
+            added.append(place)
+        else:
+            left.remove(kept)
+    for place in left:
+        yield warning(LOAD_GONE, f"{key}[{place + 1}]", kind=old[place]["kind"])
+    for place in added:
+        kind, where = new[place]["kind"], f"{key}[{place + 1}]"
+        yield message(TIE_NEW, {"kind": kind}, where=where) if kind == TIE else warning(LOAD_NEW, where, kind=kind)
 
 
 def _by_digest(values: Values, digest: Callable[[str], str | None]) -> Values:

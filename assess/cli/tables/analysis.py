@@ -28,6 +28,7 @@ from assess.codes.verdict import (
 )
 from assess.messages.message import UNITS, Message, Quantity, Severity, Value, count_noun, escape_text, locate, message
 from assess.portfolio.tasks import EXIT_CODES
+from assess.project.same_building import DRAWN_HERE, works_shown
 from assess.results import CriticalResult, EnvelopeResult, ReportMatter, Results
 from assess.results.fragility import (
     CurveName,
@@ -256,10 +257,11 @@ def _before(results: Results) -> Iterator[str]:
         index = "" if before.index is None else f", at most {named_index_text(before.index)}"
         weakest = f"; weakest: {on_one_line(escape_text(before.weakest), 40)}" if before.weakest else ""
         yield f"before: {before.outcome.value}{index}{weakest}"
-        works = [each.where for each in before.differences if each.severity == Severity.NOTE]
-        if works:
-            more = f" and {len(works) - 3} more" if len(works) > 3 else ""
-            yield f"works: {', '.join(works[:3])}{more}"
+        drawn = [each.where for each in before.differences if each.key == DRAWN_HERE]
+        for heading, found in (("works", list(works_shown(before.differences))), ("drawn only after", drawn)):
+            if found:
+                more = f" and {len(found) - 3} more" if len(found) > 3 else ""
+                yield escape_text(f"{heading}: {', '.join(found[:3])}{more}")
 
 
 def _unexamined(report: ReportMatter) -> str:

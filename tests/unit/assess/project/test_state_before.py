@@ -11,16 +11,18 @@ import pytest
 
 import assess
 from assess.errors import ProjectError
+from assess.messages.message import Severity
 from assess.outputs.manifest import RESULTS
 from assess.project.build import build_to_decide
 from assess.project.project_file import load
-from assess.project.same_building import differences_since_before
+from assess.project.same_building import differences_since_before, works_shown
 from assess.results import Input, ResolvedValue
 from assess.results.before import state_of
 from assess.results.json import dumps, loads
 from assess.study.run import find_outcome
 from tests.support.command import ended
 from tests.support.facade import folder, variant, with_ties, write_listed
+from tests.support.projects import replace_once
 
 BEFORE = 'before = "project-results/results.json"'
 WORKS = 'works = "improvement"'
@@ -183,8 +185,8 @@ def test_the_example_and_the_condition_of_its_pass_name_its_two_ties():
 def test_a_tie_is_the_works_and_no_other_value_differs():
     before, warnings = with_ties().before, with_ties().warnings
     assert [(each.key, each.where) for each in before.differences] == [
-        ("only-here", "mechanisms.facade.loads[1]"),
-        ("only-here", "mechanisms.facade.loads[2]"),
+        ("tie-new", "mechanisms.facade.loads[1]"),
+        ("tie-new", "mechanisms.facade.loads[2]"),
     ]
     assert set(before.differences) <= set(warnings)
     assert "same-building" not in {each.key for each in with_ties().verdict.conditions}
@@ -206,6 +208,72 @@ def test_a_state_before_of_another_wall_is_told_and_a_condition_of_a_pass(old, n
     where = told.split(" was ")[0]
     assert ("differs-before", where) in {(each.key, each.where) for each in study.before.differences}
     assert [told in each.text for each in found.conditions if each.key == "same-building"] == [True]
+
+
+STATED = 'sides = "one"              # floors and cross walls behind'
+PUSH = '{ kind = "force", force = "10 kN", at = [0.0, -0.25, 6.0], direction = [0, -1, 0] }'
+CEASED = "mechanisms.facade.loads[{}] (force) was there and is gone here"
+
+
+def states_of_loads(tmp_path: Path, before: str, after: str) -> Path:
+    """The wall alone in two states, each with its loads on the façade."""
+    made = tmp_path / "facade"
+    shutil.copytree(folder(), made)
+    alone = (made / "project.toml").read_text(encoding="utf-8")
+    first = made / "first.toml"
+    first.write_text(replace_once(alone, STATED, f"{STATED}\nloads = [{before}]"), encoding="utf-8")
+    (made / "first").mkdir()
+    write_listed(made / "first" / RESULTS, dumps(assess.run(first).results))
+    second = made / "second.toml"
+    works = f'limit_state = "SLV"\n{WORKS}\nbefore = "first/{RESULTS}"'
+    text = replace_once(alone, 'limit_state = "SLV"', works)
+    second.write_text(replace_once(text, STATED, f"{STATED}\nloads = [{after}]"), encoding="utf-8")
+    return second
+
+
+@pytest.mark.parametrize(
+    ("before", "after", "told"),
+    [
+        (PUSH, "", [CEASED.format(1)]),
+        (f"{PUSH}, {PUSH}", PUSH, [CEASED.format(2)]),
+        (PUSH, PUSH.replace("10 kN", "1 kN"), [CEASED.format(1), "mechanisms.facade.loads[1] (force) was not there"]),
+        ("", PUSH.replace("[0, -1, 0]", "[0, 1, 0]"), ["mechanisms.facade.loads[1] (force) was not there and is here"]),
+    ],
+)
+def test_a_load_of_one_state_alone_is_told_and_a_condition_of_a_pass(tmp_path, before, after, told):
+    """A push typed into the state before lowers its index, and with it the target of the improvement."""
+    results = assess.run(states_of_loads(tmp_path, before, after)).results
+    assert results.verdict is not None
+    assert results.before is not None
+    (condition,) = (each.text for each in results.verdict.conditions if each.key == "same-building")
+    assert [each for each in told if each not in condition] == []
+    warned = {each.key for each in results.warnings if each.severity == Severity.WARNING}
+    assert warned & {"load-gone", "load-new"}
+    kinds = [each.split(" (")[1] for each in works_shown(results.before.differences)]
+    assert len(kinds) == len(told)
+    assert kinds[0] == ("force) gone" if "gone" in told[0] else "force) new")
+
+
+def test_a_load_of_both_states_is_no_difference(tmp_path):
+    found = assess.run(states_of_loads(tmp_path, PUSH, PUSH)).results
+    assert found.before is not None
+    assert found.before.differences == ()
+
+
+def test_the_knowledge_of_the_building_is_a_value_of_it():
+    level = {"[verdict]": '[procedures.ntc2018]\nknowledge_level = "LC3"\n\n[verdict]'}
+    study = build_to_decide(load(variant("known", **level)))
+    assert "procedures.ntc2018.knowledge_level" in {each.where for each in study.before.differences}
+
+
+def test_a_body_that_is_drawn_after_alone_is_no_works(capsys, tmp_path):
+    shelf = '[bodies.shelf]\nmaterial = "stone"\nbox = { thickness = 1, length = 1, height = 1, base = [9, 9, 0] }\n'
+    project = variant("drawn", **{"[mechanisms.facade]": f"{shelf}\n[mechanisms.facade]"})
+    assert ended("run", project, "--no-report", "-o", tmp_path / "out") == 0
+    lines = capsys.readouterr().out.splitlines()
+    ties = [f"mechanisms.facade.loads[{place}] (tie) new" for place in (1, 2)]
+    assert f"works: {', '.join(ties)}" in lines
+    assert "drawn only after: bodies.shelf" in lines
 
 
 def test_a_wall_of_another_name_and_material_is_no_works():

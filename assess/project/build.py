@@ -222,7 +222,7 @@ def _with_replaceables(study: Study, project: Project, files: ProjectFiles, *, r
     def study_at(setting: Setting) -> Callable[[str], Study]:
         content = read_case(setting, project.content, project.raw, project.folder)
         known = _files_of_case(content, project, files)
-        raw = with_values(project.raw, setting, project.content) if project.sweeps else {}
+        raw = with_values(project.raw, setting, project.content) if content.analysis.sweeps else {}
         swept = key_sweeps(content, raw, project.folder)
 
         def alone(name: str) -> Study:

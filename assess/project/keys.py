@@ -226,6 +226,8 @@ def key_sweeps(content: Content, raw: Mapping[str, Any], folder: Path) -> tuple[
     names = ["analysis.sweep"] if single else [f"analysis.sweep[{i}]" for i in range(1, len(sweeps) + 1)]
     found, faults = [], Faults()
     for sweep, where in zip(sweeps, names, strict=True):
+        if content.is_struck_out(sweep.key):
+            continue
         with faults.gather():
             entry = swept_value(sweep.key, by_key, where=where)
             found.append(_key_sweep(sweep, entry, content, raw, folder, where=where))

@@ -28,6 +28,7 @@ from assess.project.project_file import Project, load_tree
 from assess.project.question import basis_of
 from assess.project.section import ProjectSection, field_marks, plain_data
 from assess.project.units import QuantityKind
+from assess.study.states import STRUCK_OUT
 from assess.study.study import Replaceable, Study, follows_motion
 from spectra.errors import SpectrumError
 
@@ -76,7 +77,29 @@ def replaceables_of(project: Project, solids: Solids, study: Study, *, study_at:
                     study_at=_built_once(partial(study_at, each.setting)),
                 )
             )
-    return tuple(found)
+    return (*found, *_struck_out(project, study_at))
+
+
+def _struck_out(project: Project, study_at: StudyAt) -> Iterator[Replaceable]:
+    """Yield each mechanism of the file that is struck out, by its reason: what it would come to is told."""
+    for name, reason in project.content.report.struck_out.items():
+        path: KeyPath = (*STRUCK_OUT, name)
+        setting = {path: Safe.ABSENT}
+        if name in project.raw["mechanisms"]:
+            yield Replaceable(
+                key=key_text(path),
+                value="struck out",
+                instead="examined",
+                source=reason,
+                is_value=False,
+                either_way=False,
+                of_range=False,
+                same=SAME_MARGIN,
+                mechanisms=(name,),
+                place=path,
+                setting=setting,
+                study_at=_built_once(partial(study_at, setting)),
+            )
 
 
 def _keys_as_written(project: Project) -> Mapping[KeyPath, tuple[Evidence, str]]:

@@ -275,7 +275,7 @@ def _check_sources(content: Content, folder: Path) -> None:
     """Check that every key of [report.sources] is one of the file, or the beginning of one."""
     faults = Faults()
     for key in content.report.sources:
-        if not _has_key(content, count_from_0(key)):
+        if not content.is_struck_out(key) and not _has_key(content, count_from_0(key)):
             near = get_close_matches(key, _keys_with_tables(content, folder), n=1)
             remedy = (
                 f"do you mean {value_text(count_from_1(near[0]))}?"

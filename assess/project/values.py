@@ -215,7 +215,7 @@ CHECKLIST = Evidence(
 STRUCK_OUT = Evidence(
     "chosen",
     "up",
-    "nothing: the reason stands there; without one the file is refused",
+    "what it would come to stands beside the verdict; without a reason the file is refused",
     judged="a mechanism that is struck out fails no more: it counts as not examined, and a pass depends on its reason",
 )
 _AN_ITEM = {"type": ["string", "integer"]}

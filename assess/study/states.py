@@ -43,6 +43,8 @@ from assess.study.variations import mechanisms_beside_cases, motions_of_case
 from records.errors import RecordError
 from spectra.errors import SpectrumError
 
+STRUCK_OUT = ("report", "struck_out")  # where the project says which mechanisms are left out
+
 
 @dataclass(frozen=True)
 class Overrides:
@@ -85,7 +87,8 @@ def find_overrides(
     study : the project as typed
     motions : its records
     jobs : number of threads; 0 for all cores
-    with_sources : whether values with a source are tried too; what decides does not depend on them
+    with_sources : whether all values with a source are tried too, beside what is struck out; what decides does not
+        depend on them
 
     Returns
     -------
@@ -94,7 +97,8 @@ def find_overrides(
     tried = [
         each
         for each in study.replaceables
-        if (with_sources or not each.source) and not _goes_with_another(each, study.replaceables)
+        if (with_sources or not each.source or each.place[:2] == STRUCK_OUT)
+        and not _goes_with_another(each, study.replaceables)
     ]
     if not tried or study.question.basis is None:
         return Overrides()
@@ -194,9 +198,10 @@ class _Trials:
     def _as_typed(self, depth: _Depth) -> Outcomes:
         build = partial(_alone, self.study)
         if not depth.rising:
-            return self._all(self._names, build, depth)
+            struck = {name: MechanismOutcome(name, Decision.PASS, None) for name, _ in self.study.question.struck_out}
+            return struck | self._all(self._names, build, depth)
         at_site = self.as_typed(depth._replace(rising=False))
-        return at_site | self._all([name for name, found in at_site.items() if self._rises(found)], build, depth)
+        return at_site | self._all([name for name in self._names if self._rises(at_site.get(name))], build, depth)
 
     def without(self, value: Replaceable) -> Outcomes:
         """Return the outcome without a value of each mechanism that it bears on and that can be built so."""

@@ -261,6 +261,10 @@ class Content(ProjectSection):
             raise error_at(("report", "struck_out"), "every mechanism of the file is struck out; keep one")
         return {**data, "mechanisms": {name: each for name, each in mechanisms.items() if name not in struck}}
 
+    def is_struck_out(self, key: str) -> bool:
+        """Return whether a key, with dots, is of a mechanism that is struck out."""
+        return f"{key}.".startswith(tuple(f"mechanisms.{name}." for name in self.report.struck_out))
+
     @model_validator(mode="after")
     def _reasons_for_striking_out(self) -> Content:
         faults: list[tuple[KeyPath, str]] = []

@@ -52,6 +52,29 @@ def test_what_is_struck_out_fails_no_more_and_a_pass_depends_on_the_reason(tmp_p
     assert REASON in condition.text
 
 
+def test_what_it_would_come_to_stands_beside_the_pass(tmp_path: Path) -> None:
+    without = run_study(build(load(write(tmp_path))), jobs=1).verdict
+    found = run_study(build(load(write(tmp_path, parapet=REASON))), jobs=1).verdict
+    assert found is not None
+    assert without is not None
+    (line,) = (each for each in found.overrides if each.key == "report.struck_out.parapet")
+    assert (line.outcome_instead, line.source) == (Decision.FAIL, REASON)
+    assert line.margin_instead == min(each.margin for each in without.mechanisms if each.margin is not None)
+    assert found.outcome == Decision.PASS
+    harmless = run_study(build(load(write(tmp_path, thick=REASON))), jobs=1).verdict
+    assert harmless is not None
+    assert "report.struck_out.thick" not in [each.key for each in harmless.overrides]
+
+
+def test_what_the_file_says_of_it_besides_may_stay(tmp_path: Path) -> None:
+    file = write(tmp_path, parapet=REASON)
+    text = file.read_text(encoding="utf-8")
+    source = '[report.sources]\n"mechanisms.parapet.direction" = "measured: survey"'
+    file.write_text(text.replace("[report.sources]", source, 1), encoding="utf-8")
+    assert source in file.read_text(encoding="utf-8")
+    assert verdict_of(file).outcome == Decision.PASS
+
+
 def test_results_name_it_among_what_is_not_examined(tmp_path: Path) -> None:
     found: Results = run_study(build(load(write(tmp_path, parapet=REASON))), jobs=1)
     assert found.report.struck_out == (("parapet", REASON),)

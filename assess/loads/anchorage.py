@@ -13,7 +13,7 @@ strength that is stated, is that of the anchorage.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import product
 from math import ceil, inf, isfinite, pi
@@ -207,7 +207,7 @@ class PlateSite:
     beds : of the beds above and below what it presses, the part that is in the wall, from 0 to 2
     surface : of the cone that it punches, of itself and of its group, seen along the depth [m2]; None without geometry
     group : how many plates punch with it, itself among them: of those whose cones meet, as many as leave it least
-    weight_stress : weight of the masonry above its cone over the wall's area [Pa]
+    weights : weight of the masonry above either, over the leaf's area: of the least of the columns above it [Pa]
     bay : farthest distance to the next tie of its row, or twice that to the end of the wall [m]; None if not known
     at_end : whether that is to an end, or beside the outermost tie, beyond which nothing takes the thrust of an arch
     meeting : plates whose cones meet its own, or that of another of them, itself among them
@@ -217,7 +217,7 @@ class PlateSite:
     bearing_area: float
     surface: tuple[float, float] | None
     group: int
-    weight_stress: float
+    weights: tuple[float, float]
     bay: float | None
     at_end: bool
     meeting: int = 1
@@ -246,10 +246,17 @@ class Anchorage:
         return self.site.leaf if self.plate.leaf is None else self.plate.leaf
 
     @property
+    def cone(self) -> tuple[float, int, float]:
+        """Surface of the cone that bears least for each of its plates [m2], their number, and the weight above [Pa]."""
+        if self.site.surface is None:
+            return 0.0, 1, 0.0
+        cones = zip(self.site.surface, (1, self.site.group), self.site.weights, strict=True)
+        return min(cones, key=lambda each: punching_strength(self.plate, *each))
+
+    @property
     def normal_stress(self) -> float:
         """Least compression of the wall around the cone in the earthquake [Pa]."""
-        given = self.plate.normal_stress
-        return (1.0 - RISING * VERTICAL) * self.site.weight_stress if given is None else given
+        return compression(self.plate, self.cone[2])
 
     @property
     def sliding_surface(self) -> float:
@@ -314,8 +321,7 @@ def _links(of: Anchorage) -> Iterator[Link]:
     if sheared or leaf is None or site.surface is None:
         yield Link("punching", None, (*sheared, *(["a body with geometry"] if site.surface is None else [])))
     else:
-        f_vd = shear_strength(f_v0=plate.shear_strength or 0.0, mu=plate.friction, sigma_n=of.normal_stress, **by)
-        yield Link("punching", min(site.surface[0], site.surface[1] / site.group) * f_vd)
+        yield Link("punching", punching_strength(plate, *of.cone))
     if plate.course and plate.overlap and not sheared and leaf is not None:
         f_vd = shear_strength(f_v0=plate.shear_strength or 0.0, mu=plate.friction, sigma_n=of.normal_stress, **by)
         yield Link("sliding", of.sliding_surface * f_vd)
@@ -351,6 +357,29 @@ def _between(of: Anchorage) -> Link:
 
 def _lacking(plate: Plate, *keys: str) -> tuple[str, ...]:
     return tuple(f"plate.{key}" for key in keys if getattr(plate, key) is None)
+
+
+def compression(plate: Plate, weight: float) -> float:
+    """Return the least compression of the wall at a plate in the earthquake [Pa]: as stated, or of the weight above.
+
+    Parameters
+    ----------
+    plate : with what is stated; weight : of the masonry above its cone [Pa]
+    """
+    return (1.0 - RISING * VERTICAL) * weight if plate.normal_stress is None else plate.normal_stress
+
+
+def punching_strength(plate: Plate, S: float, n: int, weight: float) -> float:
+    """Return the pull of each of n plates at which they punch a leaf together, S f_vd / n [N] (own derivation).
+
+    Parameters
+    ----------
+    plate : with the strength of the masonry
+    S, n : surface of the cone [m2], number of the plates
+    weight : of the masonry above the cone [Pa]
+    """
+    masonry = {"f_v0": plate.shear_strength or 0.0, "mu": plate.friction, "sigma_n": compression(plate, weight)}
+    return S / n * shear_strength(**masonry, gamma_M=GAMMA_M, FC=plate.confidence)
 
 
 def bar_strength(*, A: float, f_y: float) -> float:
@@ -481,8 +510,24 @@ Figure = tuple[Plate, float, float]
 """A plate with its centre on the face of the wall: (s, z) [m]."""
 
 
-def cone_surface(figures: Sequence[Figure], depth: float, wall: shapely.Geometry | None = None) -> float:
-    """Return the surface along which plates punch a leaf together, seen along its depth [m2] (own derivation).
+Way = tuple[float, ...]
+"""Coordinates out to which a cone runs left, down, right and up [m]; inf, inf, -inf, -inf where it does not."""
+
+
+def no_weight(way: Way) -> float:
+    """Return 0, the weight above a cone where there is no friction, whichever way it runs out [Pa]."""
+    return 0.0
+
+
+def weakest_cone(
+    figures: Sequence[Figure],
+    depth: float,
+    wall: shapely.Geometry | None = None,
+    weight: Callable[[Way], float] = no_weight,
+) -> tuple[float, float]:
+    """Return surface [m2] and weight above [Pa] of the weakest cone along which plates punch a leaf together.
+
+    Own derivation; the surface is that seen along the depth.
 
     At each depth the plates, grown by it on all sides, have one outline; where it lies outside the wall there is no
     side. A cone may also run out straight to edges, to either side, up or down, however far, where that is shorter;
@@ -494,14 +539,20 @@ def cone_surface(figures: Sequence[Figure], depth: float, wall: shapely.Geometry
     figures : plates on the face of the wall
     depth : thickness of the leaf, t [m]
     wall : the wall with its openings as seen along its normal; None: without edges
+    weight : of the masonry above a cone, by the way it runs out, over the leaf's area [Pa]: with the friction at the
+        first plate it makes one way stronger than another
     """
+    plate = figures[0][0]
     within = None if wall is None else shapely.buffer(wall, -ON_EDGE)
     ways = [way for way in product(*_edges_around(figures, depth, within)) if not all(isfinite(each) for each in way)]
     for slices in (COARSE, SLICES):
         grown = [depth * (place + 0.5) / slices for place in range(slices)]
         outlines = np.mean([[_outline(figures, by, within, way) for by in grown] for way in ways], axis=1)
-        ways = [ways[number] for number in np.argsort(outlines)[:FEW]]
-    return float(outlines.min()) * depth
+        weights = [weight(way) for way in ways]
+        strengths = [punching_strength(plate, each, 1, w) for each, w in zip(outlines, weights, strict=True)]
+        order = np.lexsort((outlines, strengths))[:FEW]
+        ways = [ways[number] for number in order]
+    return float(outlines[order[0]]) * depth, weights[order[0]]
 
 
 def farthest_edge(figures: Sequence[Figure], depth: float) -> float:
@@ -509,7 +560,7 @@ def farthest_edge(figures: Sequence[Figure], depth: float) -> float:
 
     Parameters
     ----------
-    figures, depth : as of `cone_surface`
+    figures, depth : as of `weakest_cone`
     """
     return sum(float(shapely.length(plate_shape(each, depth / 2.0))) for each in figures) + depth
 
@@ -523,10 +574,6 @@ def cones_meet(one: Figure, other: Figure, depth: float) -> bool:
     depth : thickness of the leaf [m]
     """
     return bool(shapely.intersects(plate_shape(one, depth), plate_shape(other, depth)))
-
-
-Way = tuple[float, ...]
-"""Coordinates out to which a cone runs left, down, right and up [m]; inf, inf, -inf, -inf where it does not."""
 
 
 def _edges_around(figures: Sequence[Figure], depth: float, within: shapely.Geometry | None) -> tuple[list[float], ...]:

@@ -11,16 +11,17 @@ Seen along the tie, across which its wall is taken to lie:
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
+from functools import cache
 from itertools import pairwise
-from math import hypot
+from math import hypot, inf, isfinite
 
 import numpy as np
 import shapely
 
 from assess.errors import GeometryError
-from assess.geometry.cut import Piece, section_edges, section_moments
+from assess.geometry.cut import Piece, section_edges
 from assess.geometry.solid import Solid
 from assess.geometry.surface import volume
 from assess.loads.anchorage import (
@@ -29,17 +30,22 @@ from assess.loads.anchorage import (
     Anchorage,
     Figure,
     PlateSite,
-    cone_surface,
+    Way,
     cones_meet,
     farthest_edge,
+    no_weight,
     plate_area,
     plate_shape,
+    punching_strength,
+    weakest_cone,
 )
 from assess.loads.load import LoadDefinition, TieLoad
 from spectra.arrays import FloatArray
 from spectra.gravity import g
 
-LAYERS = 200  # of the masonry above a plate, whose weight is summed up
+LAYERS = 12  # of a column of masonry above a cone, whose thicknesses are averaged
+SLIGHT = 1e-3  # m: by which an edge that is not straight is simplified
+BESIDE = 1e-4  # m: by which a column stands beside an edge
 INSET = 0.37  # of half a plate: places behind it where the leaf is measured, beside its centre
 SLIVER = 1e-6  # m: by which triangles that meet are joined
 OFF_FACE = 0.05  # m: of an uneven wall, by which a plate may be off the face that is drawn
@@ -91,7 +97,7 @@ def _anchorage(tie: TieLoad, beside: Sequence[TieLoad], pieces: Sequence[Piece],
         raise GeometryError(f"{where}: its tie is upright; a plate on the face of a wall holds one that is level")
     wall = Wall(pieces[number].solids, np.array([-out[1], out[0], 0.0]), out)
     if not wall.solids:
-        site = PlateSite(None, plate_area(tie.plate), None, 1, 0.0, None, at_end=False)
+        site = PlateSite(None, plate_area(tie.plate), None, 1, (0.0, 0.0), None, at_end=False)
     else:
         site = _site(tie, _on_face(beside, wall), _on_face(tie.others, wall), wall, where=where)
     return Anchorage(tie.plate, site, tie.area or 0.0, tie.yield_stress or 0.0, tie.strength)
@@ -113,7 +119,7 @@ def _on_face(ties: Sequence[TieLoad], wall: Wall) -> list[Figure]:
 
 def _site(tie: TieLoad, row: Sequence[Figure], others: Sequence[Figure], wall: Wall, *, where: str) -> PlateSite:
     figure = _figure(tie, wall)
-    plate, _, z = figure
+    plate = figure[0]
     drawn = _leaf(wall, figure)
     if drawn is None:
         raise GeometryError(f"{where}: no masonry behind it at the place of the tie; check `at`, and block")
@@ -143,19 +149,20 @@ def _site(tie: TieLoad, row: Sequence[Figure], others: Sequence[Figure], wall: W
             f"{where}: sticks out by {beyond * 1e3:.0f} mm beyond the edge of the wall, its top or into an "
             "opening, and masonry behind a part of it does not bear evenly; move it, or take a smaller one"
         )
-    alone = cone_surface([figure], leaf, seen)
-    together, number = min(
-        ((cone_surface(figures[:n], leaf, seen), n) for n in range(2, len(figures) + 1)),
-        key=lambda shared: shared[0] / shared[1],
-        default=(alone, 1),
+    cones = [
+        (n, *weakest_cone(figures[:n], leaf, seen, _weight_above(wall, figures[:n], leaf, drawn, seen)))
+        for n in range(1, len(figures) + 1)
+    ]
+    number, together, weight = min(
+        cones[1:] or cones, key=lambda each: (punching_strength(plate, each[1], each[0], each[2]), each[1] / each[0])
     )
     bay, at_end = _bay(figure, row, wall)
     return PlateSite(
         leaf=drawn,
         bearing_area=min(plate_area(plate), float(shapely.area(behind))),
-        surface=(alone, together),
+        surface=(cones[0][1], together),
         group=number,
-        weight_stress=_weight_stress(wall, z, z + plate.sides[1] / 2.0 + leaf),
+        weights=(cones[0][2], weight),
         bay=bay,
         at_end=at_end,
         meeting=len(figures),
@@ -228,8 +235,13 @@ def _behind(wall: Wall, figure: Figure) -> list[tuple[float, float]]:
 
 def run_through(wall: Wall, s: float, z: float) -> tuple[float, float] | None:
     """Return face and thickness of the outermost solid along a line through it [m]; None if the line misses all."""
-    runs = []
-    for _, seen, depth in _faces(wall):
+    found = max(_runs(wall, s, z), default=None)
+    return None if found is None else found[:2]
+
+
+def _runs(wall: Wall, s: float, z: float) -> Iterator[tuple[float, float, float]]:
+    """Yield face, thickness and density [kg/m3] of each solid along a line through it."""
+    for solid, seen, depth in _faces(wall):
         a, b, c = seen[:, 0], seen[:, 1], seen[:, 2]
         area = _turn(b - a, c - a)
         flat = np.abs(area) < SLIVER**2
@@ -239,18 +251,19 @@ def run_through(wall: Wall, s: float, z: float) -> tuple[float, float] | None:
         hit = ~flat & (v >= 0.0) & (w >= 0.0) & (v + w <= 1.0)
         met = np.unique(np.round((depth[:, 0] * (1.0 - v - w) + depth[:, 1] * v + depth[:, 2] * w)[hit], 9))
         if met.size > 1:
-            runs.append((float(met[-1]), float(met[-1] - met[-2])))
-    return max(runs) if runs else None
+            density = solid.mass / volume(solid.vertices, solid.triangles)
+            yield float(met[-1]), float(met[-1] - met[-2]), density
 
 
 def _elevation(wall: Wall, places: Sequence[tuple[float, float]], reach: float) -> shapely.Geometry:
-    """Return the wall around some places as seen along its normal, with the openings that go through it."""
-    centre, half = np.mean(places, axis=0), np.ptp(places, axis=0) / 2.0 + reach
-    near = shapely.box(*(centre - half), *(centre + half))
+    """Return the wall around and above some places as seen along its normal, with openings that go through it."""
+    first, last = np.min(places, axis=0) - reach, np.max(places, axis=0) + reach
+    last[1] = max(last[1], *(solid.bounds[1][2] for solid in wall.solids))
+    near = shapely.box(*first, *last)
     parts = []
     for _, seen, _ in _faces(wall):
         low, high = seen.min(axis=1), seen.max(axis=1)
-        close = ((low <= centre + half) & (high >= centre - half)).all(axis=1)
+        close = ((low <= last) & (high >= first)).all(axis=1)
         facing = close & (_turn(seen[:, 1] - seen[:, 0], seen[:, 2] - seen[:, 0]) > 0.0)
         parts += list(shapely.polygons(seen[facing]))
     joined = shapely.union_all(shapely.buffer(parts, SLIVER, join_style="mitre"))
@@ -258,19 +271,60 @@ def _elevation(wall: Wall, places: Sequence[tuple[float, float]], reach: float) 
     return whole
 
 
-def _weight_stress(wall: Wall, level: float, above: float) -> float:
-    """Return the weight of the masonry above one elevation over the area of the wall at another [Pa]."""
-    top = max(float(solid.vertices[:, 2].max()) for solid in wall.solids)
-    if above >= top:
+def _weight_above(
+    wall: Wall, figures: Sequence[Figure], leaf: float, drawn: float, seen: shapely.Geometry
+) -> Callable[[Way], float]:
+    """Return what finds the weight of the masonry above a cone, over the area of the leaf, by the way it runs out [Pa].
+
+    It is that of the least column above the outline, up to the next opening or the top. What runs up to an edge has
+    none above it, and what runs down to one none that is sure to press there. Beside the plates, where an end or an
+    opening leaves no masonry, there is no side to press on.
+    """
+    bounds = [shapely.bounds(plate_shape(each)) for each in figures]
+    edges = shapely.get_coordinates(shapely.simplify(seen, SLIGHT))[:, 0]
+
+    @cache
+    def column(s: float, low: float, level: float) -> float:
+        return _column(wall, seen, drawn, s, low=low, level=level)
+
+    def least(first: float, last: float, low: float, level: float) -> float:
+        inside = edges[(edges > first) & (edges < last)]
+        places = {first, last, *np.round([*(inside - BESIDE), *(inside + BESIDE)], 5).tolist()}
+        return min(column(s, low, level) for s in sorted(places) if first <= s <= last)
+
+    @cache
+    def above(west: float, east: float) -> float:
+        if west == inf and east == -inf:
+            return min(least(each[0] - leaf, each[2] + leaf, each[1], each[3] + leaf) for each in bounds)
+        first, low = np.min(bounds, axis=0)[:2].tolist()
+        last, high = np.max(bounds, axis=0)[2:].tolist()
+        return least(min(first - leaf, west), max(last + leaf, east), low, high + leaf)
+
+    def weight(way: Way) -> float:
+        found = 0.0 if isfinite(way[1]) or isfinite(way[3]) else above(way[0], way[2])
+        return found if isfinite(found) else 0.0
+
+    return weight if figures[0][0].friction else no_weight
+
+
+def _column(wall: Wall, seen: shapely.Geometry, drawn: float, s: float, *, low: float, level: float) -> float:
+    """Return the weight of the column of masonry above a level at a place, over the area of the leaf [Pa].
+
+    inf where no masonry is at the place between the plate's lower edge and that level; of what is thicker there than
+    behind the plate, `drawn` [m], no more than that counts.
+    """
+    _, bottom, _, top = shapely.bounds(seen)
+    runs = shapely.get_parts(shapely.intersection(seen, shapely.LineString([(s, bottom), (s, top)])))
+    ends = [shapely.bounds(run)[[1, 3]] for run in runs]
+    end = max((high for start, high in ends if start < level and high > low), default=None)
+    if end is None:
+        return inf
+    if end <= level:
         return 0.0
-    edges = np.linspace(above, top, LAYERS + 1)
-    middle, thick = (edges[1:] + edges[:-1]) / 2.0, (top - above) / LAYERS
-    weight, area, out = 0.0, 0.0, wall.out.tolist()
-    for solid in wall.solids:
-        density = solid.mass / volume(solid.vertices, solid.triangles)
-        weight += g * density * thick * float(section_moments(solid, middle, direction=out)[:, 0].sum())
-        area += float(section_moments(solid, [level], direction=out)[0, 0])
-    return weight / area
+    levels = level + (end - level) * (np.arange(LAYERS) + 0.5) / LAYERS
+    met = [max(_runs(wall, s, z), default=None) for z in levels.tolist()]
+    layers = [each[2] * min(each[1] / drawn, 1.0) for each in met if each is not None]
+    return float(g * (end - level) * sum(layers) / LAYERS)
 
 
 def _bay(figure: Figure, others: Sequence[Figure], wall: Wall) -> tuple[float, bool]:

@@ -23,6 +23,7 @@ from assess.loads.anchorage import (
     bond_strength,
     courses_under,
     plate_area,
+    punching_strength,
     round_cone,
     shear_strength,
 )
@@ -179,8 +180,8 @@ CLOSE_BY = "no limit: ties up to 3 m apart, and 1.5 m from the ends of the wall"
 
 
 def _punching(of: Anchorage, link: Link, by: Mapping[str, float]) -> Iterator[Step]:
-    plate, site = of.plate, of.site
-    if link.strength is None or site.surface is None:
+    plate = of.plate
+    if link.strength is None or of.site.surface is None:
         yield _link_step("N_4", "punching of the leaf that the plate grips", OF_CONES, "S · f_vd / n", link, {})
         return
     given: Given = {"f_v0": (plate.shear_strength or 0.0, "Pa"), **by}
@@ -189,13 +190,10 @@ def _punching(of: Anchorage, link: Link, by: Mapping[str, float]) -> Iterator[St
         yield _compression(of)
         formula = "(f_v0 + μ · σ_n) / (γ_M · FC)"
         given = {**given, "μ": plate.friction, "σ_n": (of.normal_stress, "Pa")}
-    sheared = {"f_v0": plate.shear_strength or 0.0, "mu": plate.friction, "sigma_n": of.normal_stress}
-    f_vd = shear_strength(**sheared, gamma_M=GAMMA_M, FC=plate.confidence)
+    S, n, weight = of.cone
+    f_vd = punching_strength(plate, 1.0, 1, weight)
     words = "design strength of the masonry in shear along the cone"
     yield step("f_vd", words, OF_CONES, formula, f_vd, "Pa", given=given)
-    alone, together = site.surface
-    shares = together / site.group < alone
-    S, n = (together, site.group) if shares else (alone, 1)
     yield step(
         "S",
         "surface of the cone through the leaf, of all plates whose cones meet, without what edges and openings cut off",
@@ -237,7 +235,7 @@ def _compression(of: Anchorage) -> Step:
     words = "least compression around the cone: weight of the masonry above it, less the vertical motion"
     if of.plate.normal_stress is not None:
         return step("σ_n", words, PROJECT, AS_STATED, of.normal_stress, "Pa")
-    weight: Given = {"ψ_v": RISING, "k_v": VERTICAL, "σ_w": (of.site.weight_stress, "Pa")}
+    weight: Given = {"ψ_v": RISING, "k_v": VERTICAL, "σ_w": (of.cone[2], "Pa")}
     return step("σ_n", words, OWN, "(1 − ψ_v · k_v) · σ_w", of.normal_stress, "Pa", given=weight)
 
 

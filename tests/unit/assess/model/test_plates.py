@@ -51,7 +51,7 @@ def test_in_the_middle_of_a_wall_it_has_all_of_its_cone() -> None:
 
 
 def test_at_the_top_a_side_is_lacking() -> None:
-    """The upper edge of the plate at the top: 1.26 m2, by hand in the tests of `cone_surface`."""
+    """The upper edge of the plate at the top: 1.26 m2, by hand in the tests of `weakest_cone`."""
     (found,) = facade(tie(0, HEIGHT - 0.15))
     assert surface(found) == pytest.approx(1.26, rel=1e-3)
 
@@ -76,13 +76,59 @@ def test_a_plate_that_sticks_out_over_an_edge_is_refused(y: float, z: float) -> 
 def test_masonry_above_the_cone_presses_on_it() -> None:
     """Its cone ends 0.15 + 0.6 m above 5 m: 2.25 m of 2000 kg/m3 are 44.1 kPa; 0.6 of it counts."""
     (found,) = facade(tie(0, 5, friction=0.4))
-    assert found.site.weight_stress == pytest.approx(2000 * g * 2.25, rel=1e-6)
+    assert found.site.weights[0] == pytest.approx(2000 * g * 2.25, rel=1e-6)
     assert found.normal_stress == pytest.approx(0.6 * 2000 * g * 2.25, rel=1e-6)
     assert found.strength == pytest.approx(2.16 * (0.02e6 + 0.4 * 0.6 * 2000 * g * 2.25) / 2.7, rel=1e-4)
 
 
+def without(*cuts: tuple[float, float, float, float], height: float = HEIGHT) -> Any:
+    """The wall, `height` high, without rectangles y0, z0, y1, z1."""
+    wall = assess.box(thickness=THICKNESS, length=LENGTH, height=height, density=2000.0)
+    parts = [
+        assess.box(thickness=2.0, length=y1 - y0, height=z1 - z0, base=[0, (y0 + y1) / 2, z0], density=1.0).solid
+        for y0, z0, y1, z1 in cuts
+    ]
+    return replace(wall, solid=subtract(wall.solid, parts))
+
+
+def test_a_tower_elsewhere_does_not_press_on_a_cone() -> None:
+    """From 5.5 m a cone ends at 6.25 m, under 0.25 m of 6.5 m of wall, and under 7.75 m where it rises to 14 m."""
+    body = without((-7, 6.5, 2, 15), height=14.0)
+    low, high = facade(tie(-3, 5.5, friction=0.1), tie(4, 5.5, friction=0.1), body=body)
+    assert low.site.weights[0] == pytest.approx(2000 * g * 0.25, rel=1e-6)
+    assert high.site.weights[0] == pytest.approx(2000 * g * 7.75, rel=1e-6)
+    assert low.strength == pytest.approx(2.16 * (0.02e6 + 0.1 * 0.6 * 2000 * g * 0.25) / 2.7, rel=1e-4)
+
+
+def test_the_least_column_above_a_cone_presses_on_it() -> None:
+    """Under a gable that falls from 10 m in the middle to 6 m at y = 6 the end of the cone at 2.75 m has 8.167 m."""
+    wall = assess.profile([[-6, 0], [6, 0], [6, 6], [0, 10], [-6, 6]], length=THICKNESS, density=2000.0, name="gable")
+    held = replace(tie(0, 5, friction=0.4), at=[2, 0.3, 5], anchor=[2, -9.7, 5])
+    block = assess.single_block(wall, direction=[0, 1, 0], sides="one", loads=[held])
+    (load,) = block.mechanism.positive.loads
+    assert isinstance(load, Tie)
+    assert load.anchorage is not None
+    assert load.anchorage.site.weights[0] == pytest.approx(2000 * g * (10 - 4 / 6 * 2.75 - 5.75), rel=1e-4)
+
+
+def test_above_an_opening_over_the_cone_nothing_presses_on_it() -> None:
+    """A cone that ends at 5.75 m under a window at 6 m has 0.25 m above it; beside that window all of 2.25 m."""
+    (under,) = facade(tie(0, 5, friction=0.1), body=without((-1, 6, 1, 7)))
+    (beside,) = facade(tie(0, 5, friction=0.4), body=without((0.8, 4, 1.8, 5.5)))
+    assert under.site.weights[0] == pytest.approx(2000 * g * 0.25, rel=1e-6)
+    assert beside.site.weights[0] == pytest.approx(2000 * g * 2.25, rel=1e-6)
+
+
+def test_a_cone_that_runs_out_to_the_top_has_no_weight_above_it() -> None:
+    """1 m under the top: up to it 0.9 m below and 1.45 m at either side, 2.28 m2; else 2.16 under 0.25 m, and more."""
+    (found,) = facade(tie(0, HEIGHT - 1, friction=1.0))
+    assert found.site.weights[0] == 0.0
+    assert found.strength == pytest.approx(2.28 * 0.02e6 / 2.7, rel=1e-4)
+    assert 2.16 * (0.02e6 + 0.6 * 2000 * g * 0.25) > 2.28 * 0.02e6
+
+
 def test_plates_whose_cones_meet_share_their_outline() -> None:
-    """0.5 m apart: 2.82 m2 for both, by hand in the tests of `cone_surface`; one farther away stands alone."""
+    """0.5 m apart: 2.82 m2 for both, by hand in the tests of `weakest_cone`; one farther away stands alone."""
     near, other, far = facade(tie(0, 5), tie(0.5, 5), tie(4, 5))
     for found in (near, other):
         assert found.site.group == 2
@@ -162,7 +208,7 @@ def test_the_outer_of_two_leaves_is_gripped() -> None:
     """Two solids of 0.25 and 0.35 m: the plate is on the side away from the anchor, at +x, and grips the 0.25 m."""
     outer = assess.box(thickness=0.25, length=LENGTH, height=HEIGHT, base=[0.175, 0, 0], density=2000.0, name="outer")
     inner = assess.box(thickness=0.35, length=LENGTH, height=HEIGHT, base=[-0.125, 0, 0], density=2000.0, name="inner")
-    block = assess.single_block([inner, outer], direction=[1, 0, 0], sides="one", loads=[tie(0, 5)])
+    block = assess.single_block([inner, outer], direction=[1, 0, 0], sides="one", loads=[tie(0, 5, friction=0.4)])
     (load,) = block.mechanism.positive.loads
     assert isinstance(load, Tie)
     assert load.anchorage is not None

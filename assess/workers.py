@@ -1,4 +1,4 @@
-"""Worker processes, which end with this process however it ends."""
+"""Worker processes, which end with this process however it ends, and a thread that does what was asked last."""
 
 from __future__ import annotations
 
@@ -70,6 +70,45 @@ def end_on_error(pool: ProcessPoolExecutor) -> Iterator[None]:
             pool.shutdown(cancel_futures=True)
         raise
     pool.shutdown()
+
+
+class Newest:
+    """Does one job at a time in a thread, and of those that wait only the one that came last."""
+
+    def __init__(self, name: str) -> None:
+        self._ready = threading.Condition()
+        self._waiting: Callable[[], None] | None = None
+        self._closed = self._busy = False
+        self._thread = threading.Thread(target=self._work, name=name, daemon=True)
+        self._thread.start()
+
+    def ask(self, job: Callable[[], None]) -> None:
+        """Do a job as soon as the one in hand is done; one that waits is dropped."""
+        with self._ready:
+            self._waiting = job
+            self._ready.notify_all()
+
+    def wait(self, seconds: float) -> bool:
+        """Wait until nothing is left to be done; return whether that is so."""
+        with self._ready:
+            return self._ready.wait_for(lambda: self._waiting is None and not self._busy, seconds)
+
+    def close(self) -> None:
+        """Do no more jobs, but for the one in hand."""
+        with self._ready:
+            self._closed = True
+            self._ready.notify_all()
+
+    def _work(self) -> None:
+        while True:
+            with self._ready:
+                self._busy = False
+                self._ready.notify_all()
+                self._ready.wait_for(lambda: self._waiting is not None or self._closed)
+                if self._closed or self._waiting is None:
+                    return
+                job, self._waiting, self._busy = self._waiting, None, True
+            job()
 
 
 @contextmanager

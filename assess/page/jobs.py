@@ -1,4 +1,4 @@
-"""Work beside the page: the newest question of those that wait, and a run of the project in a process of its own."""
+"""A run of the project beside the page, in a process of its own."""
 
 from __future__ import annotations
 
@@ -9,47 +9,6 @@ from collections.abc import Callable
 from pathlib import Path
 
 from assess.portfolio.tasks import EXIT_CODES
-
-Job = Callable[[], None]
-
-
-class Newest:
-    """Does one job at a time in a thread, and of those that wait only the one that came last."""
-
-    def __init__(self, name: str) -> None:
-        self._ready = threading.Condition()
-        self._waiting: Job | None = None
-        self._closed = self._busy = False
-        self._thread = threading.Thread(target=self._work, name=name, daemon=True)
-        self._thread.start()
-
-    def ask(self, job: Job) -> None:
-        """Do a job as soon as the one in hand is done; one that waits is dropped."""
-        with self._ready:
-            self._waiting = job
-            self._ready.notify_all()
-
-    def wait(self, seconds: float) -> bool:
-        """Wait until nothing is left to be done; return whether that is so."""
-        with self._ready:
-            return self._ready.wait_for(lambda: self._waiting is None and not self._busy, seconds)
-
-    def close(self) -> None:
-        """Do no more jobs, but for the one in hand."""
-        with self._ready:
-            self._closed = True
-            self._ready.notify_all()
-
-    def _work(self) -> None:
-        while True:
-            with self._ready:
-                self._busy = False
-                self._ready.notify_all()
-                self._ready.wait_for(lambda: self._waiting is not None or self._closed)
-                if self._closed or self._waiting is None:
-                    return
-                job, self._waiting, self._busy = self._waiting, None, True
-            job()
 
 
 class ProjectRun:

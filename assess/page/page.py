@@ -21,7 +21,7 @@ from assess.codes.question import Missing
 from assess.errors import AssessError
 from assess.model.candidates import Candidate
 from assess.page import words
-from assess.page.jobs import Newest, ProjectRun
+from assess.page.jobs import ProjectRun
 from assess.page.movement import Movement
 from assess.page.scene import Drawing
 from assess.page.server import PageServer
@@ -30,6 +30,7 @@ from assess.project.key_errors import KeyPath
 from assess.project.opened import OpenedProject
 from assess.project.trials import ShownMechanism
 from assess.study import curves
+from assess.workers import Newest
 from records.errors import RecordError
 from spectra.errors import SpectrumError
 

@@ -1,7 +1,8 @@
 """The text of a TOML file with other values at some keys, its comments and its order kept as far as that can be done.
 
-A scanner finds where each value stands in the text; what differs is replaced, added or appended there. The new text is
-read again: where it does not say what it should, the whole is written anew, without comments.
+A scanner finds where each value stands in the text; what differs is replaced, added or appended there. What a comment
+holds ready, as `# [site.spectrum]` or `# soil = "B"`, is filled in where it stands. The new text is read again: where
+it does not say what it should, the whole is written anew, without comments.
 """
 
 from __future__ import annotations
@@ -45,9 +46,10 @@ def with_changes(text: str, after: Mapping[str, Any]) -> tuple[str, bool]:
     """
     try:
         edits = list(_edits(text, tomllib.loads(text), after))
-        made = text
-        for start, end, new in sorted(edits, key=lambda edit: edit[0], reverse=True):
-            made = made[:start] + new + made[end:]
+        made, at = "", 0
+        for start, end, new in sorted(edits, key=lambda edit: edit[0]):
+            made, at = f"{made}{text[at:start]}{new}", end
+        made += text[at:]
         if tomllib.loads(made) == after:
             return made, True
     except (UnknownFormError, tomllib.TOMLDecodeError):
@@ -91,6 +93,11 @@ class _Places:
     heads: dict[Path, int] = field(default_factory=dict)
     counts: dict[Path, int] = field(default_factory=dict)
 
+    def has_tables_on_lines(self, path: Path) -> bool:
+        """Return whether a table holds others on one line each, as `[bodies]` may."""
+        below = (start for each, (start, _) in self.values.items() if each[:-1] == path)
+        return any(self.text.startswith("{", start) for start in below)
+
 
 def _edits(text: str, before: Mapping[str, Any], after: Mapping[str, Any]) -> Iterator[Edit]:
     """Yield what differs between what a text says and what it is to say."""
@@ -108,7 +115,7 @@ def _edits_below(path: Path, before: Any, after: Any, places: _Places) -> Iterat
             if key in before:
                 yield from _edits_below((*path, key), before[key], value, places)
             else:
-                yield _insertion(path, key, value, places)
+                yield from _insertion(path, key, value, places)
     elif isinstance(before, list) and isinstance(after, list) and len(before) <= len(after):
         for number, (one, other) in enumerate(zip(before, after, strict=False)):
             yield from _edits_below((*path, number), one, other, places)
@@ -120,22 +127,53 @@ def _edits_below(path: Path, before: Any, after: Any, places: _Places) -> Iterat
         raise UnknownFormError("a value without a place")
 
 
-def _insertion(path: Path, key: str, value: Any, places: _Places) -> Edit:
-    """Return what adds a key to a table."""
+HEADED = 2  # steps: a table as deep has a head of its own, a deeper one stands on one line
+
+
+def _insertion(path: Path, key: str, value: Any, places: _Places) -> Iterator[Edit]:
+    """Yield what adds a key to a table."""
     line = f"{_key(key)} = {value_text(value)}"
     if path in places.values:
         start, end = places.values[path]
         last = places.text[start + 1 : end - 1].rstrip()
         at = start + 1 + len(last)
-        return at, at, f", {line}" if last.strip() else f" {line} "
-    if path in places.heads:
-        return places.heads[path], places.heads[path], f"\n{line}"
-    end = len(places.text)
-    if path:
-        return end, end, f"\n\n[{'.'.join(_key(str(step)) for step in path)}]\n{line}\n"
-    if isinstance(value, Mapping):
-        return end, end, f"\n\n{whole_text({key: value}).strip()}\n"
-    raise UnknownFormError("a value above all tables")
+        yield at, at, f", {line}" if last.strip() else f" {line} "
+    elif isinstance(value, Mapping) and value and len(path) < HEADED and not places.has_tables_on_lines(path):
+        yield from _new_table((*path, key), value, places)
+    elif path in places.heads:
+        at = places.heads[path]
+        start, end = _commented(places.text, at, key) or (at, at)
+        yield start, end, line if end > start else f"\n{line}"
+    elif path:
+        yield from _new_table(path, {key: value}, places)
+    else:
+        raise UnknownFormError("a value above all tables")
+
+
+def _new_table(path: Path, table: Mapping[str, Any], places: _Places) -> Iterator[Edit]:
+    """Yield what adds a table under its head: where a comment has the head of it, or else at the end."""
+    below = {key: each for key, each in table.items() if isinstance(each, Mapping) and each and len(path) < HEADED}
+    own = {key: f"{_key(key)} = {value_text(each)}" for key, each in table.items() if key not in below}
+    head = f"[{'.'.join(_key(str(step)) for step in path)}]"
+    text = places.text
+    ready = re.search(rf"^#[ \t]*{re.escape(head)}[ \t]*$", text, re.MULTILINE)
+    if own and ready and text[_skip(text, ready.end()) :][:1] in ("", "["):
+        filled = {key: place for key in own if (place := _commented(text, ready.end(), key))}
+        yield *ready.span(), "\n".join([head, *(line for key, line in own.items() if key not in filled)])
+        yield from ((*place, own[key]) for key, place in filled.items())
+    elif own:
+        end = len(text)
+        yield end, end, "\n".join(["\n", head, *own.values(), ""])
+    for key, each in below.items():
+        yield from _new_table((*path, key), each, places)
+
+
+def _commented(text: str, start: int, key: str) -> Span | None:
+    """Return the line of comment that holds a key ready below the head of its table; None where there is none."""
+    end = re.compile(r"^(?:#[ \t]*)?\[", re.MULTILINE).search(text, start + 1)
+    line = re.compile(rf"^# ?{re.escape(_key(key))} = .*$", re.MULTILINE)
+    found = line.search(text, start, end.start() if end else len(text))
+    return found.span() if found else None
 
 
 def _appended(path: Path, number: int, items: Sequence[Any], places: _Places) -> Edit:

@@ -1,4 +1,4 @@
-"""Processes that work for another end with it, however it ends, and quietly."""
+"""Processes that work for another end with it, however it ends, and quietly; of threads the newest job is done."""
 
 from __future__ import annotations
 
@@ -6,10 +6,13 @@ import os
 import signal
 import subprocess
 import sys
+import threading
 import time
 from pathlib import Path
 
 import pytest
+
+from assess.workers import Newest
 
 pytestmark = pytest.mark.skipif(not Path("/proc/self/stat").exists(), reason="processes are counted in /proc")
 
@@ -81,3 +84,24 @@ def test_no_worker_outlives_its_parent(program: str, number: int, tmp_path: Path
     assert members(process.pid) == []
     assert "Traceback" not in told, told
     assert "Error" not in told
+
+
+def test_of_those_that_wait_the_newest_is_done() -> None:
+    done: list[int] = []
+    begun, go = threading.Event(), threading.Event()
+
+    def first() -> None:
+        begun.set()
+        go.wait(30.0)
+        done.append(0)
+
+    jobs = Newest("test")
+    jobs.ask(first)
+    assert begun.wait(30.0)
+    for number in range(1, 5):
+        jobs.ask(lambda number=number: done.append(number))
+    assert not jobs.wait(0.01)
+    go.set()
+    assert jobs.wait(30.0)
+    assert done == [0, 4]
+    jobs.close()

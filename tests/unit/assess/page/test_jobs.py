@@ -1,4 +1,4 @@
-"""The newest question alone is answered, and a run of a project can be followed and cancelled."""
+"""A run of a project can be followed and cancelled."""
 
 from __future__ import annotations
 
@@ -8,30 +8,10 @@ from contextlib import closing
 
 import pytest
 
-from assess.page.jobs import Newest, ProjectRun
+from assess.page.jobs import ProjectRun
 from tests.support.projects import project_toml
 
 PATIENCE = 120.0  # s
-
-
-def test_of_those_that_wait_the_newest_is_done():
-    done, begun, go = [], threading.Event(), threading.Event()
-
-    def first() -> None:
-        begun.set()
-        go.wait(PATIENCE)
-        done.append(0)
-
-    jobs = Newest("test")
-    jobs.ask(first)
-    assert begun.wait(PATIENCE)
-    for number in range(1, 5):
-        jobs.ask(lambda number=number: done.append(number))
-    assert not jobs.wait(0.01)
-    go.set()
-    assert jobs.wait(PATIENCE)
-    assert done == [0, 4]
-    jobs.close()
 
 
 def run_of(folder, text: str, *, cancel: bool = False) -> tuple[ProjectRun, list[str], list[str]]:

@@ -86,3 +86,63 @@ def test_a_whole_file_is_read_back() -> None:
     tables = tomllib.loads(TEXT)
     assert tomllib.loads(whole_text(tables)) == tables
     assert value_text({"a": [True, 1, 0.1, "\x7f"]}) == '{ a = [true, 1, 0.1, "\\u007f"] }'
+
+
+READY = """\
+title = "a"
+# The site.
+# [site.spectrum]
+# code = "ntc2018"
+# soil = "B"             # and topography
+# [report.sources]
+# "materials.stone.disintegration" = "measured: …"
+[materials.stone]
+density = 1800
+# disintegration = "excluded"
+
+[report]
+author = "b"
+"""
+
+
+def test_what_a_comment_holds_ready_is_filled_in() -> None:
+    """The file as an engineer with an editor would have it: each comment gone, and nothing said twice."""
+    after: Any = tomllib.loads(READY)
+    after["site"] = {"spectrum": {"code": "ec8", "soil": "C", "a_g": "0.2 g"}, "limit_state": "SLV"}
+    after["report"] |= {"sources": {"materials.stone.disintegration": "measured: core"}, "office": "c"}
+    after["materials"]["stone"]["disintegration"] = "excluded"
+    text, kept = with_changes(READY, after)
+    assert kept
+    assert (
+        text
+        == """\
+title = "a"
+# The site.
+[site.spectrum]
+a_g = "0.2 g"
+code = "ec8"
+soil = "C"
+[report.sources]
+"materials.stone.disintegration" = "measured: core"
+[materials.stone]
+density = 1800
+disintegration = "excluded"
+
+[report]
+office = "c"
+author = "b"
+
+
+[site]
+limit_state = "SLV"
+"""
+    )
+
+
+def test_a_table_of_its_own_is_written_with_a_head_at_the_end() -> None:
+    """So that a head of it that stands in no comment can be written later as anywhere."""
+    before = '[report]\nauthor = "b"\n# [report.sources]\nclient = "d"\n\n[bodies]\nwall = { x = 1 }\n'
+    after = tomllib.loads(before) | {"report": {"author": "b", "client": "d", "sources": {"a.b": "measured: c"}}}
+    text, kept = with_changes(before, after)
+    assert kept
+    assert text == before + '\n\n[report.sources]\n"a.b" = "measured: c"\n'

@@ -17,7 +17,7 @@ from typing import Any
 
 import numpy as np
 
-from assess.codes.question import Missing
+from assess.codes.question import SOURCES, Missing
 from assess.errors import AssessError
 from assess.model.candidates import Candidate
 from assess.page import words
@@ -107,12 +107,11 @@ class Page:
             self.weakest = gui.add_button("Find the weakest crack", hint="Tries elevations and angles.")
         with gui.add_folder("Values", expand_by_default=False) as self.numbers:
             pass
-        with gui.add_folder("To complete it", expand_by_default=False) as self.missing:
+        with gui.add_folder("To complete it", expand_by_default=not opened.has_site) as self.missing:
             pass
         with gui.add_folder("Strike out", expand_by_default=False):
-            self.reason = gui.add_text(
-                "Reason", "", hint="Why it cannot occur, by whom and when; a pass depends on it."
-            )
+            hint = "Why it cannot occur, by whom and when; a pass depends on it."
+            self.reason = gui.add_text("Reason", "", hint=hint)
             self.strike = gui.add_button("Strike out")
         with gui.add_folder("Project file"):
             self.undo, self.write, self.add, again = (
@@ -164,6 +163,7 @@ class Page:
             self._order, self._is_sorted = self.opened.rank(), False
             self.drawing.draw_building(self.opened.parts())
             self._list_mechanisms()
+            self._list_missing()
             self._show_picked()
 
     def start(self) -> None:
@@ -400,21 +400,20 @@ class Page:
 
     def _list_missing(self) -> None:
         _remove(self._of_missing)
-        found = () if self.opened.verdict is None else self.opened.verdict.missing
         with self.missing:
-            for each in found:
+            for each in self.opened.missing:
                 self._of_missing.append(self._gui.add_html(words.missing_input(each)))
                 if each.toml:
                     field = self._gui.add_text("TOML", each.toml, multiline="\n" in each.toml)
-                    source = self._gui.add_text("Source", "", hint=SOURCE_HINT)
+                    source = None if each.key == SOURCES else self._gui.add_text("Source", "", hint=SOURCE_HINT)
                     button = self._gui.add_button("Try it")
                     button.on_click(partial(self._add_lines, each, field, source))
-                    self._of_missing += [field, source, button]
+                    self._of_missing += [made for made in (field, source, button) if made is not None]
 
     def _add_lines(self, missing: Missing, field: Any, source: Any, _: Any) -> None:
         with self._told(by_hand=True):
             self._last_moved = (None, 0.0)
-            self.opened.edited.add_lines(missing, field.value, source=source.value.strip())
+            self.opened.edited.add_lines(missing, field.value, source=source.value.strip() if source else "")
             self._ask(True)
 
     def _change_file(self, what: Callable[[], str], _: Any) -> None:

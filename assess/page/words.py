@@ -10,7 +10,6 @@ from assess.codes.question import Missing
 from assess.codes.verdict import (
     Decision,
     MechanismVerdict,
-    State,
     action_text,
     building_index_text,
     index_of,
@@ -53,7 +52,7 @@ def building(opened: OpenedProject) -> str:
     tried = len(opened.edited.changes)
     values = f"{tried} value{'s' * (tried != 1)} tried, not written"
     if opened.decision is None:
-        said = "being examined" if opened.has_site else "no [site]: multipliers alone"
+        said = "being examined" if opened.has_site else "no [site]: multipliers alone; see “To complete it”"
         return f'<p style="{STYLE}">Building: {said}{f"<br>{values}" if tried else ""}</p>' + _found(opened)
     found, results = opened.decision.verdict, opened.decision.results
     of = f"with what is tried: {values}" if tried else "as in the file"
@@ -75,13 +74,12 @@ def building(opened: OpenedProject) -> str:
 
 def option(name: str, opened: OpenedProject) -> str:
     """Return the entry of a mechanism in the list, with its number in the report."""
-    shown, mechanisms = opened.outline(name), opened.built_of.content.mechanisms
+    shown = opened.outline(name)
     least = "" if shown.result is None else multiplier(shown.result.oscillator)
     verdict = shown.verdict
     outcome = verdict.outcome.value if verdict else "falls at rest" if shown.fault else ""
     index = "" if verdict is None else named_index_text(least_index(verdict))
-    title = f"M{list(mechanisms).index(name) + 1} {mechanisms[name].label or name}"
-    return " · ".join(each for each in (title, least, outcome, index) if each)
+    return " · ".join(each for each in (opened.heading(name), least, outcome, index) if each)
 
 
 def option_found(each: Candidate) -> str:
@@ -116,7 +114,8 @@ def mechanism(opened: OpenedProject, shown: ShownMechanism) -> str:
         ("restitution [-]", number_text(found.restitution, FIGURES)),
     ]
     fault = f"<br><b>{escape(shown.fault)}</b>" if shown.fault else ""
-    said = f'<p style="{STYLE}">{escape(_of_what(opened, shown))}{fault}</p>'
+    title = escape(opened.heading(shown.name))
+    said = f'<p style="{STYLE}"><b>{title}</b><br>{escape(_of_what(opened, shown))}{fault}</p>'
     warned = () if shown.mechanism is None else shown.mechanism.warnings
     doubts = "".join(_warning(each.text) for each in warned)
     return said + doubts + _table(("", ""), rows) + _methods(opened, shown) + _verdict(shown)
@@ -167,10 +166,8 @@ def _of_what(opened: OpenedProject, shown: ShownMechanism) -> str:
     decided = opened.decision.decided.of.get(shown.name)
     case = None if decided is None else decided.case
     said = "As a run decides" + ("" if case is None else f", in the controlling case of {case.name}")
-    if opened.decision.verdict.state != State.REPLACED:
-        return f"{said}."
-    lines = (f"{each.key}: {each.instead} for {each.value}" for each in opened.decision.verdict.overrides)
-    return f"{said}, with values in place of those without a source: {'; '.join(lines) or 'see above'}."
+    replaced = "; ".join(f"{each.key}: {each.instead} for {each.value}" for each in opened.replacements(shown.name))
+    return f"{said}, with values in place of those without a source: {replaced}." if replaced else f"{said}."
 
 
 def _methods(opened: OpenedProject, shown: ShownMechanism) -> str:

@@ -94,7 +94,7 @@ def with_value(node: Any, path: Sequence[str | int], value: Any, resolved: Any) 
         items[int(step)] = with_value(items[int(step)], rest, value, resolved[int(step)])
         return items
     table = dict(node) if isinstance(node, Mapping) else {} if node is None else dict(_as_written(resolved))
-    table[str(step)] = with_value(table.get(str(step)), rest, value, _step_down(resolved, step))
+    table[str(step)] = with_value(table.get(str(step)), rest, value, _resolved_below(resolved, step))
     return table
 
 
@@ -461,6 +461,12 @@ def _remedy(key: str, by_key: Mapping[str, KeyedValue]) -> str:
 def _step_down(value: Any, step: str | int) -> Any:
     """Take one step down into validated content."""
     return value.entries()[str(step)] if isinstance(value, ProjectSection) else value[step]
+
+
+def _resolved_below(value: Any, step: str | int) -> Any:
+    """Take one step down into tables of validated content; None below what the project does not have yet."""
+    tables = value.entries() if isinstance(value, ProjectSection) else value
+    return tables.get(str(step)) if isinstance(tables, Mapping) else None
 
 
 def _as_written(value: Any) -> Any:

@@ -10,8 +10,8 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from assess.codes.procedures import uses_histories
-from assess.codes.question import methods_of
-from assess.codes.verdict import RANKS, Verdict
+from assess.codes.question import SOURCES, Missing, methods_of
+from assess.codes.verdict import RANKS, Override, State, Verdict
 from assess.errors import AssessError
 from assess.geometry.solid import Solid
 from assess.model.candidates import Candidate
@@ -20,7 +20,7 @@ from assess.project.build import BuiltProject, build_with_cases
 from assess.project.dragged import Crack, crack_entry, crack_of, end_value, tie_ends
 from assess.project.edited import EditedProject, Number
 from assess.project.found_mechanisms import FoundMechanisms, find_mechanisms
-from assess.project.key_errors import KeyPath
+from assess.project.key_errors import KeyPath, key_text
 from assess.project.project_file import Project
 from assess.project.site_and_structure import definitions_of
 from assess.project.trials import Decider, Decision, ShownMechanism, try_mechanism, weakest_crack
@@ -30,6 +30,25 @@ from assess.study.mechanism_results import parameters
 from assess.study.rocking_motion import RockingMotion, governing_motion
 from assess.study.study import Study
 from spectra.errors import SpectrumError
+
+SITE = Missing(
+    "site.spectrum",
+    "without an action there are multipliers alone; here by the hazard of NTC 2018, whose dots are to be filled in",
+    """\
+[site.spectrum]
+code = "ntc2018"
+nominal_life = 50
+use_class = "II"
+soil = "…"
+hazard = [
+  { return_period = 50, a_g = "… g", f_0 = "…", t_c_star = "… s" },
+  { return_period = 475, a_g = "… g", f_0 = "…", t_c_star = "… s" },
+  { return_period = 975, a_g = "… g", f_0 = "…", t_c_star = "… s" },
+]
+[procedures.ntc2018]
+knowledge_level = "LC1\"""",
+)
+NOT_VOUCHED = "the verdict is of what holds without these values; say who vouches for each, and delete the other lines"
 
 
 @dataclass(frozen=True)
@@ -101,6 +120,30 @@ class OpenedProject:
         return None if self.decision is None else self.decision.verdict
 
     @property
+    def missing(self) -> tuple[Missing, ...]:
+        """What the verdict lacks, and sources of what it replaces, those with a line first; without a site that."""
+        if not self.has_site:
+            return (SITE,)
+        found = self.verdict
+        if found is None:
+            return ()
+        keys = {f'"{each.key}"' for each in found.missing}  # whose source is stated beside them
+        lacking = [each for each in found.missing if each.toml.partition(" = ")[0] not in keys]
+        if self.replacements():
+            lines = "\n".join(f'"{each.key}" = "measured: …"' for each in self.replacements())
+            lacking.append(Missing(SOURCES, NOT_VOUCHED, lines))
+        return tuple(sorted(lacking, key=lambda each: not each.toml))
+
+    def replacements(self, name: str = "") -> list[Override]:
+        """Return the values that the verdict replaces as no source vouches for them; of a mechanism, not of others."""
+        found = self.verdict
+        if found is None or found.state != State.REPLACED:
+            return []
+        others = [each for each in self.built_of.content.mechanisms if name not in ("", each)]
+        tables = tuple(key_text(("mechanisms", each)) + "." for each in others)
+        return [each for each in found.overrides if not each.source and not each.key.startswith(tables)]
+
+    @property
     def methods(self) -> tuple[str, ...]:
         """The procedures that may decide."""
         return methods_of(self.study.question)
@@ -147,6 +190,11 @@ class OpenedProject:
         falls = next((f"falls at rest: {each.reason}" for each in self.study.falling if each.name == name), "")
         built = next((each for each in self.study.mechanisms if each.name == name), None)
         return ShownMechanism(name, self._results.get(name), fault=falls, mechanism=built)
+
+    def heading(self, name: str) -> str:
+        """Return the label of a mechanism after its number in the report."""
+        mechanisms = self.built_of.content.mechanisms
+        return f"M{list(mechanisms).index(name) + 1} {mechanisms[name].label or name}"
 
     def find_others(self) -> None:
         """Find what the parts of the building are, and the mechanisms that they can have beside those of the file."""

@@ -55,6 +55,13 @@ def test_found_mechanisms_are_not_added_over_what_is_tried(edited):
     assert edited.add_found(None) == "nothing to add"
 
 
+def test_a_line_may_begin_a_table_and_name_no_unknown_key(edited):
+    edited.add_lines(Missing("building.height", "why", "height = …"), 'height = "9 m"')
+    assert edited.tried_project().content.building.height == 9.0
+    with pytest.raises(ProjectError, match="disintegraton"):
+        edited.add_lines(Missing("materials.brick.disintegration", "why", "a = …"), 'disintegraton = "excluded"')
+
+
 def test_a_line_that_is_no_toml_is_refused(edited):
     with pytest.raises(ProjectError, match="write it as the example shows"):
         edited.add_lines(LIMIT_STATE, "limit_state = SLV")

@@ -292,3 +292,36 @@ def test_without_a_site_there_are_multipliers_alone(tmp_path):
     shown = opened.examine("wall")
     assert (shown.checks, shown.verdict) == ((), None)
     assert shown.result.oscillator.uplift_multiplier == pytest.approx(0.6 / 4.0)
+
+
+def test_without_a_site_its_lines_are_missing_and_their_dots_are_no_values(tmp_path):
+    opened = opened_project(tmp_path, site=None)
+    (site,) = opened.missing
+    assert site.key == "site.spectrum"
+    with pytest.raises(ProjectError, match="…"):
+        opened.edited.add_lines(site, site.toml)
+    assert not opened.edited.changes
+    filled = site.toml.replace('"… g"', '"0.2 g"').replace('"… s"', '"0.3 s"').replace('f_0 = "…"', "f_0 = 2.4")
+    opened.edited.add_lines(site, filled.replace("…", "B"))
+    write(opened)
+    assert opened.has_site
+    assert opened.find_outcome() is not None
+
+
+def test_sources_of_what_is_replaced_are_missing_as_lines_whose_dots_vouch_for_nothing(tmp_path):
+    building = {"height": "12 m", "storeys": 3, "ground_elevation": 0}
+    opened = opened_project(
+        tmp_path,
+        site={"spectrum": NTC, "limit_state": "SLV"},
+        building=building,
+        mechanisms={"wall": block(cut="3 m", direction=[1, 0, 0], sides="two")},
+    )
+    line = '"building.height" = "measured: …"'
+    opened.find_outcome()
+    assert [each.key for each in opened.replacements("wall")] == ["building.height"]
+    assert line in [each.toml for each in opened.missing]
+    entry = next(each for each in opened.missing if each.toml == line)
+    for source, still in (("measured: …", True), ("measured: survey, 3 June 2024", False)):
+        opened.edited.add_lines(entry, line.replace("measured: …", source))
+        opened.find_outcome()
+        assert (line in [each.toml for each in opened.missing]) is still

@@ -97,11 +97,12 @@ costs: .venv/cad           ## what each dependency weighs, as a table in Markdow
 	-$(BIN)/python -m compileall -q -j 2 .venv
 	$(BIN)/python -m tools.distribution.costs
 
-figures: .venv/tests       ## pictures and the notebook of docs/, with those of README.md; figures of the thesis drawn again, into build/figures
+figures: .venv/tests .venv/cad .venv/serve .venv/browser       ## pictures and the notebook of docs/, with those of README.md; figures of the thesis drawn again, into build/figures
 	$(BIN)/python docs/images/draw.py
 	$(BIN)/python docs/images/theory.py
 	$(BIN)/python docs/images/tutorial.py
 	$(BIN)/python docs/images/guide.py
+	$(BIN)/python docs/images/page.py
 	$(BIN)/python docs/notebook/write.py
 	$(BIN)/python tests/validation/thesis/draw_chapter_7.py
 

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import re
 import tomllib
+from html import unescape
+from itertools import chain
 from pathlib import Path
 from unittest.mock import patch
 
@@ -22,6 +25,27 @@ def test_from_an_ifc_model_to_a_report(tmp_path: Path) -> None:
         assert output.agrees, f"{output.given}\n{output.printed}"
     made = tomllib.loads((tmp_path / "house" / "tied.toml").read_text(encoding="utf-8"))
     assert made == tomllib.loads((source("house") / "project.toml").read_text(encoding="utf-8"))
+
+
+def test_in_the_browser(tmp_path: Path) -> None:
+    """Each line that the page of the manual quotes below a heading is on the page in the browser after that step."""
+    pytest.importorskip("ifcopenshell", reason="the extra 'ifc' is not installed")
+    pytest.importorskip("viser", reason="the extra 'serve' is not installed")
+    from docs.tutorial.in_the_browser import SITE, TIED, WHOLE, follow_house, follow_spire
+
+    manual = (FOLDER / "in_the_browser.md").read_text(encoding="utf-8")
+    for given in (SITE, TIED, *WHOLE):
+        assert given in manual
+    sections = dict(re.findall(r"^## (.+)\n((?:(?!## ).*\n)*)", manual, flags=re.MULTILINE))
+    for heading, page in chain(follow_house(tmp_path / "house"), follow_spire(tmp_path / "spire")):
+        parts = (page.status, page.building, page.facts, page.links)
+        shown = "\n".join([*page.mechanisms.options, *(re.sub(r"<[^>]+>", " ", each.content) for each in parts)])
+        words = " ".join(unescape(shown).split())
+        quoted = "".join(re.findall(r"^```text\n(.*?)^```", sections[heading], flags=re.DOTALL | re.MULTILINE))
+        assert quoted
+        for line in quoted.splitlines():
+            assert line in words.replace("FAIL ,", "FAIL,"), f"{heading}: {line}\n{words}"
+        assert not page.fault.content
 
 
 @pytest.mark.parametrize(

@@ -21,7 +21,7 @@ from pydantic import ValidationError
 from pydantic.fields import FieldInfo
 from pydantic_core import ErrorDetails
 
-from assess.declaration import BOUNDS, OfWorks, Safe, Scatters, marks_of
+from assess.declaration import BOUNDS, Number, OfWorks, Safe, Scatters, marks_of
 from assess.errors import Faults, ProjectError, one_of_several
 from assess.loads.load import bodies_of as loading_bodies
 from assess.messages.message import escape_text
@@ -38,8 +38,8 @@ from spectra.arrays import is_number
 
 _NOT_SWEPT = (("analysis", "sweep"), ("analysis", "sensitivity"), ("analysis", "uncertainty"), ("format",), ("report",))
 WrittenNumber = int | float | str
-Marks = tuple[QuantityKind | None, Scatters | None, OfWorks | None]
-NO_MARKS: Marks = (None, None, None)
+Marks = tuple[QuantityKind | None, Scatters | None, OfWorks | None, Number | None]
+NO_MARKS: Marks = (None, None, None, None)
 Setting = Mapping[KeyPath, Any]
 """Other values of numbers of a project, by their keys."""
 
@@ -51,6 +51,7 @@ class KeyedValue(NamedTuple):
     """What stands at a key: the value as it was read, and what is known of it.
 
     kind : what it measures; uncertain : set where it may scatter; of_works : where works may change it
+    number : its bounds
     """
 
     path: KeyPath
@@ -58,6 +59,7 @@ class KeyedValue(NamedTuple):
     kind: QuantityKind | None
     uncertain: Scatters | None = None
     of_works: OfWorks | None = None
+    number: Number | None = None
 
     @property
     def is_number(self) -> bool:
@@ -75,13 +77,21 @@ def stated_values(content: Content) -> Iterator[KeyedValue]:
     return _keyed_values_below((), content, NO_MARKS, stated=True)
 
 
-def swept_value(key: str, by_key: Mapping[str, KeyedValue], *, where: str) -> KeyedValue:
-    """Return what stands at the key that a sweep names; raise ProjectError if it does not exist or holds no number."""
+def swept_value(key: str, by_key: Mapping[str, KeyedValue], *, where: str, others: Collection[str] = ()) -> KeyedValue:
+    """Return what stands at the key that a sweep names; raise ProjectError if it does not exist or holds no number.
+
+    Parameters
+    ----------
+    key : as it was typed
+    by_key : every key of the project
+    where : what an error begins with
+    others : keys that might have been meant besides
+    """
     entry = by_key.get(key) or by_key.get(count_from_0(key))
     if entry is not None and (entry.is_number or isinstance(entry.value, ProjectSection)):
         return entry
     what = "unknown key" if entry is None else "holds no number"
-    raise ProjectError(f"{where}.key: {value_text(key)}: {what}; {_remedy(key, by_key)}")
+    raise ProjectError(f"{where}.key: {value_text(key)}: {what}; {_remedy(key, by_key, others)}")
 
 
 def with_value(node: Any, path: Sequence[str | int], value: Any, resolved: Any) -> Any:
@@ -444,16 +454,17 @@ def _marks(field: FieldInfo) -> Marks:
     kinds = {each for each in found if isinstance(each, QuantityKind)}
     uncertain = next((each for each in found if isinstance(each, Scatters)), None)
     of_works = next((each for each in found if isinstance(each, OfWorks)), None)
-    return (kinds.pop() if len(kinds) == 1 else None), uncertain, of_works
+    number = next((each for each in found if isinstance(each, Number)), None)
+    return (kinds.pop() if len(kinds) == 1 else None), uncertain, of_works, number
 
 
-def _remedy(key: str, by_key: Mapping[str, KeyedValue]) -> str:
+def _remedy(key: str, by_key: Mapping[str, KeyedValue], others: Collection[str]) -> str:
     """Say what to write instead of a key that does not exist or holds no number."""
     table, _, last = key.rpartition(".")
     above = by_key.get(table)
     if last == "angle" and table.endswith(".cut") and above is not None and isinstance(above.value, float):
         return f'its cut is level: write cut = {{ point = [0, 0, {above.value:.6g}], angle = "0 deg" }} first'
-    near = get_close_matches(key, [name for name, entry in by_key.items() if entry.is_number], n=1)
+    near = get_close_matches(key, [*(name for name, entry in by_key.items() if entry.is_number), *others], n=1)
     remedy = f'did you mean "{escape_text(near[0])}"?' if near else 'name one like "bodies.NAME.box.height"'
     return remedy + (" (loads.0 or loads[1] is the first of a list)" if ".loads" in key else "")
 

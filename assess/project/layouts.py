@@ -33,7 +33,10 @@ STEEL = 7850.0  # kg/m3
 MOST_PRETENSION = 0.5  # of the yield force
 MOST_IN_CONE = 2  # plates
 TOLERATED = {"area": "area", "stiffness": "area", "length": "length", "yield_stress": "yield_stress"}
-"""Numbers of a tie by the tolerance that changes them; of a restraint without a bar its stiffness is as its area."""
+"""Numbers of a tie by the tolerance that changes them; of a restraint without a bar its stiffness is as its area.
+
+The thread of a bar is cut into it, so that its section is as that of the bar too.
+"""
 
 
 class Designs:
@@ -203,6 +206,8 @@ def with_tolerance(
             for key, factor in TOLERATED.items():
                 if (value := getattr(tie.load, key)) is not None:
                     changed[key] = value * getattr(tolerance, factor)
+            if tie.load.plate and (thread := tie.load.plate.thread_area):
+                changed["plate"] = {**changed["plate"], "thread_area": thread * tolerance.area}
             loads[tie.place] = changed if height is None else at_height(changed, tie.load, height)
             mechanisms[tie.mechanism] = {**mechanisms[tie.mechanism], "loads": loads}
     return {**tables, "mechanisms": mechanisms}

@@ -23,7 +23,7 @@ from assess.loads.load import LOADS, TieLoad
 from assess.project import sections
 from assess.project.bars import Bar, StatedTie, bars_of, with_bars
 from assess.project.key_errors import KeyPath, key_text, value_text
-from assess.project.keys import dependents, keyed_values, swept_value, value_at, with_value, with_values
+from assess.project.keys import KeyedValue, dependents, keyed_values, swept_value, value_at, with_value, with_values
 from assess.project.ranges import unit_size, values_of, written_value
 from assess.project.units import KINDS, QuantityKind, si_value
 from assess.results.provenance import count_from_0
@@ -174,6 +174,9 @@ def _axis_of_work(
             f'{where}: no tie in mechanisms.{name}.loads to take as a template; write one, {{ kind = "tie", … }}'
         )
     values, unit = values_of(given, KINDS[declared.kind], where=where, whole=declared.whole)
+    if declared.of_ties:
+        like = keyed_values(content).get(".".join(map(str, (*subject.bars[0][0].path, work[1]))))
+        _check_bare_numbers(values, unit, like, where)
     factor = unit_size(unit, KINDS[declared.kind])
 
     def change(tables: Tables, value: float) -> Tables:
@@ -193,7 +196,8 @@ def _axis_of_key(key: str, given: Any, content: sections.Content, where: str) ->
         if not keys:
             raise ProjectError(f"{where}: {of_kind[1]} has no load of kind {value_text(of_kind[2])}; write one first")
     try:
-        entries = [swept_value(each, by_key, where=where) for each in keys]
+        works = [".".join(("mechanisms", name, *work)) for name in content.mechanisms for work in WORKS]
+        entries = [swept_value(each, by_key, where=where, others=works) for each in keys]
     except ProjectError as error:
         raise ProjectError(f"vary {str(error).removeprefix(f'{where}.key: ')}") from None
     first, paths = entries[0], [path for each in entries for path in with_bars({each.path: None}, content)]
@@ -205,6 +209,7 @@ def _axis_of_key(key: str, given: Any, content: sections.Content, where: str) ->
         )
     kind = first.kind or KINDS["ratio"]
     values, unit = values_of(given, kind, where=where)
+    _check_bare_numbers(values, unit, first, where)
     typed = value_at(content, first.path)
     present = typed / unit_size(unit, kind) if is_number(typed) else None
 
@@ -217,6 +222,18 @@ def _axis_of_key(key: str, given: Any, content: sections.Content, where: str) ->
     changed = {name for each in entries for name in dependents(content, each.path)}
     mechanisms = tuple(name for name in content.mechanisms if name in changed)
     return Axis(key, unit, kind, values, present, of_tie, mechanisms, change, first.of_works.priced)
+
+
+def _check_bare_numbers(values: Sequence[float], unit: str, entry: KeyedValue | None, where: str) -> None:
+    """Raise ProjectError for values without a unit that a file may not have at a key, as it reads them in SI.
+
+    None of a thing is 0 of it. What is beyond with its unit is a layout that is refused.
+    """
+    if unit or entry is None or entry.number is None:
+        return
+    for value in filter(None, values):
+        if fault := entry.number.fault(value):
+            raise ProjectError(f"{where}: {value:.6g}: {fault}")
 
 
 def _load_at(content: sections.Content, path: KeyPath) -> Any:

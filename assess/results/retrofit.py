@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from math import inf, isinf
+from math import inf, isclose, isinf
 from typing import TYPE_CHECKING, Any, Literal
 
 from assess.messages.message import Message
@@ -16,6 +16,7 @@ if TYPE_CHECKING:
 TargetKind = Literal["index", "ratio", "probability"]
 CONFIDENCE = 0.84
 """Of the share of records that overturn, which the least layout has."""
+SAME = 1e-9  # relative difference of numbers that are one
 Place = tuple[int, ...]
 """A layout by the number of its value on each axis, from 0."""
 
@@ -168,8 +169,8 @@ class RetrofitResults(ShortRepr):
 
     @property
     def front(self) -> tuple[Layout, ...]:
-        """The Pareto front: layouts for which none of less steel or cost reaches as much, rising in it."""
-        return pareto_front(self.layouts, self.target)
+        """The Pareto front: layouts for which none of less steel or cost reaches as much, and the one proved."""
+        return pareto_front(self.layouts, self.target, proved=self.best)
 
     @property
     def trials(self) -> tuple[Trial, ...]:
@@ -210,16 +211,34 @@ def proof_confidence(layouts: int) -> float:
     return 1.0 - (1.0 - CONFIDENCE) / layouts
 
 
-def pareto_front(layouts: Sequence[Layout], target: Target) -> tuple[Layout, ...]:
+def pareto_front(layouts: Sequence[Layout], target: Target, *, proved: Layout | None = None) -> tuple[Layout, ...]:
     """Return the layouts for which none of a lesser objective reaches as much, rising in the objective.
+
+    Numbers that differ by rounding alone are equal. Of layouts of one objective that which reaches the most is on the
+    front, or the one that is proved.
 
     Parameters
     ----------
     layouts : examined or refused, which are left out
     target : whose measure counts
+    proved : the least that is, on the front even where a lesser one that fell short in the proof reached as much
     """
     front: list[Layout] = []
-    for each in sorted(layouts, key=lambda each: (each.objective, target.beyond(each))):
-        if target.beyond(each) < (target.beyond(front[-1]) if front else inf):
-            front.append(each)
+    most = inf
+    for each in sorted(
+        layouts, key=lambda each: (round_off(each.objective), round_off(target.beyond(each)), each.steel, each.place)
+    ):
+        beyond = target.beyond(each)
+        is_more = beyond < most and not isclose(beyond, most, rel_tol=SAME)
+        if not is_more and each != proved:
+            continue
+        most = min(most, beyond)
+        if front and round_off(front[-1].objective) == round_off(each.objective):
+            front.pop()
+        front.append(each)
     return tuple(front)
+
+
+def round_off(number: float) -> float:
+    """Round a number to nine figures, off what differs by rounding alone."""
+    return float(f"{number:.9g}")

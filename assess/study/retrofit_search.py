@@ -12,7 +12,7 @@ from math import inf, prod
 
 import numpy as np
 
-from assess.results.retrofit import Layout, Place, Target
+from assess.results.retrofit import Layout, Place, Target, round_off
 
 FULL = 400
 """Layouts of a grid up to which all of them are examined."""
@@ -23,15 +23,16 @@ STARTS = 3
 def merit(layout: Layout, target: Target) -> tuple[float, ...]:
     """Return what the best of layouts has the least of.
 
-    Those worth a proof come first, in the order of the objective and then of what they reach; then those that fall
+    Those worth a proof come first, in the order of the objective, of what they reach and of steel; then those that fall
     short, the nearest first; then those that are refused.
     """
     reached = layout.reached
     if layout.refused is not None or reached is None or reached.value is None:
         return (2.0, inf, inf, inf)
+    objective, beyond = round_off(layout.objective), round_off(target.beyond(layout))
     if target.may_hold(reached):
-        return (0.0, layout.objective, target.beyond(layout), 0.0)
-    return (1.0, float(reached.overturned), target.beyond(layout), layout.objective)
+        return (0.0, objective, beyond, layout.steel)
+    return (1.0, float(reached.overturned), beyond, objective)
 
 
 Examine = Callable[[Sequence[Place]], Sequence[Layout]]

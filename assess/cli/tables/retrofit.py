@@ -59,8 +59,9 @@ def retrofit_text(results: RetrofitResults) -> str:
         refusals = dict.fromkeys(str(each.proof.refused) for each in results.failed if each.proof.refused)
         text += "".join(f"  {escape_text(why)}\n" for why in list(refusals)[:MOST_FAILED])
     if results.front:
+        least = [each for place, each in enumerate(results.front) if place < MOST_SHOWN or each == results.best]
         text += "layouts for which none that takes less reaches as much (Pareto front):\n" + text_table(
-            *_rows(results, results.front[:MOST_SHOWN])
+            *_rows(results, least)
         )
     return text + messages_text(results.warnings)
 

@@ -42,7 +42,7 @@ def test_exit_codes(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     beyond = [*ASKED[:3], "50", *ASKED[4:]]
     assert ended("retrofit", path, *beyond) == 1
     assert "none is proved to reach the target" in capsys.readouterr().out
-    assert ended("retrofit", path, *ASKED[:4], "--vary", f"{AREA}=80..100") == 1  # of square metres
+    assert ended("retrofit", path, *ASKED[:4], "--vary", f"{AREA}=30000..40000 mm^2") == 1
     assert "refused 8 x, the first as cannot be built: " in capsys.readouterr().out
     for extra, said in (
         (("--vary", "area"), "write KEY=VALUE"),

@@ -388,19 +388,19 @@ def test_least_cost_may_be_other_works_than_least_steel(tmp_path: Path) -> None:
 
 
 def test_a_tolerance_with_which_a_layout_cannot_be_built_is_named_with_the_reason(tmp_path: Path) -> None:
-    """A thread of 400 mm2 suits a bar of 205 mm2, and none a tenth thinner, of which it would be more than twice."""
-    path = facade(tmp_path, ('strength = "200 kN"', PLATE), OUTSIDE, ('force = "8 kN"', 'force = "3 kN"'))
-    found = assess.retrofit(path, target="index", reach=0.2, vary={AREA: "205 mm^2", COUNT: "3"})
+    """No bar yields at a tenth more than 1400 MPa."""
+    path = facade(tmp_path, ('yield_stress = "235 MPa"', 'yield_stress = "1400 MPa"'))
+    found = assess.retrofit(path, target="index", reach=0.2, vary={AREA: "100 mm^2", COUNT: "3"})
     assert found.results.best is None
     (failed,) = found.results.trials
-    assert failed.proof.tolerance.area == 0.9
+    assert failed.proof.tolerance.yield_stress == 1.1
     assert failed.proof.refused is not None
-    assert "where the thread of its plate has 400 mm^2" in failed.proof.refused.text
+    assert "not 50 to 1500 MPa" in failed.proof.refused.text
     shown = retrofit_text(found.results)
-    assert "cannot be built: mechanisms.facade.loads[1].area" in shown
+    assert "cannot be built: mechanisms.facade.loads[1].yield_stress" in shown
     assess.write_retrofit(found, tmp_path / "out", jobs=1)
     (row,) = csv.DictReader((tmp_path / "out/tables/proof.csv").read_text(encoding="utf-8-sig").splitlines())
-    assert "where the thread of its plate has 400 mm^2" in row["Refused"]
+    assert "not 50 to 1500 MPa" in row["Refused"]
 
 
 def test_prices_of_the_file_stand_behind_those_of_the_command(tmp_path: Path) -> None:
@@ -569,11 +569,31 @@ def test_the_stiffness_of_a_restraint_without_a_bar_is_tolerated_as_an_area_is(t
     assert tie.stiffness == pytest.approx(1.8e6)
 
 
+def test_the_thread_of_a_bar_is_tolerated_as_its_area_is(tmp_path: Path) -> None:
+    """A thread of twice the bar is the widest that may be drawn, and stays so with a bar of a tenth less."""
+    path = facade(
+        tmp_path, ('strength = "200 kN"', PLATE.replace("400 mm^2", "628 mm^2")), OUTSIDE, ('"8 kN"', '"3 kN"')
+    )
+    project = load(path)
+    for factor in (0.9, 1.1):
+        tables = with_tolerance(project.raw, project.content, {}, ("facade",), Tolerance(area=factor))
+        (tie,) = read_content(tables, project.folder).mechanisms["facade"].loads
+        assert tie.plate.thread_area == pytest.approx(factor * 628e-6)
+        assert tie.area == pytest.approx(factor * 314e-6)
+    vary = {AREA: "314 mm^2", COUNT: "2"}
+    found = assess.retrofit(path, target="index", reach=0.05, vary=vary, spacing=9.0).results
+    assert found.best is not None
+    assert not any(proof.refused for proof in found.proofs)
+
+
 @pytest.mark.parametrize(
     ("given", "error"),
     [
         ({"vary": {}}, "vary: nothing"),
-        ({"vary": {"mechanisms.facade.tie.area": "1..2"}}, "unknown key"),
+        ({"vary": {"mechanisms.facade.tie.area": "1..2"}}, 'unknown key; did you mean "mechanisms.facade.ties.area"'),
+        ({"vary": {"mechanisms.facad.ties.count": "1..2"}}, 'did you mean "mechanisms.facade.ties.count"'),
+        ({"vary": {AREA: "100..200"}}, r"ties.area\": 100: not 1 to 20,000 mm\^2"),
+        ({"vary": {"mechanisms.facade.loads.tie.area": "100, 200"}}, r"area\": 100: not 1 to 20,000 mm\^2"),
         ({"vary": {"mechanisms.facade.ties.colour": "1..2"}}, "known are ties.area"),
         ({"vary": {AREA: "800..100 mm^2"}}, "lesser end first"),
         ({"vary": {AREA: "100..800 kN"}}, "area"),

@@ -23,7 +23,7 @@ from assess.study.retrofit import (
     tolerances,
     upper_share,
 )
-from assess.study.retrofit_search import search_grid
+from assess.study.retrofit_search import merit, search_grid
 from assess.study.study import ScaledRecord
 from tests.support.motions import noise
 
@@ -152,6 +152,19 @@ def test_none_of_the_front_takes_more_for_less() -> None:
     for each in layouts:
         better = [f for f in front if f.objective <= each.objective and target.beyond(f) <= target.beyond(each)]
         assert better
+
+
+def test_what_differs_by_rounding_is_no_progress() -> None:
+    target = Target("index", 1.0, rising=True)
+    numbers = [(1.0, 0.80935450122532), (2.0, 0.80935450122533), (3.0, 1.2), (3.0 + 1e-13, 1.1)]
+    layouts = [
+        Layout((place,), (float(place),), steel, steel, reached=Reached(value))
+        for place, (steel, value) in enumerate(numbers)
+    ]
+    assert [each.place for each in pareto_front(layouts, target)] == [(0,), (2,)]
+    assert min(layouts[2:], key=lambda each: merit(each, target)).place == (2,)
+    assert [each.place for each in pareto_front(layouts, target, proved=layouts[3])] == [(0,), (3,)]
+    assert [each.place for each in pareto_front(layouts, target, proved=layouts[1])] == [(0,), (1,), (2,)]
 
 
 def motions_of_events(events: Sequence[str]) -> list[ScaledRecord]:

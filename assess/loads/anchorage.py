@@ -34,7 +34,7 @@ from assess.declaration import (
     PositiveLength,
     RatioToOne,
 )
-from assess.loads.far_wall import FarWall
+from assess.loads.far_wall import NOT_DRAWN, FarEnd, FarWall
 
 GAMMA_M = 2.0  # of existing masonry in seismic checks (Circolare 7/2019, C8.7.1)
 GAMMA_M0, GAMMA_M2 = 1.05, 1.25  # of steel: yield and fracture (NTC 2018, table 4.2.VII)
@@ -231,6 +231,7 @@ class Anchorage:
     bar_area, bar_yield : section [m2] and yield stress [Pa] of the bar
     stated : strength that is stated beside it [N]; None if not
     far_wall : the wall at the other end as a mechanism of its own; None where that is not examined
+    far_end : what else is known of that wall
     """
 
     plate: Plate
@@ -239,6 +240,7 @@ class Anchorage:
     bar_yield: float
     stated: float | None = None
     far_wall: FarWall | None = None
+    far_end: FarEnd = NOT_DRAWN
 
     @property
     def leaf(self) -> float | None:

@@ -49,6 +49,25 @@ def action_at(*, pga: float, FC: float, Z: float, H: float) -> float:
 
 
 @dataclass(frozen=True)
+class FarEnd:
+    """What is known of the wall at the far end of a tie.
+
+    body : its name, empty where none is drawn
+    unexamined : why it is no mechanism: "no wall", "no site", "no loads" that are known, or "held"; empty if it is one
+    held_by : bodies that stop it from within; stack : walls on it or under it as bodies of their own, which are not
+        examined with it
+    """
+
+    body: str = ""
+    unexamined: str = "no wall"
+    held_by: tuple[str, ...] = ()
+    stack: tuple[str, ...] = ()
+
+
+NOT_DRAWN = FarEnd()
+
+
+@dataclass(frozen=True)
 class FarWall:
     """The far wall of a tie above its weakest crack, as far along the wall as its ties hold it.
 

@@ -328,6 +328,12 @@ TEXTS: Mapping[str, str] = {
     "way: else it pushes, and has a thrust",
     "units-slide": "a pass is valid only if the units under the plate of {what} do not slide on their beds before a "
     "cone of masonry punches: course and overlap of the plate are not given",
+    "far-wall-unexamined": "a pass is valid only if the engineer finds that the wall at the far end of {what} holds "
+    "it; it is not examined: {reason}",
+    "far-wall-held": 'a pass is valid only if the wall "{body}" at the far end of {what} is held from within, by '
+    "{bodies}, and what these reach does not give way",
+    "far-wall-part": 'a pass is valid only if the wall at the far end of {what} holds it as a whole: only "{body}" is '
+    "examined, and {bodies}, on it or under it, is not",
     "anchorage-computed": "a pass is valid only if the engineer finds the anchorage of {what} sound: no clause has "
     "formulas for it, and the program derives its own",
     "thrust-is-tied": "a pass is valid only if ties or tie-beams carry the thrust of {what} up to collapse",

@@ -1,13 +1,14 @@
 """The walls at the far ends of ties, found on the bodies of a project, each at the crack at which it holds least.
 
 The far wall is the upright body in which the anchor lies. It turns towards the tied wall about a level crack below the
-anchor, of those above which no body beside it stops it, as one that touches its inner face does. It turns as far along
-itself as the ties in it hold it, 1.5 m to either side of each; what bears on it goes with it where that leaves less.
+anchor, of those above which nothing stops it. What stops it touches its inner face all along what turns, and stands, or
+reaches a body that stands or the tied wall, as a floor does. It turns as far along itself as the ties in it hold it,
+1.5 m to either side of each; what bears on it goes with it where that leaves less.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from itertools import pairwise
@@ -15,11 +16,11 @@ from itertools import pairwise
 import numpy as np
 
 from assess.errors import AssessError, GeometryError
-from assess.geometry.contact import facing_patches, find_contact
+from assess.geometry.contact import ContactArea, facing_patches, find_contact
 from assess.geometry.cut import level_plane, split_upright
 from assess.geometry.solid import Solid, keep_of_bodies
 from assess.loads.anchorage import CLOSE
-from assess.loads.far_wall import FarWall, SiteAction, action_at
+from assess.loads.far_wall import FarEnd, FarWall, SiteAction, action_at
 from assess.loads.load import (
     BodyLoad,
     Load,
@@ -43,6 +44,8 @@ CRACKS = 12  # level cracks that are looked at, from the foot of the far wall up
 FOOT = 0.1  # of the height above a crack: what touches the wall lower, as a pavement does, does not stop it
 AHEAD = 0.7  # cosine between a touched face and the motion that the contact stops: within 45 degrees
 SMALLEST = 0.01  # m2: less contact is a slip of drawing
+SLICES = 8  # of a strip along the wall: what stops it touches each of them
+BEYOND = 1.0  # m: behind an anchor, within which a wall is one that it should lie in
 ASIDE = 1e-3  # m: by which the line through a wall is moved off the edges of its triangles
 MORE = 1.001  # times the drawn thickness, beyond which an injected length leaves the wall
 LoadsOn = Callable[[SingleBlock], tuple[Load, ...]]
@@ -83,11 +86,11 @@ def far_wall_of(
     moving: Sequence[str],
     loads_on: LoadsOn,
     where: str,
-) -> FarWall | None:
-    """Return the far wall of a tie at the crack at which it holds least.
+) -> tuple[FarWall | None, FarEnd]:
+    """Return the far wall of a tie at the crack at which it holds least, and what else is known of it.
 
-    None where the anchor lies in no upright body, where bodies beside it stop the wall above all cracks, or the action
-    of the site is not known.
+    The first is None where the anchor lies in no upright body, where bodies beside it stop the wall above all cracks,
+    or the action of the site or what it carries is not known.
 
     Parameters
     ----------
@@ -98,34 +101,42 @@ def far_wall_of(
 
     Raises
     ------
-    GeometryError : a body that is named is none, or the anchor lies off it; an injected end is longer than its wall
+    GeometryError : a body that is named is none, or the anchor lies off it or off a wall that the tie meets; an
+        injected end is longer than its wall
     """
     assert tie.plate is not None
     met = _met(tie, [*loads, *tie.others], bodies, moving=moving, where=where)
     if met is None:
-        return None
+        return None, FarEnd()
     if (length := tie.plate.embedment) is not None and length > MORE * met.thickness:
         raise GeometryError(
             f'{where}.embedment = {length:.4g} m: the wall "{met.name}" is {met.thickness:.4g} m thick at the anchor; '
             "give the length of the hole within it"
         )
+    end = FarEnd(met.name, "", stack=_stacked(met, bodies, moving=moving))
     if tie.site is None or not met.strip:
-        return None
+        return None, replace(end, unexamined="no site")
     floors = _floors_on(met.solid, [*loads, *tie.floors], bodies)
     whole = SingleBlock(blocks=((met.name,),), direction=met.direction, sides="one", loads=floors)
     beside = {*moving, met.name, *(floor.body for floor in floors)}
-    stops = _faces_ahead(met, [each.solid for key, each in bodies.items() if each.solid and key not in beside])
+    solids = {key: each.solid for key, each in bodies.items() if each.solid is not None and key != met.name}
+    held_by = [key for key in solids if key not in beside and _touches_ahead(met, solids[key])]
+    held_by = [key for key in held_by if _stands_beyond(key, met, solids, moving=moving)]
+    stops = _faces_ahead(met, [solids[key] for key in held_by])
+    if any(float(area.sum()) <= SMALLEST / SLICES for _, area in stops):
+        held_by, stops = [], [(np.zeros(0), np.zeros(0))]
     try:
         borne = _share_of(loads_on(whole), (met.last - met.first) / met.whole)
     except AssessError:
-        return None  # what it carries is not known
+        return None, replace(end, unexamined="no loads")
     site = _on_drawing(tie.site, bodies)
     found = [
         _turning(chain, crack, met, site, FC=tie.plate.confidence)
         for carried in dict.fromkeys(((), borne))
         for crack, chain in _cracked(met, carried, stops)
     ]
-    return min(found, key=lambda each: each.strength, default=None)
+    least = min(found, key=lambda each: each.strength, default=None)
+    return least, replace(end, unexamined="" if found else "held", held_by=tuple(held_by))
 
 
 def _met(
@@ -146,6 +157,8 @@ def _met(
     if not upright:
         if named is not None:
             raise GeometryError(f'{where}.far_wall = "{named}": the anchor does not lie in it; move `anchor` into it')
+        if all(run is None for run in runs.values()):
+            _require_no_wall_beside(tie, beside, inwards, where=where)
         return None
     name = max(upright, key=lambda key: upright[key])
     along = (-float(inwards[1]), float(inwards[0]), 0.0)
@@ -155,6 +168,28 @@ def _met(
     first, last = max(first, low), min(last, high)
     strip = _between((beside[name],), along, first, last)
     return _AtFarEnd(name, beside[name], upright[name], inwards, strip, first, last, high - low, ties)
+
+
+def _require_no_wall_beside(tie: TieLoad, beside: Mapping[str, Solid], inwards: FloatArray, *, where: str) -> None:
+    """Raise GeometryError for an anchor in the air where the tie or its line a little beyond meets a wall."""
+    at, anchor = np.array(tie.at), np.array(tie.anchor or tie.at)
+    out, along = -inwards, np.array([-inwards[1], inwards[0], 0.0])
+    for name, solid in beside.items():
+        met = run_through(Wall((solid,), along, out), float(anchor @ along) + ASIDE, float(anchor[2]) - ASIDE)
+        if met is None:
+            continue
+        face, thickness = met
+        across = thickness < _height_of(solid) and thickness < float(np.ptp(solid.vertices @ along))
+        if across and float(at @ out) < face and face - thickness < float(anchor @ out) + BEYOND:
+            first, last = (
+                np.round(anchor + (end - float(anchor @ out)) * out, 3) + 0.0 for end in (face - thickness, face)
+            )
+            raise GeometryError(
+                f"{where}: the anchor of its tie lies in no body, and the tie or its line up to {BEYOND:g} m beyond "
+                f'meets the wall "{name}" from [{", ".join(f"{each:g}" for each in first)}] to '
+                f"[{', '.join(f'{each:g}' for each in last)}]; move `anchor` into "
+                "the wall that holds it, or draw that wall"
+            )
 
 
 def _height_of(solid: Solid) -> float:
@@ -222,10 +257,52 @@ def _share_of(loads: Sequence[Load], share: float) -> tuple[Load, ...]:
 
 
 def _faces_ahead(met: _AtFarEnd, beside: Sequence[Solid]) -> list[tuple[FloatArray, FloatArray]]:
-    """Return the elevations [k] [m] and areas [k] [m2] of what of the inner face each body touches."""
-    found = [facing_patches(part, other) for part in met.strip for other in beside]
-    ahead = [each.normal @ met.inwards > AHEAD for each in found]
-    return [(each.centroid[kept, 2], each.area[kept]) for each, kept in zip(found, ahead, strict=True)]
+    """Return the elevations [k] [m] and areas [k] [m2] of what of the inner face bodies touch, by slices along it."""
+    edges = np.linspace(met.first, met.last, SLICES + 1).tolist()
+    along = (-float(met.inwards[1]), float(met.inwards[0]), 0.0)
+    touched = []
+    for first, last in pairwise(edges):
+        slices = _between(met.strip, along, first, last)
+        found = [facing_patches(part, other) for part in slices for other in beside]
+        ahead = [each.normal @ met.inwards > AHEAD for each in found]
+        level = [each.centroid[kept, 2] for each, kept in zip(found, ahead, strict=True)]
+        area = [each.area[kept] for each, kept in zip(found, ahead, strict=True)]
+        touched.append((np.concatenate([*level, np.zeros(0)]), np.concatenate([*area, np.zeros(0)])))
+    return touched
+
+
+def _touches_ahead(met: _AtFarEnd, other: Solid) -> bool:
+    return any(float(area.sum()) > SMALLEST for _, area in _faces_ahead(met, [other]))
+
+
+def _stands_beyond(name: str, met: _AtFarEnd, solids: Mapping[str, Solid], *, moving: Sequence[str]) -> bool:
+    """Return whether a body stands by itself or reaches what does, or the tied wall, other than by the far wall."""
+    foot = met.solid.bounds[0][2] + FOOT * _height_of(met.solid)
+    reached = [name]
+    for each in reached:  # grows as it goes
+        if each in moving or solids[each].bounds[0][2] <= foot:
+            return True
+        reached += [key for key in solids if key not in reached and _touch(solids[each], solids[key])]
+    return False
+
+
+def _touch(one: Solid, other: Solid) -> bool:
+    return any(each is not None for each in _contacts(one, other))
+
+
+def _stacked(met: _AtFarEnd, bodies: Bodies, *, moving: Sequence[str]) -> tuple[str, ...]:
+    """Return the walls that stand on the far wall or under it, as bodies that are higher than they are deep."""
+    return tuple(
+        name
+        for name, each in bodies.items()
+        if each.solid is not None and name not in (*moving, met.name)
+        if float(np.ptp(each.solid.vertices @ met.inwards)) < _height_of(each.solid)
+        if any(found is not None and found.bearing for found in _contacts(met.solid, each.solid))
+    )
+
+
+def _contacts(one: Solid, other: Solid) -> tuple[ContactArea | None, ContactArea | None]:
+    return find_contact(one, other), find_contact(other, one)
 
 
 def _cracked(
@@ -237,7 +314,7 @@ def _cracked(
     high = max(part.bounds[1][2] for part in met.strip)
     for crack in np.linspace(low, float((met.ties[0].anchor or met.ties[0].at)[2]), CRACKS, endpoint=False).tolist():
         foot = crack + FOOT * (high - crack)
-        if all(float(area[level > foot].sum()) <= SMALLEST for level, area in stops):
+        if any(float(area[level > foot].sum()) <= SMALLEST / SLICES for level, area in stops):
             with suppress(GeometryError):  # a crack through an opening
                 yield crack, stack.above(level_plane(crack) if crack > low else None)
 

@@ -25,7 +25,7 @@ from assess.loads.body_loads import (
     find_block_contact,
     loaded_blocks,
 )
-from assess.loads.far_wall import FarWall
+from assess.loads.far_wall import FarEnd, FarWall
 from assess.loads.load import (
     SAME_END,
     BodyLoad,
@@ -77,7 +77,8 @@ def loads_of(
         for number, load in enumerate(definition.loads, start=1)
     ]
     for place, held in anchorages_of(definition.loads, pieces, where=blocks.where).items():
-        anchorage = replace(held, far_wall=_far_wall(place, definition, bodies, where=blocks.where))
+        wall, end = _far_wall(place, definition, bodies, where=blocks.where)
+        anchorage = replace(held, far_wall=wall, far_end=end)
         tie = replace(cast(Tie, parts[place].loads[0]), anchorage=anchorage, strength=anchorage.strength)
         borne = tie.tension if anchorage.far_wall_holds else 0.0
         if borne < tie.pull:
@@ -96,8 +97,8 @@ def loads_of(
     )
 
 
-def _far_wall(place: int, definition: BlockMechanism, bodies: Bodies, *, where: str) -> FarWall | None:
-    """Return the wall at the far end of the tie at a place among the loads, as a mechanism of its own."""
+def _far_wall(place: int, definition: BlockMechanism, bodies: Bodies, *, where: str) -> tuple[FarWall | None, FarEnd]:
+    """Return the wall at the far end of the tie at a place among the loads, as a mechanism and what is known of it."""
 
     def loads_on(far: SingleBlock) -> tuple[Load, ...]:
         return loads_of("far wall", far, pieces_of("far wall", far, bodies), bodies).loads

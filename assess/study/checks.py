@@ -42,6 +42,7 @@ from assess.study.amplification import NOT_AMPLIFIED, MechanismAmplification
 from assess.study.histories import RockingHistories
 from assess.study.mechanism_results import unsupported_messages
 from assess.study.study import ScaledRecord, Study, may_follow_motion
+from assess.study.tie_results import far_end_conditions
 from records.record import Record, scale
 from records.response import response_spectrum
 from spectra.arrays import FloatArray
@@ -124,7 +125,7 @@ def _facts_of(study: Study, name: str) -> VerdictFacts:
         if each.key in CONTRADICTIONS
     )
     unheld, held = _support_at_top(study, mechanism)
-    return (*missing, *wrong, *unheld), (*conditions, *held)
+    return (*missing, *wrong, *unheld), (*conditions, *held, *far_end_conditions(mechanism))
 
 
 AT_TOP = 0.05  # of the height of a wall: a load or tie no farther below its top acts there

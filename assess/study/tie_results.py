@@ -111,6 +111,24 @@ def tie_messages(mechanism: Mechanism) -> Iterator[Message]:
                 yield message("far-wall-less", values, severity=Severity.WARNING, where=where)
 
 
+def far_end_conditions(mechanism: Mechanism) -> Iterator[Message]:
+    """Yield the conditions of a pass on the walls at the far ends of ties, those of several ties as one."""
+    found: dict[tuple[str, str, tuple[str, ...], str], list[str]] = {}
+    for tie in mechanism.positive.loads:
+        if not isinstance(tie, Tie) or tie.anchorage is None or not tie.anchorage.far_wall_holds:
+            continue
+        end = tie.anchorage.far_end
+        if end.unexamined not in ("", "held"):
+            found.setdefault(("far-wall-unexamined", end.body, (), end.unexamined), []).append(tie.name)
+        for key, bodies in (("far-wall-held", end.held_by), ("far-wall-part", end.stack)):
+            if bodies:
+                found.setdefault((key, end.body, bodies, ""), []).append(tie.name)
+    for (key, body, bodies, why), ties in found.items():
+        values: dict[str, Value] = {"what": ", ".join(ties)}
+        values |= {"reason": UNEXAMINED[why]} if why else {"body": body, "bodies": ", ".join(bodies)}
+        yield message(key, values, severity=Severity.WARNING)
+
+
 def _link(tie: Tie) -> Term:
     """Return what of the anchorage fails first."""
     name = None if tie.anchorage is None else tie.anchorage.governing
@@ -173,7 +191,12 @@ def _link_step(symbol: str, description: str, clause: str, formula: str, link: L
 
 NO_LIMIT = "no limit"
 NOT_EXAMINED = "not examined: the project does not give the units"
-NO_MECHANISM = "not examined: no wall is drawn at the anchor, what touches it from within stops it, or there is no site"
+UNEXAMINED: Mapping[str, Term] = {
+    "no wall": Term("no wall is drawn at the anchor"),
+    "no site": Term("the project has no site that shakes it"),
+    "no loads": Term("what it carries is not known"),
+    "held": Term("what touches it from within stops it"),
+}
 HOLDS_NOTHING = "less than 1 % of what the bar bears: it counts as nothing"
 ARCH = "f_h / (γ_M · FC) · t² · h_s / s"
 CLOSE_BY = "no limit: ties up to 3 m apart, and 1.5 m from the ends of the wall"
@@ -284,7 +307,8 @@ def _far_wall(of: Anchorage, wall: FarWall | None) -> Iterator[Step]:
         "(M_s − α · M_h) / Σh",
     )
     if wall is None:
-        yield step("N_7", turns, OWN, formula, None, "N", remark=NO_MECHANISM)
+        why = str(UNEXAMINED[of.far_end.unexamined])
+        yield step("N_7", turns, OWN, formula, None, "N", remark=why, subject=of.far_end.body)
         return
     given: Given = {"FC": wall.FC, "a_gS": wall.pga, "r_Z": wall.rise}
     words = "peak acceleration over g at the crack of the wall at the far end"

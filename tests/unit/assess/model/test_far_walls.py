@@ -173,6 +173,52 @@ def test_held_above_the_anchor_it_is_no_mechanism():
     assert "far wall" not in [link.name for link in found.links]
 
 
+def shelf(length: float = L, *, thickness: float = 0.1, z: float = 4.2) -> Any:
+    """A strip of stone on its inner face that touches nothing else."""
+    return assess.box(
+        thickness=thickness, length=length, height=0.1, density=2000.0, base=[-9.7 + thickness / 2, 0, z], name="shelf"
+    )
+
+
+def test_what_reaches_nothing_beyond_stops_it_not():
+    """A shelf, and one that another touches, hold nothing; where that one stands on the ground, they do."""
+    free = wall_of(tie(0.03))
+    assert wall_of(tie(0.03), around=[shelf()]) == free
+    for z, height, held in ((4.2, 0.1, False), (0.0, 5.0, True)):
+        post = assess.box(thickness=0.2, length=L, height=height, density=2000.0, base=[-9.5, 0, z], name="post")
+        (found,) = anchorages(tie(0.03), around=[shelf(), post])
+        assert (found.far_wall is None) is held
+        assert found.far_end.held_by == (("shelf",) if held else ())
+
+
+def test_what_covers_less_than_what_turns_stops_it_not():
+    narrow = assess.box(thickness=9.4, length=1.0, height=0.4, density=2400.0, base=[-5.0, 0, 4.5], name="roof")
+    assert wall_of(tie(0.03), around=[narrow]) == wall_of(tie(0.03))
+    whole = assess.box(thickness=9.4, length=L, height=0.4, density=2400.0, base=[-5.0, 0, 4.5], name="roof")
+    (found,) = anchorages(tie(0.03), around=[whole])
+    assert (found.far_end.unexamined, found.far_end.held_by) == ("held", ("roof",))
+
+
+@pytest.mark.parametrize("x", [-9.2, -10.6])
+def test_an_anchor_in_the_air_beside_a_wall_is_refused(x: float):
+    """The wall is from x = -9.7 to -10.3: half a metre in front of it, and through it."""
+    in_air = replace(tie(), anchor=[x, 0, Z], length=0.3 - x)
+    with pytest.raises(
+        AssessError, match=r'meets the wall "rear" from \[-9.7, 0, 4\] to \[-10.3, 0, 4\]; move `anchor`'
+    ):
+        anchorages(in_air)
+    assert anchorages(replace(tie(), anchor=[-8.5, 0, Z], length=8.8))[0].far_end.unexamined == "no wall"
+
+
+def test_a_wall_that_stands_on_it_is_told():
+    """Its upper part, half as thick again, stands on it as a body of its own."""
+    upper = assess.box(thickness=0.9, length=L, height=2.0, density=2000.0, base=[-10.0, 0, H], name="upper")
+    (found,) = anchorages(tie(0.03), around=[upper])
+    assert (found.far_end.body, found.far_end.stack) == ("rear", ("upper",))
+    (found,) = anchorages(tie(0.03, z=5.5), around=[upper])
+    assert (found.far_end.body, found.far_end.stack) == ("upper", ("rear",))
+
+
 def test_a_floor_that_bears_on_it_counts_where_it_hurts():
     """Let in by 0.2 m it bears there: its weight would help where nothing shakes, and drives where the ground does."""
     bearing = floor(to=-9.9)
@@ -187,7 +233,9 @@ def test_a_floor_that_bears_on_it_counts_where_it_hurts():
 
 def test_no_body_at_the_anchor_or_no_site_is_not_examined():
     assert anchorages(tie(), thickness=0.0)[0].far_wall is None
-    assert anchorages(replace(tie(), site=None))[0].far_wall is None
+    assert anchorages(tie(), thickness=0.0)[0].far_end.unexamined == "no wall"
+    (found,) = anchorages(replace(tie(), site=None))
+    assert (found.far_wall, found.far_end.body, found.far_end.unexamined) == (None, "rear", "no site")
 
 
 def test_a_bar_or_a_floor_that_holds_the_anchor_is_no_far_wall():

@@ -11,6 +11,7 @@ from assess.cli.tables.project import duration_text, tie_text
 from assess.codes.calculation_sheet import Step
 from assess.loads.load import Tie
 from assess.results import LoadResult
+from assess.study.checks import _facts_of
 from assess.study.mechanism_results import parameters
 from assess.study.study import Study
 from tests.support import projects
@@ -241,3 +242,14 @@ def test_a_drawn_far_wall_counts_under_the_action_of_the_site(tmp_path: Path) ->
     assert (load.lasting, load.missing) == ("not shown", ("a far wall that holds",))
     assert values(load)["N_7"] == 0.0
     assert [each.key for each in fallen.messages if each.key.startswith("far-wall")] == ["far-wall-falls"]
+
+
+def test_a_pass_depends_on_far_walls_that_are_not_examined(tmp_path: Path) -> None:
+    """Where no wall is drawn at the anchor the condition and the sheet say so."""
+    study = study_of(tmp_path, tie(PLATE))
+    (told,) = [each for each in _facts_of(study, "wall")[1] if each.key == "far-wall-unexamined"]
+    assert told.text.endswith("the far end of tie 1 holds it; it is not examined: no wall is drawn at the anchor")
+    load = load_of(study)
+    assert load.tie is not None
+    (line,) = [step for step in load.tie.steps if step.symbol == "N_7"]
+    assert line.remark == "no wall is drawn at the anchor"

@@ -375,7 +375,7 @@ def retrofit(
     reach: float,
     vary: Mapping[str, str | Sequence[float | str]],
     limit_state: str | None = None,
-    price: Mapping[str, float | str] = MappingProxyType({}),
+    price: Mapping[str, float | str] | None = MappingProxyType({}),
     spacing: float | str = 3.0,
     search_records: int | None = None,
     jobs: int = 0,
@@ -394,7 +394,7 @@ def retrofit(
         or a list of values
     limit_state : in place of that of [verdict]
     price : by "steel" for each kg, "tie" for each, and varied key for each unit of change, as numbers or like
-        "4 EUR/kg", before those of the file; steel counts without any
+        "4 EUR/kg", before those of the file; steel counts without any, and where None
     spacing : between anchors, at most [m], or with its unit
     search_records : about how many records are searched on; every second event where None
     jobs : threads, 0 for all cores; the results do not depend on it

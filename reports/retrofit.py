@@ -23,7 +23,7 @@ from reports.document import (
     Table,
     tabulate,
 )
-from reports.figures.retrofit import COST, MEASURES, STEEL, draw_front
+from reports.figures.retrofit import MEASURES, STEEL, cost_heading, draw_front
 from reports.language.locale import Locale, System
 from reports.language.texts import Text, Verbatim, count, names, quantity, say, say_count
 
@@ -115,7 +115,7 @@ def _facts(results: RetrofitResults) -> Iterator[tuple[Text, Text]]:
         yield say("Limit state"), Verbatim(results.limit_state)
     if results.pga_g is not None:
         yield say("PGA"), quantity(results.pga_g, "ground acceleration")
-    yield say("Mechanisms"), names(results.mechanisms)
+    yield say("Target of what the works change"), names(results.mechanisms)
     yield say("Layouts examined"), count(len([each for each in results.layouts if each.reached is not None]))
     yield say("Layouts refused"), count(len([each for each in results.layouts if each.refused is not None]))
     yield say("Reached the target in the search"), count(results.candidates)
@@ -131,6 +131,8 @@ def _facts(results: RetrofitResults) -> Iterator[tuple[Text, Text]]:
         )
     if results.verdict:
         yield say("Verdict with these works"), OUTCOMES[results.verdict]
+    if results.building_index is not None:
+        yield say("Index of the building, the worst of all mechanisms"), quantity(results.building_index, figures=4)
     shown = results.best or results.nearest
     if shown is not None:
         yield (say("Least") if results.best else say("Nearest")), _amount(results, shown)
@@ -214,7 +216,7 @@ def _table(name: str, caption: Text, results: RetrofitResults, layouts: tuple[La
         fields.append((Column(heading, figures=6), cast(Callable[[Layout], Cell], partial(_typed, place))))
     fields.append((Column(STEEL, "mass", 4), lambda layout: _value(layout.steel)))
     if results.priced:
-        fields.append((Column(COST, "ratio", 6), lambda layout: _value(layout.objective)))
+        fields.append((Column(cost_heading(results), figures=6), lambda layout: _value(layout.objective)))
     fields.append((Column(MEASURES[results.target.kind], "ratio", 4), lambda layout: _value(_reached(layout).value)))
     if results.search_records:
         fields.append((Column(say("Records that overturn")), lambda layout: _reached(layout).overturned))

@@ -35,7 +35,7 @@ def retrofit(
             "--price",
             metavar="KEY=PRICE",
             help="For least cost in place of steel: KEY is steel (a kg), tie (each) or a varied key (a unit); 4, or "
-            "'4 EUR/kg'; before those of [analysis.retrofit] prices; repeat.",
+            "'4 EUR/kg'; before those of [analysis.retrofit] prices; repeat. none: least steel, without them.",
         ),
     ] = None,
     spacing: Annotated[
@@ -80,7 +80,7 @@ def retrofit(
             reach=reach,
             vary=_pairs(vary, "--vary"),
             limit_state=limit_state,
-            price=_pairs(price or (), "--price"),
+            price=None if price == ["none"] else _pairs(price or (), "--price"),
             spacing=spacing,
             search_records=search_records,
             jobs=jobs or 0,

@@ -50,12 +50,12 @@ class Prices:
         return sum(price * amounts[key] for key, price in self.by_key.items())
 
 
-def prices_of(given: Mapping[str, float | str], axes: Sequence[Axis], content: Content) -> Prices:
+def prices_of(given: Mapping[str, float | str] | None, axes: Sequence[Axis], content: Content) -> Prices:
     """Return the prices of works.
 
     Parameters
     ----------
-    given : with the command, each in place of that of the file
+    given : with the command, each in place of that of the file; None for no prices, whatever the file has
     axes : what is varied
     content : of the project
 
@@ -63,6 +63,8 @@ def prices_of(given: Mapping[str, float | str], axes: Sequence[Axis], content: C
     ------
     ProjectError : a price of something else, of another unit, or in a second currency
     """
+    if given is None:
+        return Prices({})
     stated = {} if content.analysis.retrofit is None else content.analysis.retrofit.prices
     units = {PER_STEEL: ("kg", KINDS["mass"]), PER_TIE: ("", KINDS["ratio"])}
     units |= {axis.key: (axis.unit, axis.kind) for axis in axes}

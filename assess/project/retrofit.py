@@ -57,7 +57,7 @@ class RetrofitQuestion:
     vary : ranges by keys of the file and by declared works
     limit_state : in place of that of the project
     price : by "steel" for each kg, "tie" for each, and by varied key for each unit of change, before those of the file;
-        without any, steel counts
+        without any, or where None, steel counts
     spacing : between anchors, at most [m], or with its unit
     search_records : number of records on which layouts are searched, about; every second event where None
     """
@@ -66,7 +66,7 @@ class RetrofitQuestion:
     reach: float
     vary: Mapping[str, str | Sequence[float | str]]
     limit_state: str | None = None
-    price: Mapping[str, float | str] = field(default_factory=dict)
+    price: Mapping[str, float | str] | None = field(default_factory=dict)
     spacing: float | str = CLOSE
     search_records: int | None = None
 
@@ -137,13 +137,13 @@ def find_retrofit(project: Project, question: RetrofitQuestion, *, jobs: int, pr
     found = find_least(designs, target, measures, progress=progress)
     warnings = [*designs.messages(), *_conditions(designs)]
     with_works: Tables | None = None
-    outcome = ""
+    verdict: Verdict | None = None
     if found.best is not None:
         with_works = designs.apply(tables, found.best.place)
         reread = load_tree(dict(with_works), project.path, sha256="")
-        found, outcome, more = _as_written(found, reread, designs, target, jobs=jobs)
+        found, verdict, more = _as_written(found, reread, designs, target, jobs=jobs)
         warnings += more
-    results = _results(project, designs, target, motions, found, outcome, warnings)
+    results = _results(project, designs, target, motions, found, verdict, warnings)
     return Retrofit(results, project, with_works if found.best is not None else None)
 
 
@@ -189,7 +189,7 @@ def _results(
     target: Target,
     motions: _GroundMotions | None,
     found: Found,
-    outcome: str,
+    verdict: Verdict | None,
     warnings: Sequence[Message],
 ) -> RetrofitResults:
     """Return what was found as data."""
@@ -217,7 +217,8 @@ def _results(
         candidates=found.candidates,
         search_records=() if motions is None else tuple(each.record.id for each in motions.seen),
         proof_records=() if motions is None else tuple(each.record.id for each in motions.rest),
-        verdict=outcome,
+        verdict="" if verdict is None else verdict.outcome.value,
+        building_index=None if verdict is None or verdict.index is None else verdict.index.value,
         warnings=tuple(warnings),
         failed=found.failed,
     )
@@ -314,7 +315,7 @@ def _conditions(designs: Designs) -> Iterator[Message]:
 
 def _as_written(
     found: Found, project: Project, designs: Designs, target: Target, *, jobs: int
-) -> tuple[Found, str, list[Message]]:
+) -> tuple[Found, Verdict | None, list[Message]]:
     """Return what was found, and verdict and messages of the project with the best works; none where it falls short.
 
     Values that no source vouches for are replaced there for an index, as in a run; of histories they are named.
@@ -330,7 +331,7 @@ def _as_written(
         if typed:
             keys = ", ".join(dict.fromkeys(each.key for each in typed))
             messages.append(warning("retrofit-as-typed", "report.sources", keys=keys))
-        return found, "", messages
+        return found, None, messages
     verdict = find_outcome(study, jobs=jobs or 1)
     short = [each for each in _indices(verdict).items() if not target.holds(Reached(each[1]))]
     if others := [name for name, _ in short if name not in designs.mechanisms]:
@@ -338,8 +339,8 @@ def _as_written(
     if any(name in designs.mechanisms for name, _ in short):
         lacking = [each.key for each in verdict.overrides if not each.source]
         messages.append(warning("retrofit-unsourced", "report.sources", keys=", ".join(lacking) or "report.sources"))
-        return replace(found, best=None), verdict.outcome.value, messages
-    return found, verdict.outcome.value, messages
+        return replace(found, best=None), verdict, messages
+    return found, verdict, messages
 
 
 def _indices(verdict: Verdict) -> dict[str, float | None]:

@@ -135,6 +135,7 @@ class RetrofitResults(ShortRepr):
     failed : those that fell short, the least first, each with the tolerance that was the first to show it
     search_records, proof_records : their names
     verdict : of the project with the best works: "pass", "fail" or "incomplete"; "" where it was not asked
+    building_index : of that project, the worst of all its mechanisms; None where it is not known or was not asked
     """
 
     title: str
@@ -159,6 +160,7 @@ class RetrofitResults(ShortRepr):
     search_records: tuple[str, ...] = ()
     proof_records: tuple[str, ...] = ()
     verdict: str = ""
+    building_index: float | None = None
     warnings: tuple[Message, ...] = ()
     failed: tuple[Trial, ...] = ()
 

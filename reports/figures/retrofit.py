@@ -9,7 +9,7 @@ from matplotlib.figure import Figure
 from assess.results.retrofit import Layout, RetrofitResults, TargetKind
 from reports.figures.style import FAIL, INK, MUTED, PASS, legend_below, report_style, sheet
 from reports.language.locale import Locale
-from reports.language.texts import Phrase, say
+from reports.language.texts import Phrase, Text, Verbatim, say
 
 MEASURES: dict[TargetKind, Phrase] = {
     "index": say("Index"),
@@ -18,6 +18,16 @@ MEASURES: dict[TargetKind, Phrase] = {
 }
 COST, STEEL = say("Cost"), say("Steel of ties")
 HEIGHT = 3.0  # in
+
+
+def cost_heading(results: RetrofitResults) -> Text:
+    """Return what an axis or column of cost is called, with its currency where one is named.
+
+    Parameters
+    ----------
+    results : of the search
+    """
+    return say("Cost [{currency}]", currency=Verbatim(results.currency)) if results.currency else COST
 
 
 def draw_front(results: RetrofitResults, locale: Locale) -> Figure:
@@ -40,7 +50,7 @@ def draw_front(results: RetrofitResults, locale: Locale) -> Figure:
         if results.best is not None:
             axes.plot(*points([results.best]), "*", color=PASS, markersize=10, label=locale.text(say("least, proved")))
         axes.axhline(results.target.reach, color=FAIL, linestyle="--", label=locale.text(say("target")))
-        axes.set_xlabel(locale.text(COST) if results.priced else locale.heading(STEEL, "mass"))
+        axes.set_xlabel(locale.text(cost_heading(results)) if results.priced else locale.heading(STEEL, "mass"))
         axes.set_ylabel(locale.text(MEASURES[results.target.kind]))
         legend_below(figure, columns=5)
         return figure

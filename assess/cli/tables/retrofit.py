@@ -25,7 +25,8 @@ def retrofit_text(results: RetrofitResults) -> str:
     target, shown = results.target, results.best or results.nearest
     where = f", {results.limit_state}" * bool(results.limit_state)
     lines = [
-        f"target: {MEASURES[target.kind]} {'>=' if target.rising else '<='} {target.reach:g}{where}",
+        f"target: {MEASURES[target.kind]} {'>=' if target.rising else '<='} {target.reach:g}{where}, "
+        f"of what the works change: {', '.join(map(escape_text, results.mechanisms))}",
         f"{count_noun(sum(each.reached is not None for each in results.layouts), 'layout')} examined"
         f"{f' on {len(results.search_records)} records' * bool(results.search_records)}, "
         f"{sum(each.refused is not None for each in results.layouts)} refused, {results.candidates} reach it; "
@@ -49,7 +50,9 @@ def retrofit_text(results: RetrofitResults) -> str:
         lines += [escape_text(f"  {each.key} = {value:.6g} {each.unit}".rstrip()) for each, value in pairs]
         lines.append(f"  {_amount(results, shown)}; reaches {_reached(shown.reached)}{_worst(results)}")
     if results.verdict:
-        lines.append(f"  verdict of the project with these works: {results.verdict}")
+        index = results.building_index
+        of_all = "" if index is None else f"; its index, the worst of all its mechanisms: {index:.4g}"
+        lines.append(f"  verdict of the project with these works: {results.verdict}{of_all}")
     text = "".join(f"{line}\n" for line in lines)
     if results.best is None and results.failed:
         shown_of = f" (the first {MOST_FAILED} of {len(results.failed)})" * (len(results.failed) > MOST_FAILED)
@@ -88,6 +91,7 @@ def retrofit_json(results: RetrofitResults) -> str:
         "proved": best is not None,
         "best": best,
         "verdict": results.verdict,
+        "building_index": results.building_index,
         "currency": results.currency,
         "tried": results.tried,
         "most": results.most,

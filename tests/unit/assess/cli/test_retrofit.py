@@ -20,7 +20,8 @@ def test_it_prints_the_least_and_writes_the_project(tmp_path: Path, capsys: pyte
     assert ended("retrofit", path, *ASKED, "-o", out, "--jobs", 1) == 0
     shown = capsys.readouterr().out
     assert "least that is proved:\n  mechanisms.facade.ties.area = " in shown
-    assert "verdict of the project with these works: pass" in shown
+    assert "target: index >= 1, SLV, of what the works change: facade\n" in shown
+    assert "verdict of the project with these works: pass; its index, the worst of all its mechanisms: " in shown
     assert shown.endswith(f"{out / 'project.toml'}\n")
     assert ended("check", out) == 0
     assert ended("retrofit", path, *ASKED, "-o", out, "--jobs", 1) == 0  # its own files may be replaced
@@ -64,3 +65,10 @@ def test_hostile_names_stay_names(tmp_path: Path, capsys: pytest.CaptureFixture[
     said = capsys.readouterr()
     assert code in (1, 2)
     assert "\x07" not in said.out + said.err
+
+
+def test_prices_of_the_file_are_switched_off(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = facade(tmp_path, ("[records]", '[analysis.retrofit]\nprices = { tie = "300 EUR" }\n[records]'))
+    for more, head in (((), "cost [EUR]"), (("--price", "none"), "steel [kg]")):
+        assert ended("retrofit", path, *ASKED, *more) == 0
+        assert f"\n{head}  " in capsys.readouterr().out

@@ -557,6 +557,23 @@ def test_one_bar_of_two_mechanisms_is_paid_once(tmp_path: Path) -> None:
         assert [max(tie.load.area for tie in bar) for bar in bars_of(both, ("facade", "other"))] == pytest.approx(areas)
 
 
+def test_the_index_of_the_building_is_that_of_its_worst_mechanism(tmp_path: Path) -> None:
+    """Works on the whole wall leave its upper half, without a tie, where it was."""
+    upper = UPPER.replace(UPPER[UPPER.index("loads = [") : UPPER.index("]\n\n") + 1], "")
+    path = facade(tmp_path, ("[records]", f"{upper}[records]"))
+    vary = {AREA: "200 mm^2", COUNT: "3..4"}
+    results = assess.retrofit(path, target="index", reach=1.0, vary=vary).results
+    run = assess.run(path, jobs=1)
+    assert run.verdict is not None
+    indices = {each.mechanism: each.answers[0].index for each in run.verdict.mechanisms}
+    assert results.mechanisms == ("facade",)
+    assert indices["upper"] is not None
+    assert results.best is not None
+    assert results.best.reached is not None
+    reached = results.best.reached.value or 0.0
+    assert results.building_index == pytest.approx(min(indices["upper"].value, reached))
+
+
 def test_a_range_of_one_value_is_that_value(tmp_path: Path) -> None:
     found = assess.retrofit(facade(tmp_path), target="index", reach=0.1, vary={AREA: "314..314 mm^2", COUNT: "4..4"})
     assert [each.values for each in found.results.layouts] == [(314.0, 4.0)]

@@ -334,7 +334,8 @@ def _links(of: Anchorage) -> Iterator[Link]:
         d, length = plate.hole, plate.embedment
         f_vd = shear_strength(f_v0=plate.shear_strength or 0.0, mu=0.0, sigma_n=0.0, **by)
         bond = bond_strength(d=d, l=length, f_b=plate.bond_strength, **by)
-        yield Link("far end", min(bond, round_cone(d, length) * f_vd))
+        cone = round_cone(d, length) if of.far_end.cone is None else of.far_end.cone
+        yield Link("far end", min(bond, cone * f_vd))
     else:
         yield Link("far end", None, sheared if plate.hole else ("plate.far_strength",))
     if of.far_wall is not None:

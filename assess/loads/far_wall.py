@@ -56,12 +56,15 @@ class FarEnd:
     unexamined : why it is no mechanism: "no wall", "no site", "no loads" that are known, or "held"; empty if it is one
     held_by : bodies that stop it from within; stack : walls on it or under it as bodies of their own, which are not
         examined with it
+    cone : of an injected end, its surface as the edges of the wall and cones of its neighbours leave it to each [m2];
+        None without
     """
 
     body: str = ""
     unexamined: str = "no wall"
     held_by: tuple[str, ...] = ()
     stack: tuple[str, ...] = ()
+    cone: float | None = None
 
 
 NOT_DRAWN = FarEnd()

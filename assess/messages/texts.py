@@ -332,6 +332,8 @@ TEXTS: Mapping[str, str] = {
     "it; it is not examined: {reason}",
     "far-wall-held": 'a pass is valid only if the wall "{body}" at the far end of {what} is held from within, by '
     "{bodies}, and what these reach does not give way",
+    "far-cone-masonry": "a pass is valid only if the masonry around the injected far end of {what} is no weaker in "
+    "shear than at the plate, whose shear_strength its cone has",
     "far-wall-part": 'a pass is valid only if the wall at the far end of {what} holds it as a whole: only "{body}" is '
     "examined, and {bodies}, on it or under it, is not",
     "anchorage-computed": "a pass is valid only if the engineer finds the anchorage of {what} sound: no clause has "

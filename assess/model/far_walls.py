@@ -19,7 +19,7 @@ from assess.errors import AssessError, GeometryError
 from assess.geometry.contact import ContactArea, facing_patches, find_contact
 from assess.geometry.cut import level_plane, split_upright
 from assess.geometry.solid import Solid, keep_of_bodies
-from assess.loads.anchorage import CLOSE
+from assess.loads.anchorage import CLOSE, Figure, Plate, farthest_edge, weakest_cone
 from assess.loads.far_wall import FarEnd, FarWall, SiteAction, action_at
 from assess.loads.load import (
     BodyLoad,
@@ -35,7 +35,7 @@ from assess.mechanisms.chain import Chain, virtual_work
 from assess.mechanisms.mechanism import Vector
 from assess.mechanisms.single_block import SingleBlock
 from assess.model.bodies import Bodies
-from assess.model.plates import OFF_FACE, Wall, outwards, run_through
+from assess.model.plates import OFF_FACE, Wall, elevation_around, meeting_cones, outwards, run_through
 from assess.model.turning import TurningStack
 from spectra.arrays import FloatArray
 from spectra.gravity import g
@@ -113,7 +113,8 @@ def far_wall_of(
             f'{where}.embedment = {length:.4g} m: the wall "{met.name}" is {met.thickness:.4g} m thick at the anchor; '
             "give the length of the hole within it"
         )
-    end = FarEnd(met.name, "", stack=_stacked(met, bodies, moving=moving))
+    cone = _injected_cone(tie, met, [*loads, *tie.others])
+    end = FarEnd(met.name, "", stack=_stacked(met, bodies, moving=moving), cone=cone)
     if tie.site is None or not met.strip:
         return None, replace(end, unexamined="no site")
     floors = _floors_on(met.solid, [*loads, *tie.floors], bodies)
@@ -190,6 +191,33 @@ def _require_no_wall_beside(tie: TieLoad, beside: Mapping[str, Solid], inwards: 
                 f"[{', '.join(f'{each:g}' for each in last)}]; move `anchor` into "
                 "the wall that holds it, or draw that wall"
             )
+
+
+def _injected_cone(tie: TieLoad, met: _AtFarEnd, loads: Sequence[LoadDefinition]) -> float | None:
+    """Return the surface of the cone of an injected end that edges and cones of others leave to it [m2]; None without.
+
+    It opens from the end of the hole to the inner face, as that of a round plate of the width of the hole does.
+    """
+    assert tie.plate is not None
+    if tie.plate.hole is None or tie.plate.embedment is None:
+        return None
+    wall = Wall((met.solid,), np.array([-met.inwards[1], met.inwards[0], 0.0]), met.inwards)
+
+    def figure(each: TieLoad, hole: float) -> Figure:
+        anchor = np.array(each.anchor)
+        return Plate(diameter=hole), float(anchor @ wall.across), float(anchor[2])
+
+    others = [
+        figure(each, each.plate.hole)
+        for each in loads
+        if isinstance(each, TieLoad) and each.plate is not None and each.plate.hole is not None
+        if _run(met.solid, each) is not None
+    ]
+    depth = tie.plate.embedment
+    figures = meeting_cones(figure(tie, tie.plate.hole), others, depth)
+    reach = farthest_edge(figures, depth) + depth + max(each[0].sides[0] for each in figures)
+    seen = elevation_around(wall, [each[1:] for each in figures], reach)
+    return min(weakest_cone(figures[:n], depth, seen)[0] / n for n in range(1, len(figures) + 1))
 
 
 def _height_of(solid: Solid) -> float:

@@ -140,9 +140,9 @@ def _site(tie: TieLoad, row: Sequence[Figure], others: Sequence[Figure], wall: W
             f"{where}: overlaps the plate of another tie; move one, or write both as one tie with the area of both bars"
         )
     leaf = drawn if plate.leaf is None else plate.leaf
-    figures = _group(figure, [*row, *others], leaf)
+    figures = meeting_cones(figure, [*row, *others], leaf)
     reach = farthest_edge(figures, leaf) + leaf + max(max(each[0].sides) for each in figures)
-    seen = _elevation(wall, [(each[1], each[2]) for each in figures], reach)
+    seen = elevation_around(wall, [(each[1], each[2]) for each in figures], reach)
     behind = shapely.intersection(plate_shape(figure), seen)
     if (beyond := float(shapely.hausdorff_distance(plate_shape(figure), behind))) > STICKS_OUT:
         raise GeometryError(
@@ -186,10 +186,15 @@ def _figure(tie: TieLoad, wall: Wall) -> Figure:
     return tie.plate, float(np.dot(tie.at, wall.across)), float(tie.at[2])
 
 
-def _group(figure: Figure, others: Sequence[Figure], depth: float) -> list[Figure]:
+def meeting_cones(figure: Figure, others: Sequence[Figure], depth: float) -> list[Figure]:
     """Return the plates whose cones meet that of one, or that of another of them, the nearest first.
 
     Plates that overlap are one, which several mechanisms have.
+
+    Parameters
+    ----------
+    figure : the one; others : on the same face
+    depth : of the cones [m]
     """
     left: list[Figure] = []
     for each in others:
@@ -255,8 +260,14 @@ def _runs(wall: Wall, s: float, z: float) -> Iterator[tuple[float, float, float]
             yield float(met[-1]), float(met[-1] - met[-2]), density
 
 
-def _elevation(wall: Wall, places: Sequence[tuple[float, float]], reach: float) -> shapely.Geometry:
-    """Return the wall around and above some places as seen along its normal, with openings that go through it."""
+def elevation_around(wall: Wall, places: Sequence[tuple[float, float]], reach: float) -> shapely.Geometry:
+    """Return the wall around and above some places as seen along its normal, with openings that go through it.
+
+    Parameters
+    ----------
+    wall : as seen
+    places : (s, z) of each; reach : around them [m]
+    """
     first, last = np.min(places, axis=0) - reach, np.max(places, axis=0) + reach
     last[1] = max(last[1], *(solid.bounds[1][2] for solid in wall.solids))
     near = shapely.box(*first, *last)

@@ -118,6 +118,8 @@ def far_end_conditions(mechanism: Mechanism) -> Iterator[Message]:
         if not isinstance(tie, Tie) or tie.anchorage is None or not tie.anchorage.far_wall_holds:
             continue
         end = tie.anchorage.far_end
+        if tie.anchorage.plate.hole is not None:
+            found.setdefault(("far-cone-masonry", "", (), ""), []).append(tie.name)
         if end.unexamined not in ("", "held"):
             found.setdefault(("far-wall-unexamined", end.body, (), end.unexamined), []).append(tie.name)
         for key, bodies in (("far-wall-held", end.held_by), ("far-wall-part", end.stack)):
@@ -125,7 +127,10 @@ def far_end_conditions(mechanism: Mechanism) -> Iterator[Message]:
                 found.setdefault((key, end.body, bodies, ""), []).append(tie.name)
     for (key, body, bodies, why), ties in found.items():
         values: dict[str, Value] = {"what": ", ".join(ties)}
-        values |= {"reason": UNEXAMINED[why]} if why else {"body": body, "bodies": ", ".join(bodies)}
+        if key == "far-wall-unexamined":
+            values["reason"] = UNEXAMINED[why]
+        elif bodies:
+            values |= {"body": body, "bodies": ", ".join(bodies)}
         yield message(key, values, severity=Severity.WARNING)
 
 
@@ -292,10 +297,20 @@ def _far_end(of: Anchorage, link: Link, by: Mapping[str, float]) -> Iterator[Ste
     given: Given = {**hole, "f_b": (f_b, "Pa"), **by}
     yield step("N_b", "bond of the injected far end", OWN, "π · d · l · f_b / (γ_M · FC)", bond, "N", given=given)
     f_v0, FC = plate.shear_strength or 0.0, plate.confidence
-    cone = round_cone(d, length) * shear_strength(f_v0=f_v0, mu=0.0, sigma_n=0.0, gamma_M=GAMMA_M, FC=FC)
-    given = {**hole, "f_v0": (f_v0, "Pa"), **by}
+    drawn = of.far_end.cone
+    surface = round_cone(d, length) if drawn is None else drawn
+    cone = surface * shear_strength(f_v0=f_v0, mu=0.0, sigma_n=0.0, gamma_M=GAMMA_M, FC=FC)
+    sheared: Given = {"f_v0": (f_v0, "Pa"), **by}
     words = "cone of masonry around the injected far end"
-    yield step("N_c", words, OF_CONES, "π · (d + l) · l · f_v0 / (γ_M · FC)", cone, "N", given=given)
+    if drawn is None:
+        formula, given = "π · (d + l) · l · f_v0 / (γ_M · FC)", {**hole, **sheared}
+    else:
+        formula, given = "S_c · f_v0 / (γ_M · FC)", {"S_c": (drawn, "m2"), **sheared}
+        edges = (
+            "surface of the cone of the injected far end that edges of its wall and cones of its neighbours leave to it"
+        )
+        yield step("S_c", edges, OF_CONES, "from the drawing", drawn, "m2", at={"l": (length, "m")})
+    yield step("N_c", words, OF_CONES, formula, cone, "N", given=given)
     least: Given = {"N_b": (bond, "N"), "N_c": (cone, "N")}
     yield step("N_6", "what holds the far end", OWN, "min(N_b, N_c)", link.strength, "N", given=least)
 

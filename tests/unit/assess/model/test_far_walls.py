@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from math import pi
 from typing import Any
 
+import numpy as np
 import pytest
 from scipy.constants import g
 
@@ -258,6 +260,36 @@ def test_a_hole_longer_than_the_wall_is_thick_is_refused():
     wall_of(tie(embedment=0.6, **injected))
     with pytest.raises(AssessError, match=r'embedment = 0.7 m: the wall "rear" is 0.6 m thick'):
         anchorages(tie(embedment=0.7, **injected))
+
+
+INJECTED = {"far_strength": None, "hole": 0.05, "bond_strength": 1e6, "embedment": 0.6}
+
+
+def far_cone(*ties: Any, **changes: Any) -> float:
+    cone = anchorages(*ties, **changes)[0].far_end.cone
+    assert cone is not None
+    return cone
+
+
+def test_the_cone_of_an_injected_end_is_whole_far_from_edges_and_neighbours():
+    """pi (0.05 + 0.6) 0.6 m2."""
+    assert far_cone(tie(**INJECTED), length=9.0) == pytest.approx(pi * 0.65 * 0.6, rel=1e-3)
+    assert anchorages(tie())[0].far_end.cone is None
+
+
+def test_the_top_of_its_wall_and_neighbours_cut_the_cone_of_an_injected_end():
+    """Of a hole that touches the top the circle of radius r = 0.025 + y at a depth y loses 2 acos(0.025 / r) r.
+
+    Two holes 0.4 m apart share one outline: each has more than half of its own cone, and less than all.
+    """
+    y = (np.arange(2000) + 0.5) / 2000 * 0.6
+    r = 0.025 + y
+    by_arcs = float(np.mean(2.0 * (pi - np.arccos(0.025 / r)) * r)) * 0.6
+    at_top = far_cone(tie(z=H - 0.025, **INJECTED), length=9.0)
+    assert at_top == pytest.approx(by_arcs, rel=2e-2)
+    assert at_top <= by_arcs * 1.001
+    near = far_cone(tie(y=0.2, **INJECTED), tie(y=-0.2, **INJECTED), length=9.0)
+    assert pi * 0.65 * 0.3 < near < 0.9 * pi * 0.65 * 0.6
 
 
 def test_a_pretension_that_it_cannot_hold_is_refused():

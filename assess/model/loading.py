@@ -82,7 +82,14 @@ def loads_of(
         tie = replace(cast(Tie, parts[place].loads[0]), anchorage=anchorage, strength=anchorage.strength)
         borne = tie.tension if anchorage.far_wall_holds else 0.0
         if borne < tie.pull:
-            least = anchorage.governing or ("as stated" if anchorage.far_wall_holds else "far wall")
+            least = anchorage.governing or "as stated"
+            if wall is not None and not anchorage.far_wall_holds:
+                raise MechanismError(
+                    f"{blocks.where}: loads[{place + 1}].force: a pretension of {tie.pull / 1e3:.4g} kN, where "
+                    f'the wall "{wall.body}" at its far end turns inwards by itself at {wall.multiplier:.3g} g, '
+                    f"and is to hold the tie at {wall.action:.3g} g (far wall); hold that wall from "
+                    "within, or draw what holds it"
+                )
             raise MechanismError(
                 f"{blocks.where}: loads[{place + 1}].force: a pretension of {tie.pull / 1e3:.4g} kN, above what its "
                 f"anchorage bears, {borne / 1e3:.4g} kN ({least}); lower it, or strengthen the anchorage"

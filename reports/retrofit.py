@@ -115,7 +115,7 @@ def _facts(results: RetrofitResults) -> Iterator[tuple[Text, Text]]:
         yield say("Limit state"), Verbatim(results.limit_state)
     if results.pga_g is not None:
         yield say("PGA"), quantity(results.pga_g, "ground acceleration")
-    yield say("Target of what the works change"), names(results.mechanisms)
+    yield say("Mechanisms that are to reach the target"), names(results.mechanisms)
     yield say("Layouts examined"), count(len([each for each in results.layouts if each.reached is not None]))
     yield say("Layouts refused"), count(len([each for each in results.layouts if each.refused is not None]))
     yield say("Reached the target in the search"), count(results.candidates)

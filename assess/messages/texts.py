@@ -381,6 +381,8 @@ TEXTS: Mapping[str, str] = {
     "sweep": "swept: the mechanism is represented by its most critical case, {case} (cases evaluated: {cases})",
     "worse-as-typed": "worse with the values of the file than with those that stand in for values without a source: "
     "the numbers are those of the file",
+    "falls-replaced": "it falls at rest with the values that stand in for values without a source, and fails: what is "
+    "shown of it beside the verdict is with the values of the file",
     "worst-of-range-apart": "worse with another value of a range than the other mechanisms: the numbers are those with "
     "the worst of each range for this mechanism",
     "sweep-as-typed": "swept: no case is more critical than the value of the file itself, which represents the "

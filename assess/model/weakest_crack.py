@@ -21,6 +21,7 @@ from assess.model.least_multipliers import STEEP
 STATIONS, HALVINGS = (6, 6), 5  # of the search: elevations and angles on its grid, halvings of their distance
 TOP = 0.98  # of the height of the bodies: the highest crack
 AT_END = 0.01  # of a range: a crack nearer to its end is there
+TIE, APART = 1e-3, 0.05  # of the multiplier, of the heights: cracks as weak that lie apart
 SLIVER = 0.02  # of the mass: less is hardly a part, and is left out
 
 
@@ -32,12 +33,15 @@ class WeakestCrack:
     multiplier : with rigid joints [-]
     share : of the mass of the bodies that moves above it [-]
     ends : of which ranges it is at an end, such as "the top": a weaker one may lie beyond
+    tied : least and greatest elevation [m] of cracks that were tried and are as weak within `TIE`; None where they lie
+        within `APART` of the heights
     """
 
     cut: CutAngle
     multiplier: float
     share: float
     ends: tuple[str, ...]
+    tied: tuple[float, float] | None = None
 
 
 def find_weakest_crack(
@@ -67,6 +71,7 @@ def find_weakest_crack(
     low, high = float(corners[:, 2].min()), float(corners[:, 2].max())
     x, y, _ = edge_towards(definition.towards, corners)
     whole, tried = sum(each.mass for each in solids), 0
+    known: list[tuple[float, float]] = []
 
     def chain_of(at: tuple[float, ...]) -> Chain:
         cracked = replace(definition, cut=CutAngle((x, y, at[0]), at[1]))
@@ -84,7 +89,10 @@ def find_weakest_crack(
             found = uplift_multiplier(chain)
         except AssessError:
             return inf
-        return found if found > 0.0 and share_of(chain) >= SLIVER else inf
+        if found <= 0.0 or share_of(chain) < SLIVER:
+            return inf
+        known.append((found, at[0]))
+        return found
 
     ranges = {"the foot": (low, 0), "the top": (low + TOP * (high - low), 0), "the steepest angle": (STEEP, 1)}
     bounds = ((low, ranges["the top"][0]), (0.0, STEEP))
@@ -98,4 +106,6 @@ def find_weakest_crack(
         if abs(least.at[axis] - end) <= AT_END * (bounds[axis][1] - bounds[axis][0])
     ]
     ends += ["the least part that is looked at, 2 % of the mass"] if share < 1.2 * SLIVER else []
-    return WeakestCrack(CutAngle((x, y, least.at[0]), least.at[1]), least.value, share, tuple(ends))
+    alike = [elevation for found, elevation in known if found <= least.value * (1.0 + TIE)]
+    tied = (min(alike), max(alike)) if max(alike) - min(alike) > APART * (high - low) else None
+    return WeakestCrack(CutAngle((x, y, least.at[0]), least.at[1]), least.value, share, tuple(ends), tied)

@@ -111,8 +111,7 @@ class Movement:
 
     def _play_motion(self, motion: RockingMotion, stopped: threading.Event) -> str:
         """Play a history by the clock, in which a frame that is late is left out; return what it is and how it ends."""
-        history, begun, next_said = motion.history, time.monotonic(), 0.0
-        of = f"{history.record}, x {history.polarity * history.scale_factor:.3g}, PGA {history.level_pga_g:.3g} g"
+        of, begun, next_said = motion.title, time.monotonic(), 0.0
         while not stopped.wait(FRAME):
             now = time.monotonic() - begun
             with self._drawing_frame:

@@ -15,8 +15,6 @@ from math import degrees, radians
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-
 from assess.codes.question import SOURCES, Missing
 from assess.errors import AssessError
 from assess.model.candidates import Candidate
@@ -36,7 +34,6 @@ from spectra.errors import SpectrumError
 
 STEEPEST = 80.0  # deg
 MOST_NUMBERS = 16
-RANGE = (0.5, 1.5)  # of the value in the file
 ONE_STEP = 0.8  # s: a value that is set again so soon is still being slid or typed
 SOURCE_HINT = "“measured: …” or “literature: …”, by whom and when; “assumed: …” is no source."
 FILES = (("report.pdf", "report"), ("report.html", "report as a page"), ("results.json", "results"))
@@ -102,8 +99,10 @@ class Page:
         with gui.add_folder("Crack"):
             turns = "Of the crack, or of the point it turns about."
             self.elevation = gui.add_number("Elevation [m]", 0.0, step=0.01, hint=turns)
+            self.elevation.precision = 3
             towards = "Where positive, the crack falls towards the direction."
-            self.angle = gui.add_slider("Angle [deg]", -STEEPEST, STEEPEST, 0.5, 0.0, hint=towards)
+            self.angle = gui.add_number("Angle [deg]", 0.0, step=0.5, hint=towards)
+            self.angle.precision = 2
             self.weakest = gui.add_button("Find the weakest crack", hint="Tries elevations and angles.")
         with gui.add_folder("Values", expand_by_default=False) as self.numbers:
             pass
@@ -207,6 +206,9 @@ class Page:
     def _list_mechanisms(self) -> None:
         opened = self.opened
         options: dict[str, str | Candidate] = {words.option(name, opened): name for name in self._order}
+        sought = self.picked  # one that was found stays until what the file has now is searched
+        if not isinstance(sought, str) and not opened.is_searched and sought.name not in self._order:
+            options[words.option_found(sought)] = sought
         options |= {words.option_found(each): each for each in opened.proposed}
         names = [each if isinstance(each, str) else each.name for each in options.values()]
         self._options = options or {"no mechanism": ""}
@@ -258,7 +260,7 @@ class Page:
 
     def _show_crack(self, elevation: float, angle: float) -> None:
         self.elevation.value = round(elevation, 3)
-        self.angle.value = float(np.clip(degrees(angle), -STEEPEST, STEEPEST))
+        self.angle.value = round(degrees(angle), 2)
 
     def _recompute(self, *, at_rest: bool = False) -> None:
         """Show the mechanism that is picked with what is tried, unless something else was tried meanwhile."""
@@ -275,8 +277,8 @@ class Page:
 
     def _curve(self, shown: ShownMechanism, *, at_rest: bool) -> curves.Curve | None:
         """Return the curve that is asked for; None where that which is shown stays until the mechanism rests."""
-        if self.shown_curve.value == curves.CAPACITY or shown.result is None:
-            return curves.capacity(shown.result)
+        if self.shown_curve.value == curves.CAPACITY or shown.result is None or shown.fault:
+            return curves.capacity(None if shown.fault else shown.result)
         if self.shown_curve.value == curves.PGA:
             return curves.pga(shown.checks)
         return curves.envelope(self.opened.envelope(shown.name)) if at_rest else None
@@ -296,11 +298,12 @@ class Page:
             if curve is not None:
                 self.curve.series, self.curve.data = curve.series, curve.data
         waits = self.opened.has_site and not self.opened.is_decided and not shown.fault
-        self._say("finding what a run decides" if waits else "ready")
+        undecided = "not decided" if self.opened.why_undecided else "finding what a run decides"
+        self._say(undecided if waits else "ready")
 
     def _say(self, text: str) -> None:
         """Say what the page is doing, after what was done by hand last."""
-        self.status.content = words.status("; ".join(filter(None, (self._done, text))))
+        self.status.content = words.status("; ".join(filter(None, (self._done, self.opened.edited.outlived, text))))
 
     def _goes_on(self, moved: object) -> bool:
         """Return whether what is moved now was moved just before: it is then one step of undo."""
@@ -330,6 +333,8 @@ class Page:
         if cut is not None and isinstance(self.picked, str):
             x, y, z = cut.point
             point = (x, y, self.elevation.value if field is self.elevation else z)
+            if field is self.angle and abs(self.angle.value) > STEEPEST:
+                raise AssessError(f"angle: {self.angle.value:g} deg was not tried; give -{STEEPEST:g} to {STEEPEST:g}")
             angle = radians(self.angle.value) if field is self.angle else cut.angle
             self.opened.move_cut(self.picked, point, angle, goes_on=self._goes_on(field))
             self.drawing.move_plane(replace(cut, point=point, angle=angle))
@@ -355,11 +360,21 @@ class Page:
             with self._turn:
                 if self._state() != asked:
                     return
-                self._last_moved = (None, 0.0)
+                self._last_moved, before = (None, 0.0), self._margin()
                 self.opened.move_cut(picked, found.cut.point, found.cut.angle)
+                revision = self.opened.edited.revision
                 self._show_picked()
             self._done = words.weakest(found)
             self._catch_up()
+            if (rise := words.rise(before, self._margin())) and self._state()[1] == revision:
+                self._done = f"{self._done}; {rise}"
+                self._say("ready")
+
+    def _margin(self) -> float | None:
+        """Return what the mechanism that is picked holds over the action; None where that is not decided."""
+        known = self.opened.verdict if self.opened.is_decided else None
+        of = {} if known is None else {each.mechanism: each.margin for each in known.mechanisms}
+        return of.get(self.picked) if isinstance(self.picked, str) else None
 
     def _tell_search(self, tried: int) -> None:
         self.status.content = words.status(f"looking for the weakest crack: {tried} tried")
@@ -382,11 +397,8 @@ class Page:
         with self.numbers:
             for each in self.opened.numbers(picked)[:MOST_NUMBERS]:
                 label = f"{each.text} [{each.unit or '-'}]"
-                if each.value > 0.0:
-                    low, high = (share * each.value for share in RANGE)
-                    handle = self._gui.add_slider(label, low, high, each.value / 100.0, each.value)
-                else:
-                    handle = self._gui.add_number(label, each.value)
+                handle = self._gui.add_number(label, each.value, step=abs(each.value) / 100.0 or 0.01)
+                handle.precision = each.decimals
                 handle.on_update(partial(self._moved_number, each, handle))
                 self._of_numbers.append(handle)
 
@@ -419,7 +431,10 @@ class Page:
     def _change_file(self, what: Callable[[], str], _: Any) -> None:
         with self._told(by_hand=True), self._turn:
             self._last_moved = (None, 0.0)
+            outlived = self.opened.edited.outlived
             self._done = what()
+            self._done += f"; {outlived}" if outlived and self._done.startswith("written") else ""
+            self._is_picked_by_hand = True
             if self.opened.edited.project is not self.opened.built_of:
                 self.opened.refresh()
             if self.opened.decision is None:

@@ -49,15 +49,16 @@ def fault(text: str) -> str:
 
 def building(opened: OpenedProject) -> str:
     """Return the verdict of the building and of what: conditions, replaced values, and what is not examined."""
-    tried = len(opened.edited.changes)
-    values = f"{tried} value{'s' * (tried != 1)} tried, not written"
-    if opened.decision is None:
-        said = "being examined" if opened.has_site else "no [site]: multipliers alone; see “To complete it”"
-        return f'<p style="{STYLE}">Building: {said}{f"<br>{values}" if tried else ""}</p>' + _found(opened)
-    found, results = opened.decision.verdict, opened.decision.results
+    tried = len({key for setting in opened.edited.changes for key in setting})
+    values = f"{tried} value{'s' * (tried != 1)} tried, not written" if tried else ""
+    decision = opened.decision if opened.is_decided else None
+    if decision is None:
+        waits = "it is decided once what is tried rests" if tried else "it is decided when the page has been read"
+        why = opened.why_undecided or waits if opened.has_site else "no [site]: multipliers alone; see “To complete it”"
+        said = f"Building: <b>NOT KNOWN</b> ({escape(why)})" + (f"<br>{values}" if values else "")
+        return f'<p style="{STYLE}">{said}</p>' + _found(opened)
+    found, results = decision.verdict, decision.results
     of = f"with what is tried: {values}" if tried else "as in the file"
-    if not opened.is_decided:
-        of = f"as decided before the last change; it is being examined with what is tried now: {values}"
     near = outcome_text(found.outcome, near=found.at_the_limit).upper()
     index = building_index_text(found)
     lines = [
@@ -75,9 +76,9 @@ def building(opened: OpenedProject) -> str:
 def option(name: str, opened: OpenedProject) -> str:
     """Return the entry of a mechanism in the list, with its number in the report."""
     shown = opened.outline(name)
-    least = "" if shown.result is None else multiplier(shown.result.oscillator)
-    verdict = shown.verdict
-    outcome = verdict.outcome.value if verdict else "falls at rest" if shown.fault else ""
+    least = "" if shown.result is None or shown.fault else multiplier(shown.result.oscillator)
+    verdict = shown.verdict if opened.is_decided else None
+    outcome = "falls at rest" if shown.fault else verdict.outcome.value if verdict else ""
     index = "" if verdict is None else named_index_text(least_index(verdict))
     return " · ".join(each for each in (opened.heading(name), least, outcome, index) if each)
 
@@ -103,8 +104,10 @@ def multiplier(found: OscillatorResult) -> str:
 
 def mechanism(opened: OpenedProject, shown: ShownMechanism) -> str:
     """Return the numbers of a mechanism, and the answer of each method that may decide."""
-    if shown.result is None:
-        return f'<p style="{STYLE}"><b>{escape(shown.fault)}</b></p>'
+    if shown.result is None or (shown.fault and not shown.as_typed):
+        of = "" if shown.as_typed else f"{escape(_of_what(opened, shown))}<br>"
+        said = f"<b>{escape(opened.heading(shown.name))}</b><br>{of}<b>{escape(shown.fault)}</b>"
+        return f'<p style="{STYLE}">{said}</p>' + (_verdict(shown) if shown.verdict else "")
     found = shown.result.oscillator
     rows = [
         ("multiplier of uplift [-]", multiplier(found)),
@@ -113,8 +116,8 @@ def mechanism(opened: OpenedProject, shown: ShownMechanism) -> str:
         ("overturning rotation [rad]", number_text(found.overturning_rad, FIGURES)),
         ("restitution [-]", number_text(found.restitution, FIGURES)),
     ]
-    fault = f"<br><b>{escape(shown.fault)}</b>" if shown.fault else ""
     title = escape(opened.heading(shown.name))
+    fault = f"<br><b>{escape(shown.fault)}</b>" if shown.fault else ""
     said = f'<p style="{STYLE}"><b>{title}</b><br>{escape(_of_what(opened, shown))}{fault}</p>'
     warned = () if shown.mechanism is None else shown.mechanism.warnings
     doubts = "".join(_warning(each.text) for each in warned)
@@ -131,10 +134,19 @@ def missing_input(each: Missing) -> str:
 def weakest(found: WeakestCrack) -> str:
     """Return what is said of the weakest crack."""
     ends = f"; it is at an end of what is looked at ({', '.join(found.ends)}): a weaker one may lie beyond"
+    alike = "; cracks as weak within 0.1 % reach from {:.2f} m to {:.2f} m".format(*found.tied or (0.0, 0.0))
     return (
-        f"weakest crack: multiplier {number_text(found.multiplier, FIGURES)}, "
-        f"{100.0 * found.share:.3g} % of the mass moves{ends if found.ends else ''}"
+        f"weakest crack: multiplier {number_text(found.multiplier, FIGURES)}, {100.0 * found.share:.3g} % of the mass "
+        f"moves{ends if found.ends else ''}{alike if found.tied else ''}"
     )
+
+
+def rise(before: float | None, after: float | None) -> str:
+    """Return that a mechanism holds more of the action by a crack that starts to rock earlier; else nothing."""
+    if before is None or after is None or after <= before:
+        return ""
+    held = f"it holds {number_text(after)} x the action in place of {number_text(before)} x"
+    return f"{held}: the crack of least multiplier is not that of least index"
 
 
 def links(paths: Iterable[tuple[str, str]]) -> str:
@@ -161,7 +173,8 @@ def _found(opened: OpenedProject) -> str:
 def _of_what(opened: OpenedProject, shown: ShownMechanism) -> str:
     """Return of which values the numbers of a mechanism are."""
     if shown.as_typed or opened.decision is None:
-        more = ": what a run decides by follows when it rests" if opened.has_site else ""
+        waits = opened.has_site and not opened.why_undecided
+        more = ": what a run decides by follows when it rests" if waits else ""
         return f"With the values as typed{more}."
     decided = opened.decision.decided.of.get(shown.name)
     case = None if decided is None else decided.case
@@ -173,7 +186,7 @@ def _of_what(opened: OpenedProject, shown: ShownMechanism) -> str:
 def _methods(opened: OpenedProject, shown: ShownMechanism) -> str:
     checks = deciding_checks(shown.checks, opened.study)
     absent = [each for each in opened.methods if not any(check.procedure == each for check in checks)]
-    rest = "when it rests" if shown.as_typed else "not answered"
+    rest = "when it rests" if shown.as_typed and not opened.why_undecided else "not answered"
     rows = [_method(opened, each) for each in checks] + [(each, "", rest, "", "", "") for each in absent]
     return _table(("method", "state", "outcome", "D/C", "index", "holds"), rows) if rows else ""
 

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import tomllib
 from collections.abc import Iterator, Mapping
+from contextlib import suppress
 from dataclasses import dataclass
 from hashlib import sha256
+from math import ceil, log10
 from pathlib import Path
 from typing import Any
 
@@ -23,8 +25,11 @@ from spectra.arrays import is_number
 
 PLACES = frozenset({"direction", "cut", "crack", "profile", "base", "at", "anchor", "hinges", "point", "centroid"})
 """Keys of places and directions, which are not numbers to be varied one by one."""
+SOURCES: KeyPath = ("report", "sources")
 PURE = frozenset({"ratio", "number"})
 """Kinds of quantities without a unit."""
+FIGURES = 9
+"""Of a number that is typed."""
 CHANGED = "has changed since it was read; nothing was written: press “Read again”, which forgets what is tried"
 
 
@@ -41,9 +46,14 @@ class Number:
         """The key as users write it."""
         return key_text(self.path)
 
+    @property
+    def decimals(self) -> int:
+        """How many decimals are taken of a number that is typed in place of it."""
+        return min(12, max(0, FIGURES - ceil(log10(abs(self.value) or 1.0))))
+
     def file_value(self, value: float) -> Any:
         """Return another value of it as the project file writes it."""
-        return f"{value:.6g} {self.unit}" if self.unit else float(f"{value:.6g}")
+        return f"{value:.{FIGURES}g} {self.unit}" if self.unit else float(f"{value:.{FIGURES}g}")
 
 
 class EditedProject:
@@ -121,6 +131,18 @@ class EditedProject:
         """Return what the file says at a key with what is tried; None where it says nothing."""
         return look_up(self._tried(self.project.raw), key)[1]
 
+    @property
+    def outlived(self) -> str:
+        """Which sources of the file vouched for values that are others in what is tried; empty where none did."""
+        before, after = look_up(self.project.raw, SOURCES)[1] or {}, self.tried_value(SOURCES) or {}
+        changed = [key_text(key) for setting in self.changes for key in setting]
+        found = [
+            f"{key} ({source})"
+            for key, source in before.items()
+            if after.get(key) == source and any(_is_within(each, key) or _is_within(key, each) for each in changed)
+        ]
+        return f"its source vouched for the value before: {'; '.join(found)}" if found else ""
+
     def change(self, setting: Setting, *, goes_on: bool = False) -> None:
         """Try other values at some keys.
 
@@ -152,9 +174,15 @@ class EditedProject:
         except tomllib.TOMLDecodeError as error:
             raise ProjectError(f"{missing.key}: {text!r:.60}: {error}; write it as the example shows") from None
         setting: dict[KeyPath, Any] = dict(_leaves((), tables))
+        asked: list[KeyPath] = []
+        with suppress(tomllib.TOMLDecodeError):  # of an example whose values are dots
+            asked = [path for path, _ in _leaves((), tomllib.loads(f"{heading}\n{missing.toml}\n"))]
+        for path in setting:
+            if not (_is_within(key_text(path), missing.key) or any(path[: len(each)] == each for each in asked)):
+                raise ProjectError(f"{key_text(path)}: these lines are for {missing.key} alone; nothing was tried")
         if source:
             vouched = {".".join(map(str, path)): source for path in setting}
-            setting |= self._with_entries(("report", "sources"), vouched)
+            setting |= self._with_entries(SOURCES, vouched)
         self._change_if_read(setting)
 
     def strike_out(self, name: str, reason: str) -> None:
@@ -256,6 +284,11 @@ class EditedProject:
             if path.exists() and path.read_bytes() != before:
                 raise ProjectError(f"{path}: {CHANGED}") from None
             raise
+
+
+def _is_within(key: str, table: str) -> bool:
+    """Return whether a key, as users write it, is another or below it."""
+    return key == table or key.startswith((f"{table}.", f"{table}["))
 
 
 def _leaves(path: KeyPath, tables: Mapping[str, Any]) -> Iterator[tuple[KeyPath, Any]]:

@@ -29,6 +29,7 @@ from assess.study.envelopes import envelope_of
 from assess.study.mechanism_results import parameters
 from assess.study.rocking_motion import RockingMotion, governing_motion
 from assess.study.study import Study
+from records.errors import RecordError
 from spectra.errors import SpectrumError
 
 SITE = Missing(
@@ -90,6 +91,7 @@ class OpenedProject:
         self.built_of: Project = self.edited.project
         self.decision: Decision | None = None
         self.decided_of: int | None = None
+        self._refused: tuple[int, str] = (-1, "")
         self.found: FoundMechanisms | None = None
         self.is_searched = False
         self._results = {each.name: each for each in parameters(self._built.study)}
@@ -98,6 +100,12 @@ class OpenedProject:
     def is_decided(self) -> bool:
         """Whether the decision that is known is of what is tried now."""
         return self.decided_of == self.edited.revision
+
+    @property
+    def why_undecided(self) -> str:
+        """Why what is tried now cannot be decided; empty as long as that is not known."""
+        revision, why = self._refused
+        return why if revision == self.edited.revision else ""
 
     @property
     def title(self) -> str:
@@ -192,9 +200,17 @@ class OpenedProject:
         return ShownMechanism(name, self._results.get(name), fault=falls, mechanism=built)
 
     def heading(self, name: str) -> str:
-        """Return the label of a mechanism after its number in the report."""
-        mechanisms = self.built_of.content.mechanisms
-        return f"M{list(mechanisms).index(name) + 1} {mechanisms[name].label or name}"
+        """Return the label of a mechanism after the number that it has in the report once what is tried is written."""
+        if self.is_decided and self.decision is not None:
+            results = self.decision.results
+            names = [*(each.name for each in results.mechanisms), *(each.name for each in results.falling)]
+        else:
+            struck = self.edited.tried_value(("report", "struck_out")) or ()
+            falling = {each.name for each in self.study.falling}
+            kept = (each for each in self.built_of.content.mechanisms if each not in struck)
+            names = sorted(kept, key=lambda each: each in falling)
+        label = self.built_of.content.mechanisms[name].label or name
+        return f"M{names.index(name) + 1} {label}" if name in names else f"{label} (struck out)"
 
     def find_others(self) -> None:
         """Find what the parts of the building are, and the mechanisms that they can have beside those of the file."""
@@ -215,7 +231,11 @@ class OpenedProject:
         """
         revision, decider = self.edited.revision, self._decider
         if self.has_site and not self.is_decided:
-            found = decider.decide(self.edited.tried_project() if self.edited.changes else self.built_of)
+            try:
+                found = decider.decide(self.edited.tried_project() if self.edited.changes else self.built_of)
+            except (AssessError, SpectrumError, RecordError) as error:
+                self._refused = revision, str(error)
+                raise
             if self.edited.revision == revision and self._decider is decider:
                 self.decision, self.decided_of = found, revision
         return self.verdict
@@ -292,7 +312,7 @@ class OpenedProject:
 
     def envelope(self, name: str) -> EnvelopeResult | None:
         """Return the overturning envelope of a mechanism with what is tried; None where it has none."""
-        return envelope_of(self._study_of(name))
+        return None if self.examine(name).fault else envelope_of(self._study_of(name))
 
     def motion(self, name: str) -> RockingMotion | None:
         """Return how a mechanism moves under the record that governs, with what is tried; None where none is answered.
@@ -301,7 +321,7 @@ class OpenedProject:
         ------
         AssessError, SpectrumError or RecordError : it cannot be followed
         """
-        return governing_motion(self._study_of(name))
+        return None if self.examine(name).fault else governing_motion(self._study_of(name))
 
     def _study_of(self, name: str) -> Study:
         """Return the study of one mechanism with what is tried, in the state that decides where that is known."""

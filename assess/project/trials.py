@@ -41,7 +41,8 @@ MOST_SOLVED = 500  # solutions of histories that are kept for the next decision
 class ShownMechanism:
     """What is known of a mechanism.
 
-    result : its parameters; None where it falls at rest or cannot be built
+    result : its parameters; None where it falls at rest or cannot be built, those as typed where it falls in the state
+        that decides alone
     checks : its answers; empty without a site
     verdict : its outcome as far as it is known
     fault : why it falls or cannot be built; empty otherwise
@@ -164,11 +165,10 @@ def _shown(decided: Decided) -> Iterator[ShownMechanism]:
     falling = {each.name: f"falls at rest: {each.reason}" for each in decided.falling}
     for one in decided.verdict.mechanisms:
         name, result = one.mechanism, results.get(one.mechanism)
-        if result is None:
-            yield ShownMechanism(name, None, (), one, falling.get(name, "falls at rest"), as_typed=False)
-        else:
-            (built,) = decided.of[name].study.mechanisms
-            yield ShownMechanism(name, result, result.checks, one, as_typed=False, mechanism=built)
+        built = decided.of[name].study.mechanisms[0] if name in decided.of else None
+        fault = falling.get(name, "")
+        checks = () if result is None or fault else result.checks
+        yield ShownMechanism(name, result, checks, one, fault, as_typed=False, mechanism=built)
 
 
 def _page_results(project: Project, decided: Decided, warnings: tuple[Message, ...]) -> Results:
@@ -193,5 +193,5 @@ def _page_results(project: Project, decided: Decided, warnings: tuple[Message, .
             checklist=listed,
             struck_out=tuple(content.report.struck_out.items()),
         ),
-        falling=decided.falling,
+        falling=tuple(each for each in decided.falling if each.name not in decided.of),
     )

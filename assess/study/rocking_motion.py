@@ -24,6 +24,7 @@ from spectra.gravity import g
 
 SHORT_OF_FLAT = 0.999  # of the rotation at which a chain locks: no drawing goes farther
 UPSET = np.pi / 2.0  # rad: a block that has turned by so much lies on its side
+SAME = 1e-6  # of the PGA: that at the base is that on the ground
 QUIET = 10.0  # s after a record, in which what still rocks comes to rest
 
 
@@ -94,6 +95,15 @@ class RockingMotion(ShortRepr):
     history: HistoryResult
     trace: HistoryTrace
     record_end_s: float
+
+    @property
+    def title(self) -> str:
+        """The record on the ground with its factor, and how many times its PGA is at the base of the mechanism."""
+        found = self.history
+        factor = found.polarity * found.scale_factor
+        ground = f"{found.record} on the ground, x {factor:.3g}, PGA {found.level_pga_g:.3g} g"
+        at_base = f" (x {found.amplification:.3g} at the base of the mechanism)"
+        return ground + (at_base if abs(found.amplification - 1.0) > SAME else "")
 
     @property
     def duration(self) -> float:

@@ -131,10 +131,6 @@ def run_study(study: Study, *, jobs: int = 0, progress: Progress = no_progress) 
         other = reduce(with_worse, (require_sources(each.verdict, overrides) for each in others))
     if replaced is None or other is None or not decides(other, typed.verdict):
         return replace(typed, verdict=merge_states(typed.verdict, other, overrides.lines))
-    known = {each.name for each in study.falling}
-    if {each.name for state in (replaced, *apart) for each in state.falling} != known:
-        # nothing can be shown of what falls: the pages are those of the project as typed
-        return replace(typed, verdict=merge_states(typed.verdict, other, overrides.lines))
 
     def run_replaced(state: Study) -> Results:
         there = require_spectrum(state)
@@ -147,9 +143,18 @@ def run_study(study: Study, *, jobs: int = 0, progress: Progress = no_progress) 
     found = reduce(partial(_with_worse, why="worst-of-range-apart"), map(run_replaced, (replaced, *apart)))
     assert found.verdict is not None
     verdict = merge_states(typed.verdict, found.verdict, overrides.lines)
-    merged = replace(_with_worse(found, typed, why="worse-as-typed"), verdict=verdict)
-    ties = left_out_beside(found.ties, typed.ties)
-    return replace(merged, project=typed.project, inputs=typed.inputs, stamp=typed.stamp, ties=ties)
+    found = _with_worse(found, typed, why="worse-as-typed")
+    absent = frozenset(each.name for each in typed.mechanisms) - {each.name for each in found.mechanisms}
+    merged = _with_those_of(found, typed, absent, why="falls-replaced")
+    return replace(
+        merged,
+        verdict=verdict,
+        project=typed.project,
+        inputs=typed.inputs,
+        stamp=typed.stamp,
+        ties=left_out_beside(found.ties, typed.ties),
+        falling=typed.falling,
+    )
 
 
 def _with_worse(found: Results, other: Results, *, why: str) -> Results:
@@ -157,24 +162,29 @@ def _with_worse(found: Results, other: Results, *, why: str) -> Results:
     assert found.verdict is not None
     assert other.verdict is not None
     worse = worse_in(other.verdict, found.verdict)
-    if not worse:
-        return found
-    there = {each.name: each for each in other.mechanisms}
-    mechanisms = tuple(there[each.name] if each.name in worse else each for each in found.mechanisms)
-    places = {f"mechanisms.{name}" for name in worse}
+    merged = _with_those_of(found, other, worse, why=why)
+    return replace(merged, verdict=with_worse(found.verdict, other.verdict)) if worse else found
+
+
+def _with_those_of(found: Results, other: Results, names: frozenset[str], *, why: str) -> Results:
+    """Return results with some mechanisms as another state has them, without those that fall there, and say why."""
+    there = [each for each in other.mechanisms if each.name in names]
+    kept = {each.name: each for each in (*(each for each in found.mechanisms if each.name not in names), *there)}
+    order = dict.fromkeys(each.name for each in (*other.mechanisms, *found.mechanisms))
+    mechanisms = tuple(kept[name] for name in order if name in kept)
+    places = {f"mechanisms.{name}" for name in names}
     return replace(
         found,
-        verdict=with_worse(found.verdict, other.verdict),
         mechanisms=mechanisms,
         critical=critical_result({each.name: each.envelope for each in mechanisms if each.envelope is not None}),
         comparison=comparison_rows(mechanisms),
-        sweeps=_of_worse(found.sweeps, other.sweeps, worse),
-        sensitivity=_of_worse(found.sensitivity, other.sensitivity, worse),
-        controls=_of_worse(found.controls, other.controls, worse),
+        sweeps=_of_worse(found.sweeps, other.sweeps, names),
+        sensitivity=_of_worse(found.sensitivity, other.sensitivity, names),
+        controls=_of_worse(found.controls, other.controls, names),
         warnings=(
             *(each for each in found.warnings if each.where not in places),
             *(each for each in other.warnings if each.where in places),
-            *(warning(why, place) for place in sorted(places)),
+            *(warning(why, f"mechanisms.{each.name}") for each in sorted(there, key=lambda each: each.name)),
         ),
     )
 
@@ -326,7 +336,11 @@ class DecidedMechanism(ShortRepr):
 
 @dataclass(frozen=True, repr=False)
 class Decided(ShortRepr):
-    """A verdict, and what it was found of: its mechanisms by name, and those that fall at rest as typed."""
+    """A verdict, and what it was found of.
+
+    of : its mechanisms by name; one that falls only where values are replaced is as typed, so that it can be drawn
+    falling : those that fall at rest in the state in which they decide
+    """
 
     verdict: Verdict
     of: Mapping[str, DecidedMechanism]
@@ -416,16 +430,22 @@ def _find_decided(
     others = [sourced(_decide_state(state, jobs=jobs, run=run, solved=solved)) for state in states]
     other = reduce(_with_worse_decided, others)
     verdict = merge_states(typed.verdict, other.verdict, overrides.lines)
-    known = {each.name for each in typed.falling}
-    is_shown = verdict.state == State.REPLACED and {each.name for one in others for each in one.falling} == known
-    return replace(_with_worse_decided(other, typed) if is_shown else typed, verdict=verdict)
+    if verdict.state != State.REPLACED:
+        return replace(typed, verdict=verdict)
+    found = _with_worse_decided(other, typed)
+    return replace(found, verdict=verdict, of={**typed.of, **found.of})
 
 
 def _with_worse_decided(found: Decided, other: Decided) -> Decided:
     """Return what was decided with the mechanisms of another state that come off worse there."""
     worse = worse_in(other.verdict, found.verdict)
-    there = {name: each for name, each in other.of.items() if name in worse}
-    return replace(found, verdict=with_worse(found.verdict, other.verdict), of={**found.of, **there})
+    of = {name: each for name, each in found.of.items() if name not in worse}
+    falling = [each for each in found.falling if each.name not in worse]
+    return Decided(
+        with_worse(found.verdict, other.verdict),
+        of | {name: each for name, each in other.of.items() if name in worse},
+        (*falling, *(each for each in other.falling if each.name in worse)),
+    )
 
 
 def find_state_verdict(

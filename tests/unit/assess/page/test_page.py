@@ -114,6 +114,10 @@ def test_a_crack_that_misses_is_said_and_the_next_one_shown(at_rest):
     drag(at_rest, (0.0, 0.0, 9.0), 0.0)
     assert "misses the body" in at_rest.fault.content
     assert "misses the body" in at_rest.facts.content
+    assert "NOT KNOWN" in at_rest.building.content
+    assert "misses the body" in at_rest.building.content
+    assert not any(word in at_rest.building.content for word in ("FAIL", "PASS", "as in the file"))
+    assert "finding" not in at_rest.status.content
     drag(at_rest, (0.0, 0.0, 2.0), 0.0)
     assert ">0.3000<" in at_rest.facts.content
     assert "ready" in at_rest.status.content
@@ -134,6 +138,19 @@ def test_a_value_that_slides_moves_the_numbers(at_rest):
     assert ">0.2500<" in at_rest.facts.content
 
 
+def test_what_is_typed_in_a_box_is_taken_to_the_last_digit(at_rest):
+    """As a browser has it: the box lets decimals be typed, and has no ends at which it would change them."""
+    (box,) = (each for each in at_rest._of_numbers if each.label.startswith("materials.brick.density"))
+    assert (box.min, box.max) == (None, None)
+    assert box.precision >= 4
+    for typed in (1, 1.5, 16250.7):
+        by_hand(box, typed)
+    assert at_rest.opened.edited.changes == ({("materials", "brick", "density"): "16250.7 kg/m^3"},)
+    by_hand(at_rest.angle, 85.0)
+    assert "85 deg was not tried; give -80 to 80" in at_rest.fault.content
+    assert len(at_rest.opened.edited.changes) == 1
+
+
 def test_each_drag_and_each_value_is_a_step_of_undo(at_rest):
     """What is slid or typed on within a moment is one."""
     for elevation in (2.0, 2.5):
@@ -141,6 +158,8 @@ def test_each_drag_and_each_value_is_a_step_of_undo(at_rest):
     by_hand(at_rest.elevation, 2.2)
     by_hand(at_rest.elevation, 2.25)
     assert [each["mechanisms", "thin", "cut"] for each in at_rest.opened.edited.changes] == ["2 m", "2.5 m", "2.25 m"]
+    assert at_rest.wait(PATIENCE)
+    assert "1 value tried, not written" in at_rest.building.content
     assert not at_rest.undo.disabled
     assert not at_rest.write.disabled
 
@@ -177,6 +196,25 @@ def test_the_weakest_crack_is_found_and_tried(at_rest):
     assert "weakest crack: multiplier" in at_rest.status.content
     assert at_rest.opened.edited.changes
     assert not at_rest.opened.examine("thin").as_typed
+
+
+def test_a_crack_that_is_weaker_and_holds_more_says_so():
+    assert "1.10 x the action in place of 0.900 x: the crack of least multiplier is not" in words.rise(0.9, 1.1)
+    assert words.rise(1.1, 0.9) == words.rise(None, 1.0) == ""
+
+
+def test_writing_keeps_what_is_picked(at_rest):
+    path = at_rest.opened.edited.project.path
+    before = path.read_bytes()
+    at_rest._is_picked_by_hand = False
+    at_rest.pick("thick")
+    at_rest.opened.edited.change({("materials", "brick", "density"): "1900 kg/m^3"})
+    at_rest._change_file(at_rest.opened.write, None)
+    assert at_rest.wait(PATIENCE)
+    assert at_rest.picked == "thick"
+    at_rest._change_file(at_rest.opened.edited.undo, None)
+    assert at_rest.wait(PATIENCE)
+    assert path.read_bytes() == before
 
 
 @pytest.mark.parametrize("title", [CAPACITY, PGA, ENVELOPE])
@@ -390,3 +428,6 @@ def test_a_mechanism_is_struck_out_with_a_reason_alone(at_rest):
     assert "struck out: measured: &lt;b&gt;taken down" in at_rest.facts.content
     assert "<b>taken down" not in at_rest.building.content
     assert "thin (struck out)" in at_rest.building.content
+    assert at_rest.opened.heading("thick") == "M1 thick"
+    assert at_rest.opened.heading("thin").endswith("(struck out)")
+    assert any(each.startswith("M1 thick") for each in at_rest.mechanisms.options)

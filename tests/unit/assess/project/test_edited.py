@@ -58,7 +58,7 @@ def test_found_mechanisms_are_not_added_over_what_is_tried(edited):
 def test_a_line_may_begin_a_table_and_name_no_unknown_key(edited):
     edited.add_lines(Missing("building.height", "why", "height = …"), 'height = "9 m"')
     assert edited.tried_project().content.building.height == 9.0
-    with pytest.raises(ProjectError, match="disintegraton"):
+    with pytest.raises(ProjectError, match=r"disintegraton: these lines are for materials.brick.disintegration alone"):
         edited.add_lines(Missing("materials.brick.disintegration", "why", "a = …"), 'disintegraton = "excluded"')
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import pytest
@@ -12,6 +13,7 @@ from assess.examples import copy_example
 from assess.project.opened import OpenedProject
 from assess.project.trials import ShownMechanism, deciding_checks
 from assess.results import MechanismResult
+from assess.study.mechanism_results import parameters
 from tests.support.projects import NTC, block, project_toml, wall
 
 
@@ -46,17 +48,24 @@ def opened(tmp_path) -> OpenedProject:
     )
 
 
-def test_everything_shown_is_that_of_a_run(tmp_path):
-    """To the bit, for a building with ties, floors and a gable."""
+@pytest.mark.parametrize("sourced", [True, False])
+def test_everything_shown_is_that_of_a_run(tmp_path, sourced):
+    """To the bit, for a building with ties, floors and a gable; also where the front falls without what has no source.
+
+    The gable then decides without its straps, beside a front of which nothing but that it falls is shown.
+    """
     path = copy_example("house", tmp_path / "house")
+    text = path.read_text(encoding="utf-8")
+    path.write_text(text if sourced else re.sub(r'(?m)^"mechanisms\..*\n', "", text), encoding="utf-8")
     opened = OpenedProject(path)
     opened.find_outcome()
     run = assess.run(path)
     assert run.verdict is not None
     assert opened.verdict is not None
     assert opened.verdict.outcome == run.verdict.outcome
-    for result, decided in zip(run.results.mechanisms, run.verdict.mechanisms, strict=True):
-        shown = opened.examine(result.name)
+    of_run = {each.mechanism: each for each in run.verdict.mechanisms}
+    for result in run.results.mechanisms:
+        shown, decided = opened.examine(result.name), of_run[result.name]
         assert shown.verdict is not None
         assert (shown.verdict.outcome, shown.verdict.margin) == (decided.outcome, decided.margin)
         found, told = (
@@ -64,7 +73,18 @@ def test_everything_shown_is_that_of_a_run(tmp_path):
             for one in (shown.verdict, decided)
         )
         assert found == told
-        assert_same(shown, result)
+        if sourced or result.name == "gable":
+            assert not shown.fault
+            assert_same(shown, result)
+        else:
+            assert shown.fault.startswith("falls at rest")
+            assert shown.checks == ()
+            assert decided.margin == 0.0
+            assert [each.key for each in run.results.warnings if each.where == "mechanisms.front"][
+                -1
+            ] == "falls-replaced"
+    tied = parameters(opened.study)[1].oscillator.uplift_multiplier
+    assert (opened.examine("gable").result.oscillator.uplift_multiplier < 0.5 * tied) is not sourced
 
 
 def assert_same(shown: ShownMechanism, result: MechanismResult) -> None:
@@ -253,6 +273,30 @@ def test_what_is_missing_is_tried_as_the_line_that_a_run_prints(tmp_path):
     assert "site.limit_state" not in {each.key for each in opened.find_outcome().missing}
     with pytest.raises(ProjectError, match=r"site.limit_state: .*write it as the example shows"):
         opened.edited.add_lines(entry, "limit_state = SLV")
+    with pytest.raises(ProjectError, match=r"materials.brick.density: these lines are for site.limit_state alone"):
+        opened.edited.add_lines(entry, 'limit_state = "SLV"\n[materials.brick]\ndensity = 900')
+
+
+def test_a_source_that_its_value_outlived_is_said(opened):
+    density = ("materials", "brick", "density")
+    opened.edited.change({("report", "sources"): {"materials.brick.density": "measured: cores"}})
+    write(opened)
+    assert opened.edited.outlived == ""
+    opened.edited.change({density: "1500 kg/m^3"})
+    said = "its source vouched for the value before: materials.brick.density (measured: cores)"
+    assert opened.edited.outlived == said
+    opened.edited.change({("report", "sources"): {"materials.brick.density": "measured: new cores"}})
+    assert opened.edited.outlived == ""
+
+
+def test_cracks_as_weak_as_the_weakest_are_told(tmp_path):
+    """A triangle is similar to its part above any level crack: no elevation is weaker than another."""
+    triangle = {"material": "brick", "profile": [[0, 0], [1, 0], [0.5, 4]], "length": 2}
+    opened = opened_project(
+        tmp_path, bodies={"wall": triangle}, mechanisms={"wall": block(cut="1 m", direction=[1, 0, 0], sides="one")}
+    )
+    low, high = opened.find_weakest_crack("wall", bool).tied
+    assert high - low > 1.0
 
 
 def test_found_mechanisms_are_added_and_taken_back(tmp_path):

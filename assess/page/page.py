@@ -24,6 +24,7 @@ from assess.page.movement import Movement
 from assess.page.scene import Drawing
 from assess.page.server import PageServer
 from assess.project.edited import Number
+from assess.project.evidence import meaning_of
 from assess.project.key_errors import KeyPath
 from assess.project.opened import OpenedProject
 from assess.project.trials import ShownMechanism
@@ -36,6 +37,10 @@ STEEPEST = 80.0  # deg
 MOST_NUMBERS = 16
 ONE_STEP = 0.8  # s: a value that is set again so soon is still being slid or typed
 SOURCE_HINT = "“measured: …” or “literature: …”, by whom and when; “assumed: …” is no source."
+FRONT_MATTER = {
+    key: key.replace("_", " ").capitalize()
+    for key in ("author", "licence_number", "office", "client", "address", "date", "status")
+}
 FILES = (("report.pdf", "report"), ("report.html", "report as a page"), ("results.json", "results"))
 
 
@@ -104,11 +109,15 @@ class Page:
             self.angle = gui.add_number("Angle [deg]", 0.0, step=0.5, hint=towards)
             self.angle.precision = 2
             self.weakest = gui.add_button("Find the weakest crack", hint="Tries elevations and angles.")
-        with gui.add_folder("Values", expand_by_default=False) as self.numbers:
+        with gui.add_folder("Values") as self.numbers:
             pass
-        with gui.add_folder("To complete it", expand_by_default=not opened.has_site) as self.missing:
+        with gui.add_folder("To complete it") as self.missing:
             pass
-        with gui.add_folder("Strike out", expand_by_default=False):
+        with gui.add_folder("Report"):
+            self.front = {
+                key: gui.add_text(label, "", hint=meaning_of(f"report.{key}")) for key, label in FRONT_MATTER.items()
+            }
+        with gui.add_folder("Strike out"):
             hint = "Why it cannot occur, by whom and when; a pass depends on it."
             self.reason = gui.add_text("Reason", "", hint=hint)
             self.strike = gui.add_button("Strike out")
@@ -119,7 +128,7 @@ class Page:
             self.run = gui.add_button("Run")
             self.cancel = gui.add_button("Cancel", disabled=True)
             self.links = gui.add_html("")
-        with gui.add_folder("Drawing", expand_by_default=False):
+        with gui.add_folder("Drawing"):
             self.labels = gui.add_checkbox("Names of parts", False, hint="Those of parts that move are always shown.")
         for button, what in (
             (self.undo, opened.edited.undo), (self.write, opened.write),
@@ -129,6 +138,8 @@ class Page:
         self.mechanisms.on_update(lambda event: self._if_by_hand(event, self._pick_by_hand))
         for each in (self.elevation, self.angle):
             each.on_update(lambda event: self._if_by_hand(event, partial(self._typed_crack, event.target)))
+        for key, field in self.front.items():
+            field.on_update(partial(self._typed_front, key))
         self.strike.on_click(lambda _: self._strike_out())
         self.weakest.on_click(lambda _: self._thorough.ask(self._find_weakest))
         self.shown_curve.on_update(lambda event: self._if_by_hand(event, lambda: self._ask(True)))
@@ -257,6 +268,8 @@ class Page:
         self.building.content = words.building(self.opened)
         self.undo.disabled, self.write.disabled = not edited.can_undo, not edited.changes
         self.add.disabled = not self.opened.proposed
+        for key, field in self.front.items():
+            field.value = str(edited.tried_value(("report", key)) or "")
 
     def _show_crack(self, elevation: float, angle: float) -> None:
         self.elevation.value = round(elevation, 3)
@@ -427,6 +440,13 @@ class Page:
             self._last_moved = (None, 0.0)
             self.opened.edited.add_lines(missing, field.value, source=source.value.strip() if source else "")
             self._ask(True)
+
+    def _typed_front(self, key: str, event: Any) -> None:
+        def state() -> None:
+            self.opened.state_front(key, event.target.value)
+            self._ask(False)
+
+        self._if_by_hand(event, state)
 
     def _change_file(self, what: Callable[[], str], _: Any) -> None:
         with self._told(by_hand=True), self._turn:

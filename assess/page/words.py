@@ -56,7 +56,7 @@ def building(opened: OpenedProject) -> str:
         waits = "it is decided once what is tried rests" if tried else "it is decided when the page has been read"
         why = opened.why_undecided or waits if opened.has_site else "no [site]: multipliers alone; see “To complete it”"
         said = f"Building: <b>NOT KNOWN</b> ({escape(why)})" + (f"<br>{values}" if values else "")
-        return f'<p style="{STYLE}">{said}</p>' + _found(opened)
+        return f'<p style="{STYLE}">{said}</p>' + _found(opened) + _read(opened)
     found, results = decision.verdict, decision.results
     of = f"with what is tried: {values}" if tried else "as in the file"
     near = outcome_text(found.outcome, near=found.at_the_limit).upper()
@@ -70,7 +70,9 @@ def building(opened: OpenedProject) -> str:
     unexamined = not_examined_text(results)
     lists = "".join(_list(each, is_open=place == 0) for place, each in enumerate(page_lists(results, found)))
     left_out = "" if unexamined is None else _warning(f"Possible, not examined: {Locale().text(unexamined)}")
-    return f'<p style="{STYLE}">{"<br>".join(filter(None, lines))}</p>' + left_out + _found(opened) + lists
+    return (
+        f'<p style="{STYLE}">{"<br>".join(filter(None, lines))}</p>' + left_out + _found(opened) + lists + _read(opened)
+    )
 
 
 def option(name: str, opened: OpenedProject) -> str:
@@ -168,6 +170,13 @@ def _found(opened: OpenedProject) -> str:
     below = f", less than {stronger} of the {len(own)} of the file" if stronger else ""
     count = f"{len(proposed)} mechanism{'s' * (len(proposed) != 1)} found on the bodies and not in the file"
     return _warning(f"{count}: no part of this verdict{least}{below}")
+
+
+def _read(opened: OpenedProject) -> str:
+    """Return what was said when the model was read; nothing of a project that is not drawn from one."""
+    points = "".join(f"<li>{escape(each)}</li>" for each in opened.remarks)
+    title = f"Said when the model was read: {len(opened.remarks)}"
+    return f'<details style="{STYLE}"><summary>{title}</summary><ul>{points}</ul></details>' if points else ""
 
 
 def _of_what(opened: OpenedProject, shown: ShownMechanism) -> str:

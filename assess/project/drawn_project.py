@@ -89,6 +89,12 @@ def draw_project(
     return DrawnProject("\n".join(lines) + "\n", meshes)
 
 
+def remarks_of_model(text: str) -> tuple[str, ...]:
+    """Return what the reading of the model warned of and left out, as the file that was drawn from it says."""
+    head = re.sub(r"\n#   +", " ", text.partition("\n\n")[0])
+    return tuple(re.findall(r"^# - ((?:Warning|Left out): .*)$", head, re.MULTILINE))
+
+
 def is_stated(candidate: Candidate) -> bool:
     """Return whether a project file can state a mechanism, and it stands as it is drawn."""
     return candidate.definition is not None and candidate.multiplier is not None and candidate.multiplier > 0.0

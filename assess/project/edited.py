@@ -194,16 +194,26 @@ class EditedProject:
         """
         self._change_if_read(self._with_entries(("report", "struck_out"), {name: reason}))
 
+    def state_front(self, key: str, text: str) -> None:
+        """Try a text of the report's front matter, of a key of [report]; typed on, it is one step.
+
+        Raises
+        ------
+        ProjectError : it cannot be read; it is not tried then
+        """
+        self._change_if_read({("report", key): text}, goes_on=True)
+
     def _with_entries(self, table: KeyPath, entries: Mapping[str, str]) -> dict[KeyPath, Any]:
         stated = self.tried_value(table)
         return {table: {**(stated if isinstance(stated, Mapping) else {}), **entries}}
 
-    def _change_if_read(self, setting: Setting) -> None:
-        self.change(setting)
+    def _change_if_read(self, setting: Setting, *, goes_on: bool = False) -> None:
+        before = self.changes
+        self.change(setting, goes_on=goes_on)
         try:
             self.tried_project()
         except ProjectError:
-            self._try(self.changes[:-1])
+            self._try(before)
             raise
 
     def undo(self) -> str:

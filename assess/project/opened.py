@@ -18,6 +18,7 @@ from assess.model.candidates import Candidate
 from assess.model.weakest_crack import WeakestCrack
 from assess.project.build import BuiltProject, build_with_cases
 from assess.project.dragged import Crack, crack_entry, crack_of, end_value, tie_ends
+from assess.project.drawn_project import remarks_of_model
 from assess.project.edited import EditedProject, Number
 from assess.project.found_mechanisms import FoundMechanisms, find_mechanisms
 from assess.project.key_errors import KeyPath, key_text
@@ -67,6 +68,7 @@ class OpenedProject:
     edited : the file and what is tried
     decision : what a run decides, of the file and what was tried at the revision `decided_of`; None if not known
     found : the parts of the building and what they can do, once `is_searched`
+    remarks : what the reading of the model warned of and left out, of a project that was drawn from one
     """
 
     def __init__(self, path: Path) -> None:
@@ -94,6 +96,7 @@ class OpenedProject:
         self._refused: tuple[int, str] = (-1, "")
         self.found: FoundMechanisms | None = None
         self.is_searched = False
+        self.remarks = remarks_of_model(self.built_of.path.read_text(encoding="utf-8-sig"))
         self._results = {each.name: each for each in parameters(self._built.study)}
 
     @property
@@ -329,6 +332,14 @@ class OpenedProject:
         if known is not None and name in known.decided.of:
             return known.decided.of[name].study
         return self._built.study_at(self.edited.content(self._built.project), (name,))
+
+    def state_front(self, key: str, text: str) -> None:
+        """Try a text of the report's front matter, as `EditedProject.state_front`; what is decided stays so."""
+        known = self.is_decided
+        try:
+            self.edited.state_front(key, text)
+        finally:
+            self.decided_of = self.edited.revision if known else self.decided_of
 
     def write(self) -> str:
         """Write what is tried into the file, as long as the project can then be assessed; return what was done.

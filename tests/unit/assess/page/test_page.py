@@ -257,6 +257,19 @@ def test_names_of_users_are_texts(at_rest):
     assert "GuiMarkdownMessage" not in kinds
 
 
+def test_front_matter_that_is_typed_keeps_what_is_decided(at_rest):
+    known = at_rest.opened.decision
+    for text in ("A. R", "A. Rossi"):
+        by_hand(at_rest.front["author"], text)
+    by_hand(at_rest.front["date"], "2026-05-04")
+    assert at_rest.wait(PATIENCE)
+    assert not at_rest.fault.content
+    assert at_rest.opened.is_decided
+    assert at_rest.opened.decision is known
+    assert at_rest.opened.edited.tried_project().content.report.author == "A. Rossi"
+    assert len(at_rest.opened.edited.changes) == 2
+
+
 @pytest.mark.parametrize("along", [(1.0, 0.0), (0.0, -1.0), (-0.6, 0.8)])
 @pytest.mark.parametrize("angle", [-1.0, -0.2, 0.0, 0.3, 1.2])
 def test_a_plane_falls_towards_the_direction_by_its_angle(along, angle):

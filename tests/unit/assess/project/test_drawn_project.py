@@ -14,7 +14,7 @@ from assess.geometry.solid import profile
 from assess.mechanisms.chain import uplift_multiplier
 from assess.model.structure import Structure
 from assess.project.build import build
-from assess.project.drawn_project import draw_project, is_stated, write_project
+from assess.project.drawn_project import draw_project, is_stated, remarks_of_model, write_project
 from assess.project.project_file import load
 from assess.project.sections.content import checklist
 from assess.verbs import run
@@ -56,6 +56,11 @@ def test_what_reading_the_model_warned_of_stands_at_the_top(drawn) -> None:
     head = (folder / "project.toml").read_text(encoding="utf-8").split("title =")[0]
     assert structure.warnings
     assert all(str(each).split(":")[0] in head for each in structure.warnings)
+    said = remarks_of_model((folder / "project.toml").read_text(encoding="utf-8"))
+    assert said == (
+        *(f"Warning: {each}." for each in structure.warnings),
+        *(f"Left out: {each}." for each in structure.left_out_texts),
+    )
 
 
 def test_a_roof_that_hovers_over_its_walls_is_named(tmp_path) -> None:

@@ -81,3 +81,11 @@ def test_the_sentence_of_the_manual_is_found_for_keys_of_any_depth():
 def test_most_keys_have_a_sentence():
     keys = [each.path.replace("NAME", "x") for each in every_key() if not each.path.startswith("KEY")]
     assert sum(bool(meaning_of(each)) for each in keys) > 0.95 * len(keys)
+
+
+def test_front_matter_that_cannot_be_read_is_not_tried(edited):
+    edited.state_front("author", "A. Rossi")
+    edited.state_front("author", "A. Rossi, engineer")
+    with pytest.raises(ProjectError, match=r"report\.author"):
+        edited.state_front("author", "A.\nRossi")
+    assert edited.changes == ({("report", "author"): "A. Rossi, engineer"},)

@@ -37,10 +37,7 @@ STEEPEST = 80.0  # deg
 MOST_NUMBERS = 16
 ONE_STEP = 0.8  # s: a value that is set again so soon is still being slid or typed
 SOURCE_HINT = "“measured: …” or “literature: …”, by whom and when; “assumed: …” is no source."
-FRONT_MATTER = {
-    key: key.replace("_", " ").capitalize()
-    for key in ("author", "licence_number", "office", "client", "address", "date", "status")
-}
+FRONT_MATTER = ("author", "licence_number", "office", "client", "address", "date", "status")
 FILES = (("report.pdf", "report"), ("report.html", "report as a page"), ("results.json", "results"))
 
 
@@ -114,9 +111,7 @@ class Page:
         with gui.add_folder("To complete it") as self.missing:
             pass
         with gui.add_folder("Report"):
-            self.front = {
-                key: gui.add_text(label, "", hint=meaning_of(f"report.{key}")) for key, label in FRONT_MATTER.items()
-            }
+            self.front = {key: gui.add_text(key, "", hint=meaning_of(f"report.{key}")) for key in FRONT_MATTER}
         with gui.add_folder("Strike out"):
             hint = "Why it cannot occur, by whom and when; a pass depends on it."
             self.reason = gui.add_text("Reason", "", hint=hint)
@@ -139,7 +134,8 @@ class Page:
         for each in (self.elevation, self.angle):
             each.on_update(lambda event: self._if_by_hand(event, partial(self._typed_crack, event.target)))
         for key, field in self.front.items():
-            field.on_update(partial(self._typed_front, key))
+            state = partial(self._state_front, key, field)
+            field.on_update(lambda event, state=state: self._if_by_hand(event, state))
         self.strike.on_click(lambda _: self._strike_out())
         self.weakest.on_click(lambda _: self._thorough.ask(self._find_weakest))
         self.shown_curve.on_update(lambda event: self._if_by_hand(event, lambda: self._ask(True)))
@@ -441,12 +437,9 @@ class Page:
             self.opened.edited.add_lines(missing, field.value, source=source.value.strip() if source else "")
             self._ask(True)
 
-    def _typed_front(self, key: str, event: Any) -> None:
-        def state() -> None:
-            self.opened.state_front(key, event.target.value)
-            self._ask(False)
-
-        self._if_by_hand(event, state)
+    def _state_front(self, key: str, field: Any) -> None:
+        self.opened.state_front(key, field.value)
+        self._ask(False)
 
     def _change_file(self, what: Callable[[], str], _: Any) -> None:
         with self._told(by_hand=True), self._turn:

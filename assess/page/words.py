@@ -175,8 +175,8 @@ def _found(opened: OpenedProject) -> str:
 def _read(opened: OpenedProject) -> str:
     """Return what was said when the model was read; nothing of a project that is not drawn from one."""
     points = "".join(f"<li>{escape(each)}</li>" for each in opened.remarks)
-    title = f"Said when the model was read: {len(opened.remarks)}"
-    return f'<details style="{STYLE}"><summary>{title}</summary><ul>{points}</ul></details>' if points else ""
+    title = f"<summary>Said when the model was read: {len(opened.remarks)}</summary>"
+    return f'<details style="{STYLE}">{title}<ul>{points}</ul></details>' if points else ""
 
 
 def _of_what(opened: OpenedProject, shown: ShownMechanism) -> str:

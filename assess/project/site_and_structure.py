@@ -60,7 +60,11 @@ def definitions_of(content: sections.Content) -> dict[str, Definition]:
         isinstance(load, TieLoad) and load.plate for each in found.values() for load in getattr(each, "loads", ())
     )
     action = _action_on_far_walls(content) if plated else None
-    return {name: _with_what_is_around(name, each, found, action) for name, each in found.items()}
+    around = dict(found)  # bars and floors are there too where a mechanism that they hold or load cannot occur
+    for name, section in content.struck_out.items():
+        with suppress(AssessError):
+            around |= {} if section is None else {name: _with_evidence(section.plain, name, content)}
+    return {name: _with_what_is_around(name, each, around, action) for name, each in found.items()}
 
 
 def _action_on_far_walls(content: sections.Content) -> SiteAction | None:

@@ -7,7 +7,7 @@ largest of all records to either side, of which the worse for the tie counts.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from math import inf, isclose, isfinite
 from typing import Any
@@ -83,6 +83,22 @@ def left_out_beside(counted: Sequence[TieResult], typed: Sequence[TieResult]) ->
     """
     missing = (each for each in typed if not any(_is_same(one, np.array(each.ends), each.body) for one in counted))
     return (*counted, *(replace(each, held=tuple(map(_uncounted, each.held))) for each in missing))
+
+
+def held_by_state(
+    ties: Sequence[TieResult], other: Sequence[TieResult], names: Collection[str]
+) -> tuple[TieResult, ...]:
+    """Return ties with what becomes of them in some mechanisms as another state has it.
+
+    Parameters
+    ----------
+    ties : of the state that decides on the other mechanisms
+    other, names : of the state that decides on these mechanisms
+    """
+    there = {(each.mechanism, each.load): each for tie in other for each in tie.held if each.mechanism in names}
+    return tuple(
+        replace(tie, held=tuple(there.get((each.mechanism, each.load), each) for each in tie.held)) for tie in ties
+    )
 
 
 def _uncounted(held: HeldByTie) -> HeldByTie:

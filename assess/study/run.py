@@ -24,14 +24,14 @@ from assess.mechanisms.mechanism import Mechanism
 from assess.messages.message import Message, locate, note, warning
 from assess.results import SCHEMA_VERSION, Control, MechanismResult, Results, SensitivityResult, SweepResult
 from assess.results.provenance import describe_program, stamp
-from assess.results.run import FallingMechanism
+from assess.results.run import FallingMechanism, UncertainAnswer
 from assess.short_repr import ShortRepr
 from assess.study.amplification import MechanismAmplification
 from assess.study.assessment import assess_mechanisms, building_states, check_mechanism, on_building, rules_of_histories
 from assess.study.checks import decide, mark_result, with_return_periods
 from assess.study.controls import control_warnings, equilibrium_controls, multiplier_control
 from assess.study.drawing import edges_in_space
-from assess.study.drawn_ties import left_out_beside, ties_in_space
+from assess.study.drawn_ties import held_by_state, left_out_beside, ties_in_space
 from assess.study.envelopes import (
     coarse_record_messages,
     critical_result,
@@ -89,7 +89,7 @@ from assess.workers import available_cores
 from spectra.errors import SpectrumError
 from spectra.spectrum import Spectrum
 
-_OfMechanism = TypeVar("_OfMechanism", bound=SweepResult | SensitivityResult | Control)
+_OfMechanism = TypeVar("_OfMechanism", bound=SweepResult | SensitivityResult | Control | UncertainAnswer)
 
 
 def run_study(study: Study, *, jobs: int = 0, progress: Progress = no_progress) -> Results:
@@ -152,7 +152,7 @@ def run_study(study: Study, *, jobs: int = 0, progress: Progress = no_progress) 
         project=typed.project,
         inputs=typed.inputs,
         stamp=typed.stamp,
-        ties=left_out_beside(found.ties, typed.ties),
+        ties=left_out_beside(merged.ties, typed.ties),
         falling=typed.falling,
     )
 
@@ -173,6 +173,8 @@ def _with_those_of(found: Results, other: Results, names: frozenset[str], *, why
     order = dict.fromkeys(each.name for each in (*other.mechanisms, *found.mechanisms))
     mechanisms = tuple(kept[name] for name in order if name in kept)
     places = {f"mechanisms.{name}" for name in names}
+    sampled, there_too = found.uncertainty, () if other.uncertainty is None else other.uncertainty.answers
+    answers = () if sampled is None else _of_worse(sampled.answers, there_too, names)
     return replace(
         found,
         mechanisms=mechanisms,
@@ -181,6 +183,8 @@ def _with_those_of(found: Results, other: Results, names: frozenset[str], *, why
         sweeps=_of_worse(found.sweeps, other.sweeps, names),
         sensitivity=_of_worse(found.sensitivity, other.sensitivity, names),
         controls=_of_worse(found.controls, other.controls, names),
+        ties=held_by_state(found.ties, other.ties, names),
+        uncertainty=None if sampled is None else replace(sampled, answers=answers),
         warnings=(
             *(each for each in found.warnings if each.where not in places),
             *(each for each in other.warnings if each.where in places),
@@ -415,7 +419,8 @@ def _find_decided(
     methods = methods_of(study.question)
     study = replace(study, procedures=tuple(procedure for procedure in study.procedures if procedure in methods))
     motions: tuple[ScaledRecord, ...] = ()
-    if any(not each.source for each in study.replaceables) and needs_motions(study):
+    asked = study.question.struck_out or any(not each.source for each in study.replaceables)
+    if asked and needs_motions(study):
         motions = motions_of(study, require_spectrum(study), jobs=jobs)
     overrides = find_overrides(study, motions, jobs=jobs, with_sources=with_sources)
     replaced, overrides = _replaced(study, overrides)

@@ -107,6 +107,7 @@ def find_overrides(
     replaced: list[Replaceable] = []
     unvouched: list[tuple[Replaceable, frozenset[str]]] = []
     least: tuple[Replaceable, MechanismOutcome] | None = None
+    seen = _WorstSeen()
     for _, of_one_key in groupby(tried, key=lambda value: value.key):
         each_way = [(value, trials.without(value)) for value in _values_to_try(tuple(of_one_key))]
         typed = trials.as_typed(_depth_of(each_way[0][0]))
@@ -115,6 +116,10 @@ def find_overrides(
         if unread and not first.source:
             unvouched.append((first, frozenset(unread)))
         known = [(value, without) for value, without in each_way if without]
+        for value, without in known if first.either_way and not first.source else ():
+            seen.add(without, (value,))
+        if not known and first.place[:2] == STRUCK_OUT:
+            overrides.append(_override(first, {name: _unknown(name) for name in first.mechanisms}))
         if not known or (unread and first.source):
             continue
         value, without = reduce(_worse_way, known)
@@ -126,37 +131,50 @@ def find_overrides(
         if helps:
             overrides.append(_override(value, without))
     either_way = [value for value in tried if value.either_way and not value.source]
-    apart: dict[str, dict[str, Replaceable | None]] = {}
+    decided: Outcomes = {}  # in the state in which all are replaced
     for key, of_one_key in groupby(either_way, key=lambda value: value.key):
+        of_range = tuple(of_one_key)
         standing = next((value for value in replaced if value.key == key), None)
         others = [value for value in replaced if value.key != key]
-        ways = trials.beside(others, standing, tuple(of_one_key))
+        ways = trials.beside(others, standing, of_range)
         worst, found_there = ways.worst()
         replaced = replaced if worst is standing else [*others, *([] if worst is None else [worst])]
         if worst is not None and standing is None:
             overrides.append(_override(worst, found_there))
-        for name, its_worst in ways.worst_of_each(than=found_there):
-            apart.setdefault(name, {})[key] = its_worst
+        if others and not any(there for _, there in ways.outcomes):  # they exclude each other
+            unvouched.append((of_range[0], frozenset(of_range[0].mechanisms)))
+        for tried_way, there in ways.outcomes:
+            seen.add(there, (*others, *([] if tried_way is None else [tried_way])))
+        decided |= found_there
     return Overrides(
         tuple(overrides),
         tuple(replaced),
         () if least is None else (least[0],),
         tuple(unvouched),
-        tuple(_replaced_apart(replaced, apart)),
+        tuple(seen.worse(than=decided)),
     )
 
 
-def _replaced_apart(
-    replaced: Sequence[Replaceable], apart: Mapping[str, Mapping[str, Replaceable | None]]
-) -> Iterator[tuple[tuple[Replaceable, ...], frozenset[str]]]:
-    """Yield what is replaced for mechanisms that other values of some keys are the worst for, with their names."""
-    alike: dict[tuple[tuple[str, int], ...], list[str]] = {}
-    for name, others in apart.items():
-        alike.setdefault(tuple((key, id(value)) for key, value in others.items()), []).append(name)
-    for names in alike.values():
-        others = apart[names[0]]
-        kept = (value for value in replaced if value.key not in others)
-        yield (*kept, *(value for value in others.values() if value is not None)), frozenset(names)
+@dataclass
+class _WorstSeen:
+    """The worst outcome of each mechanism that was found, and what was replaced there; none where that is nothing."""
+
+    worst: dict[str, tuple[MechanismOutcome, tuple[Replaceable, ...]]] = field(default_factory=dict)
+
+    def add(self, outcomes: Outcomes, values: tuple[Replaceable, ...]) -> None:
+        """Add what was found with some values replaced."""
+        for name, found in outcomes.items():
+            if values and (name not in self.worst or is_worse(found, than=self.worst[name][0], same=0.0)):
+                self.worst[name] = found, values
+
+    def worse(self, *, than: Outcomes) -> Iterator[tuple[tuple[Replaceable, ...], frozenset[str]]]:
+        """Yield what was replaced where mechanisms came off worse, with their names."""
+        alike: dict[tuple[int, ...], list[str]] = {}
+        for name, (found, values) in self.worst.items():
+            if name in than and is_worse(found, than=than[name]):
+                alike.setdefault(tuple(map(id, values)), []).append(name)
+        for names in alike.values():
+            yield self.worst[names[0]][1], frozenset(names)
 
 
 class _Depth(NamedTuple):
@@ -300,16 +318,6 @@ class _Ways:
                 worst, found = value, there
         return worst, found
 
-    def worst_of_each(self, *, than: Outcomes) -> Iterator[tuple[str, Replaceable | None]]:
-        """Yield each mechanism that comes off worse with another value than the worst of all has it, and that value."""
-        for name, found in than.items():
-            worst = (self.standing, found)
-            for value, there in self.outcomes:
-                if name in there and is_worse(there[name], than=worst[1], same=self.same):
-                    worst = (value, there[name])
-            if worst[1] is not found:
-                yield name, worst[0]
-
 
 def _any_worse(outcomes: Outcomes, *, than: Outcomes, same: float) -> bool:
     """Return whether some mechanism comes off worse."""
@@ -435,6 +443,10 @@ def _as_swept(study: Study) -> Iterator[Study]:
     if not study.sweeps or mechanisms_beside_cases(study.sweeps):
         yield replace(study, sweeps=())
     yield from (case.study for sweep in study.sweeps for case in sweep.cases)
+
+
+def _unknown(name: str) -> MechanismOutcome:
+    return MechanismOutcome(name, Decision.INCOMPLETE, None)
 
 
 def _falling(name: str) -> MechanismOutcome:

@@ -7,10 +7,22 @@ have: examined, absent, or possible and not examined.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from contextlib import suppress
 from difflib import get_close_matches
 from typing import Annotated, Any, Literal
 
-from pydantic import AfterValidator, BeforeValidator, Field, StrictInt, StrictStr, model_validator
+from pydantic import (
+    AfterValidator,
+    BaseModel,
+    BeforeValidator,
+    Field,
+    PrivateAttr,
+    StrictInt,
+    StrictStr,
+    ValidationError,
+    ValidationInfo,
+    model_validator,
+)
 from pydantic_core import PydanticCustomError
 
 from assess.codes.checklists import CHECKLISTS, BuildingType, PossibleMechanism, possible_mechanism
@@ -174,6 +186,12 @@ class Report(ProjectSection):
         return self
 
 
+class _Table(BaseModel):
+    """The table of one mechanism."""
+
+    mechanism: MechanismSection
+
+
 class Content(ProjectSection):
     """All a project file says."""
 
@@ -219,6 +237,8 @@ class Content(ProjectSection):
     """of a template of `assess batch`: by heading of the table the key whose values its cells give, "carry",
     or by the key of a load's elevation "top" or a share of the height like "50 %\""""
 
+    _struck_out: dict[str, Any] = PrivateAttr(default_factory=dict)
+
     @property
     def site_procedures(self) -> tuple[str, ...]:
         """The procedures that the code of the site's spectrum adds if the project names none."""
@@ -249,21 +269,35 @@ class Content(ProjectSection):
                 for place, key, reason in body_faults(mechanism.loads, self.bodies, moving=used, known=known):
                     yield ("mechanisms", name, "loads", place, key), reason
 
-    @model_validator(mode="before")
+    @model_validator(mode="wrap")
     @classmethod
-    def _without_what_is_struck_out(cls, data: Any) -> Any:
-        """Leave out the mechanisms that the report strikes out, whatever their tables say."""
+    def _without_what_is_struck_out(cls, data: Any, read: Any, info: ValidationInfo) -> Any:
+        """Read the file without the mechanisms that the report strikes out, whatever their tables say."""
         report, mechanisms = (data.get(key) if isinstance(data, Mapping) else None for key in ("report", "mechanisms"))
         struck = report.get("struck_out") if isinstance(report, Mapping) else None
         if not isinstance(struck, Mapping) or not isinstance(mechanisms, Mapping):
-            return data
+            return read(data)
         if mechanisms and all(name in struck for name in mechanisms):
             raise error_at(("report", "struck_out"), "every mechanism of the file is struck out; keep one")
-        return {**data, "mechanisms": {name: each for name, each in mechanisms.items() if name not in struck}}
+        content = read({**data, "mechanisms": {name: each for name, each in mechanisms.items() if name not in struck}})
+        for name, each in mechanisms.items():
+            if name in struck:
+                content._struck_out[name] = None
+                with suppress(ValidationError):  # what is wrong in such a table stops nothing
+                    content._struck_out[name] = _Table.model_validate(
+                        {"mechanism": each}, context=info.context
+                    ).mechanism
+        return content
+
+    @property
+    def struck_out(self) -> Mapping[str, MechanismSection | None]:
+        """The mechanisms of the file that are struck out, by their names; None where their table cannot be read."""
+        return self._struck_out
 
     def is_struck_out(self, key: str) -> bool:
         """Return whether a key, with dots, is of a mechanism that is struck out."""
-        return f"{key}.".startswith(tuple(f"mechanisms.{name}." for name in self.report.struck_out))
+        owners = [name for name in (*self.mechanisms, *self._struck_out) if f"{key}.".startswith(f"mechanisms.{name}.")]
+        return max(owners, key=len, default="") in self._struck_out
 
     @model_validator(mode="after")
     def _reasons_for_striking_out(self) -> Content:

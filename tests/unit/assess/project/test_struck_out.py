@@ -6,10 +6,13 @@ import pytest
 
 from assess.codes.verdict import Decision, Verdict
 from assess.errors import ProjectError
+from assess.loads.load import TieLoad
+from assess.mechanisms.single_block import SingleBlock
 from assess.project.build import build
 from assess.project.found_mechanisms import find_mechanisms
 from assess.project.opened import OpenedProject
 from assess.project.project_file import load
+from assess.project.site_and_structure import definitions_of
 from assess.results import Results
 from assess.study.run import find_verdict, run_study
 from tests.support.projects import NTC, block, project_toml, wall
@@ -64,6 +67,56 @@ def test_what_it_would_come_to_stands_beside_the_pass(tmp_path: Path) -> None:
     harmless = run_study(build(load(write(tmp_path, thick=REASON))), jobs=1).verdict
     assert harmless is not None
     assert "report.struck_out.thick" not in [each.key for each in harmless.overrides]
+
+
+TIE = {
+    "kind": "tie",
+    "area": 113e-6,
+    "young_modulus": 210e9,
+    "yield_stress": 235e6,
+    "length": 9.0,
+    "fracture_strain": 0.1,
+    "plate": {"width": 0.4, "height": 0.4, "thickness": 0.03, "yield_stress": 235e6, "far_strength": 60e3},
+}
+
+
+def test_bars_of_what_is_struck_out_pull_and_punch_beside_the_others(tmp_path: Path) -> None:
+    """A mechanism that cannot occur leaves its ties where they are: the others' cones and far walls share with them."""
+    walls = {"thick": (1.0, 2.0), "parapet": (1.5, 1.0)}
+    text = project_toml(
+        bodies={"front": wall(0.5, 6.0, 4.0), "rear": wall(0.6, 6.0, 4.0, base=[9.0, 0.0, 0.0])},
+        mechanisms={
+            name: block("front", direction=[-1, 0, 0], sides="one", cut=f"{cut} m")
+            | {"loads": [TIE | {"at": [-0.25, y, 3.0], "anchor": [9.0, y, 3.0]}]}
+            for name, (y, cut) in walls.items()
+        },
+    )
+
+    def others(more: str) -> list[object]:
+        (tmp_path / "project.toml").write_text(text + more, encoding="utf-8")
+        definition = definitions_of(load(tmp_path).content)["thick"]
+        assert isinstance(definition, SingleBlock)
+        return [each.at for tie in definition.loads if isinstance(tie, TieLoad) for each in tie.others]
+
+    assert others("") == [(-0.25, 1.5, 3.0)]
+    assert others(f'[report.struck_out]\nparapet = "{REASON}"\n') == [(-0.25, 1.5, 3.0)]
+
+
+def test_what_cannot_be_built_is_told_as_not_known(tmp_path: Path) -> None:
+    file = write(tmp_path, parapet=REASON)
+    file.write_text(file.read_text(encoding="utf-8").replace('blocks = ["parapet"]', 'blocks = ["nobody"]'), "utf-8")
+    (line,) = (each for each in verdict_of(file).overrides if each.key == "report.struck_out.parapet")
+    assert (line.outcome_instead, line.margin_instead) == (Decision.INCOMPLETE, None)
+
+
+def test_a_key_of_a_mechanism_with_a_longer_name_is_not_struck_out(tmp_path: Path) -> None:
+    """Names may hold dots: "a" is struck out, "a.b" is not, and a misspelt key of it is still refused."""
+    text = project_toml(mechanisms={name: block() for name in ("a", "a.b")}, report={"struck_out": {"a": REASON}})
+    (tmp_path / "project.toml").write_text(text, encoding="utf-8")
+    content = load(tmp_path).content
+    assert content.is_struck_out("mechanisms.a.direction")
+    assert not content.is_struck_out("mechanisms.a.b.direction")
+    assert not content.is_struck_out("mechanisms.ab.direction")
 
 
 def test_what_the_file_says_of_it_besides_may_stay(tmp_path: Path) -> None:

@@ -53,7 +53,8 @@ class FarEnd:
     """What is known of the wall at the far end of a tie.
 
     body : its name, empty where none is drawn
-    unexamined : why it is no mechanism: "no wall", "no site", "no loads" that are known, or "held"; empty if it is one
+    unexamined : why it is no mechanism: "no wall", "no site", "no loads" that are known, "held", or "pressed"
+        down; empty if it is one
     held_by : bodies that stop it from within; stack : walls on it or under it as bodies of their own, which are not
         examined with it
     cone : of an injected end, its surface as the edges of the wall and cones of its neighbours leave it to each [m2];

@@ -253,8 +253,8 @@ TEXTS: Mapping[str, str] = {
     "differs-before": "{before} in the state before the works, {here} here",
     "only-before": "drawn only in the state before the works",
     "only-here": "drawn only after the works",
-    "load-gone": "{kind} of the state before the works that is gone here: the works are to remove or replace it",
-    "load-new": "{kind} here alone, not in the state before the works: the works are to bring it",
+    "load-gone": "{kind} of the state before the works that is gone here: the works must remove or replace it",
+    "load-new": "{kind} here alone, not in the state before the works: it must be part of the works",
     "tie-new": "{kind} here alone, not in the state before the works",
     "same-building": "a pass is valid only if the state before the works is of the same building: {differences}",
     "gone-there": "{key} ({kind}) was there and is gone here",
@@ -383,8 +383,8 @@ TEXTS: Mapping[str, str] = {
     "the numbers are those of the file",
     "falls-replaced": "it falls at rest with the values that stand in for values without a source, and fails: what is "
     "shown of it beside the verdict is with the values of the file",
-    "worst-of-range-apart": "worse with another value of a range than the other mechanisms: the numbers are those with "
-    "the worst of each range for this mechanism",
+    "worst-of-range-apart": "the value of a range that is worst for this mechanism is not the one that is worst for the "
+    "others: the numbers are those with its own",
     "sweep-as-typed": "swept: no case is more critical than the value of the file itself, which represents the "
     "mechanism",
     "sweep-left-out": "not swept in the envelopes, which use the values in the file: {keys}; `assess run` evaluates "

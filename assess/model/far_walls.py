@@ -136,8 +136,9 @@ def far_wall_of(
         for carried in dict.fromkeys(((), borne))
         for crack, chain in _cracked(met, carried, stops)
     ]
-    least = min(found, key=lambda each: each.strength, default=None)
-    return least, replace(end, unexamined="" if found else "held", held_by=tuple(held_by))
+    turned = [each for each in found if each.levers > 0.0]  # a tie that falls steeply presses it down above a crack
+    least = min(turned, key=lambda each: each.strength, default=None)
+    return least, replace(end, unexamined="" if turned else "pressed" if found else "held", held_by=tuple(held_by))
 
 
 def _met(
@@ -304,13 +305,16 @@ def _touches_ahead(met: _AtFarEnd, other: Solid) -> bool:
 
 
 def _stands_beyond(name: str, met: _AtFarEnd, solids: Mapping[str, Solid], *, moving: Sequence[str]) -> bool:
-    """Return whether a body stands by itself or reaches what does, or the tied wall, other than by the far wall."""
+    """Return whether a body stands by itself or reaches what does, other than by the far wall and the tied one.
+
+    Both walls are shaken in one sense: what reaches the tied wall alone would push it outwards.
+    """
     foot = met.solid.bounds[0][2] + FOOT * _height_of(met.solid)
     reached = [name]
     for each in reached:  # grows as it goes
-        if each in moving or solids[each].bounds[0][2] <= foot:
+        if solids[each].bounds[0][2] <= foot:
             return True
-        reached += [key for key in solids if key not in reached and _touch(solids[each], solids[key])]
+        reached += [key for key in solids if key not in (*reached, *moving) and _touch(solids[each], solids[key])]
     return False
 
 

@@ -81,7 +81,7 @@ def replaceables_of(project: Project, solids: Solids, study: Study, *, study_at:
 
 
 def _struck_out(project: Project, study_at: StudyAt) -> Iterator[Replaceable]:
-    """Yield each mechanism of the file that is struck out, by its reason: what it would come to is told."""
+    """Yield each mechanism of the file that is struck out, by its reason: its outcome if examined is listed."""
     for name, reason in project.content.report.struck_out.items():
         path: KeyPath = (*STRUCK_OUT, name)
         setting = {path: Safe.ABSENT}

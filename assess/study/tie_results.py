@@ -201,6 +201,7 @@ UNEXAMINED: Mapping[str, Term] = {
     "no site": Term("the project has no site that shakes it"),
     "no loads": Term("what it carries is not known"),
     "held": Term("what touches it from within stops it"),
+    "pressed": Term("the tie presses it down above every crack"),
 }
 HOLDS_NOTHING = "less than 1 % of what the bar bears: it counts as nothing"
 ARCH = "f_h / (γ_M · FC) · t² · h_s / s"

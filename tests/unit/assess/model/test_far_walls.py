@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 from math import pi
+from math import dist
 from typing import Any
 
 import numpy as np
@@ -161,18 +162,43 @@ def floor(thickness: float = 0.3, *, to: float = -9.7) -> Any:
     return assess.box(thickness=size, length=L, height=thickness, density=2400.0, base=[middle, 0, 2.85], name="floor")
 
 
+def side() -> Any:
+    """A side wall from the far wall to the tied one, beside the strip, which floors as long as that touch."""
+    return assess.box(thickness=9.4, length=0.3, height=6.0, density=2000.0, base=[-5.0, L / 2 + 0.15, 0], name="side")
+
+
 def test_what_touches_its_inner_face_stops_it_below_that():
     """From 2.85 to 3.15 m: of cracks a third of a metre apart that at 3 is the first with it in the lowest tenth."""
-    found = wall_of(tie(0.03), around=[floor()])
+    found = wall_of(tie(0.03), around=[floor(), side()])
     assert found.crack == pytest.approx(3.0)
     assert found.strength == pytest.approx(by_hand(0.03 * (1 + 1.5 * 3.0 / 6.0), 3.0), rel=1e-6)
 
 
 def test_held_above_the_anchor_it_is_no_mechanism():
     high = assess.box(thickness=9.4, length=L, height=0.4, density=2400.0, base=[-5.0, 0, 4.5], name="roof")
-    (found,) = anchorages(tie(0.2), around=[high])
+    (found,) = anchorages(tie(0.2), around=[high, side()])
     assert found.far_wall is None
     assert "far wall" not in [link.name for link in found.links]
+
+
+def test_what_reaches_the_tied_wall_alone_stops_it_not():
+    """Both walls are shaken in one sense: it would push the tied wall outwards."""
+    assert wall_of(tie(0.03), around=[floor()]) == wall_of(tie(0.03))
+
+
+@pytest.mark.parametrize("at_z", [3.0, 0.5])
+def test_a_tie_that_falls_steeply_from_its_anchor_presses_it_down(at_z: float) -> None:
+    """Above the cracks at which its pull has no lever nothing turns."""
+    steep = assess.TieLoad(
+        at=[-8.8, 0.0, at_z], anchor=[-10.0, 0.0, 4.9], length=dist([-8.8, at_z], [-10.0, 4.9]), plate=Plate(**FULL), evidence="tests",
+        site=SiteAction(0.03), **BAR,
+    )  # fmt: skip
+    wall = assess.box(thickness=0.6, length=9.0, height=6.0, base=[-9.1, 0, 0], density=2000.0, name="front")
+    block = assess.single_block(wall, direction=[1, 0, 0], sides="one", loads=[steep], around=[far()])
+    (load,) = (each for each in block.mechanism.positive.loads if isinstance(each, Tie))
+    assert load.anchorage is not None
+    found = load.anchorage.far_wall
+    assert found is None or found.levers > 0.0
 
 
 def shelf(length: float = L, *, thickness: float = 0.1, z: float = 4.2) -> Any:
@@ -197,7 +223,7 @@ def test_what_covers_less_than_what_turns_stops_it_not():
     narrow = assess.box(thickness=9.4, length=1.0, height=0.4, density=2400.0, base=[-5.0, 0, 4.5], name="roof")
     assert wall_of(tie(0.03), around=[narrow]) == wall_of(tie(0.03))
     whole = assess.box(thickness=9.4, length=L, height=0.4, density=2400.0, base=[-5.0, 0, 4.5], name="roof")
-    (found,) = anchorages(tie(0.03), around=[whole])
+    (found,) = anchorages(tie(0.03), around=[whole, side()])
     assert (found.far_end.unexamined, found.far_end.held_by) == ("held", ("roof",))
 
 

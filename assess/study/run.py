@@ -514,7 +514,7 @@ def _run_what_decides(study: Study, *, jobs: int) -> tuple[Results, Mapping[str,
 
 
 def _without_what_cannot_decide(study: Study) -> Study:
-    """Return a study without histories that may not decide, and without envelopes and samples, which no verdict uses."""
+    """Return a study without histories that may not decide, nor envelopes and samples, which no verdict uses."""
     methods = methods_of(study.question)
     sweeps = (
         replace(each, cases=tuple(replace(c, study=_without_what_cannot_decide(c.study)) for c in each.cases))

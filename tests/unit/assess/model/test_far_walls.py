@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from math import pi
-from math import dist
+from math import dist, pi
 from typing import Any
 
 import numpy as np
@@ -190,8 +189,8 @@ def test_what_reaches_the_tied_wall_alone_stops_it_not():
 def test_a_tie_that_falls_steeply_from_its_anchor_presses_it_down(at_z: float) -> None:
     """Above the cracks at which its pull has no lever nothing turns."""
     steep = assess.TieLoad(
-        at=[-8.8, 0.0, at_z], anchor=[-10.0, 0.0, 4.9], length=dist([-8.8, at_z], [-10.0, 4.9]), plate=Plate(**FULL), evidence="tests",
-        site=SiteAction(0.03), **BAR,
+        at=[-8.8, 0.0, at_z], anchor=[-10.0, 0.0, 4.9], length=dist([-8.8, at_z], [-10.0, 4.9]),
+        plate=Plate(**FULL), evidence="tests", site=SiteAction(0.03), **BAR,
     )  # fmt: skip
     wall = assess.box(thickness=0.6, length=9.0, height=6.0, base=[-9.1, 0, 0], density=2000.0, name="front")
     block = assess.single_block(wall, direction=[1, 0, 0], sides="one", loads=[steep], around=[far()])

@@ -383,8 +383,8 @@ TEXTS: Mapping[str, str] = {
     "the numbers are those of the file",
     "falls-replaced": "it falls at rest with the values that stand in for values without a source, and fails: what is "
     "shown of it beside the verdict is with the values of the file",
-    "worst-of-range-apart": "the value of a range that is worst for this mechanism is not the one that is worst for the "
-    "others: the numbers are those with its own",
+    "worst-of-range-apart": "the value of a range that is worst for this mechanism is not the one that is worst for "
+    "the others: the numbers are those with its own",
     "sweep-as-typed": "swept: no case is more critical than the value of the file itself, which represents the "
     "mechanism",
     "sweep-left-out": "not swept in the envelopes, which use the values in the file: {keys}; `assess run` evaluates "

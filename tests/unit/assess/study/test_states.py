@@ -1,17 +1,20 @@
 """The worse of two states decides: the project as typed, and without the values that no source vouches for."""
 
 import copy
+from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
 import pytest
 
-from assess.codes.verdict import Decision, State, Verdict
+from assess.codes.verdict import SAME_MARGIN, Decision, MechanismOutcome, State, Verdict
 from assess.errors import ProjectError
 from assess.project.build import build, build_to_decide
 from assess.project.project_file import load, load_tree
+from assess.study import states
 from assess.study.run import find_verdict, run_study
 from assess.study.study import Replaceable, Study
 from tests.support.projects import NTC, block, lines, project_toml, wall
@@ -267,6 +270,59 @@ def periods_of(folder: Path, period: float, *, shown: bool, swept: bool) -> dict
     assert len(known) == len(WALLS)
     assert shown or find_verdict(study).mechanisms == found.mechanisms
     return known
+
+
+def test_no_mechanism_counts_better_than_it_was_seen_with_two_ranges(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Of 200 random tables of two mechanisms by two keys, each outcome that the search met is one that is run."""
+    random = np.random.default_rng(1)
+    values = [
+        SimpleNamespace(
+            key=key,
+            source="",
+            either_way=True,
+            of_range=True,
+            same=0.01,
+            mechanisms=("A", "B"),
+            place=(key,),
+            setting={},
+        )
+        for key in "ab"
+    ]
+    monkeypatch.setattr(states, "_override", lambda value, outcomes: None)
+    for _ in range(200):
+        table = random.uniform(0.5, 1.5, (2, 2, 2))
+        seen: dict[str, float] = {}
+
+        def outcomes(replaced: Sequence[Any], table: Any = table, seen: dict[str, float] = seen) -> Any:
+            at = tuple(int(value in replaced) for value in values)
+            found = {name: float(margin) for name, margin in zip("AB", table[:, at[0], at[1]], strict=True)}
+            seen.update({name: min(margin, seen.get(name, margin)) for name, margin in found.items()})
+            passes = (Decision.FAIL, Decision.PASS)
+            return {name: MechanismOutcome(name, passes[margin >= 1.0], margin) for name, margin in found.items()}
+
+        class Trials:
+            def __init__(self, *_: object) -> None:
+                self.find = outcomes
+
+            def without(self, value: Any) -> Any:
+                return self.find([value])
+
+            def as_typed(self, depth: object) -> Any:
+                return self.find([])
+
+            def beside(self, others: Any, standing: Any, each_way: Any) -> Any:
+                ways = (
+                    (value, self.find([*others, *([] if value is None else [value])])) for value in (None, *each_way)
+                )
+                return states._Ways(standing, tuple(ways), 0.01)
+
+        monkeypatch.setattr(states, "_Trials", Trials)
+        question = SimpleNamespace(basis="any")
+        found = states.find_overrides(SimpleNamespace(replaceables=values, question=question), (), jobs=1)  # type: ignore[arg-type]
+        met = dict(seen)
+        for name in "AB":
+            run = [(), found.replaced, *(each for each, names in found.apart if name in names)]
+            assert min(outcomes(each)[name].margin for each in run) <= met[name] / (1.0 - SAME_MARGIN)
 
 
 def test_two_values_that_hide_each_other_are_both_replaced() -> None:

@@ -29,6 +29,7 @@ TIED = """\
 "mechanisms.back-wall-overturning-of-storeys.loads[1].tied" = "measured: survey of the tie-beams, 3 June 2024"
 "mechanisms.back-wall-overturning.loads[1].tied" = "measured: survey of the tie-beams, 3 June 2024"
 "mechanisms.street-front-overturning.loads[1].tied" = "measured: survey of the tie-beams, 3 June 2024\""""
+SIGNED = {"author": "Giulia Ferri", "licence_number": "A 0000"}
 WHOLE = ('disintegration = "excluded"', "measured: two openings of the plaster, 3 June 2024")
 
 
@@ -55,6 +56,9 @@ def follow_house(folder: Path) -> Iterator[tuple[str, Page]]:
             page._dragged((9.0, 3.5, z), 0.0, z == 6.25)
         yield "Drag a crack", settled(page)
         page._change_file(page.opened.edited.undo, None)
+        for key, text in SIGNED.items():
+            page.front[key].value = text
+            page._state_front(key, page.front[key])
         page._change_file(settled(page).opened.write, None)
         settled(page)._start_run()
         assert page._run is not None

@@ -31,11 +31,12 @@ def test_in_the_browser(tmp_path: Path) -> None:
     """Each line that the page of the manual quotes below a heading is on the page in the browser after that step."""
     pytest.importorskip("ifcopenshell", reason="the extra 'ifc' is not installed")
     pytest.importorskip("viser", reason="the extra 'serve' is not installed")
-    from docs.tutorial.in_the_browser import SITE, TIED, WHOLE, follow_house, follow_spire
+    from docs.tutorial.in_the_browser import SIGNED, SITE, TIED, WHOLE, follow_house, follow_spire
 
     manual = (FOLDER / "in_the_browser.md").read_text(encoding="utf-8")
-    for given in (SITE, TIED, *WHOLE):
-        assert given in manual
+    typed = (SITE, TIED, *WHOLE, *SIGNED.values())
+    assert all(given in manual for given in typed)
+    assert f" {sum(map(len, typed))} characters" in manual
     sections = dict(re.findall(r"^## (.+)\n((?:(?!## ).*\n)*)", manual, flags=re.MULTILINE))
     for heading, page in chain(follow_house(tmp_path / "house"), follow_spire(tmp_path / "spire")):
         parts = (page.status, page.building, page.facts, page.links)
@@ -46,6 +47,8 @@ def test_in_the_browser(tmp_path: Path) -> None:
         for line in quoted.splitlines():
             assert line in words.replace("FAIL ,", "FAIL,"), f"{heading}: {line}\n{words}"
         assert not page.fault.content
+    report = (tmp_path / "house/house-project/project-results/report.html").read_text(encoding="utf-8")
+    assert all(text in report for text in SIGNED.values())
 
 
 @pytest.mark.parametrize(

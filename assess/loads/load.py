@@ -240,6 +240,8 @@ class TieLoad:
     """which block it acts on, from 0 at the base"""
     others: Annotated[tuple[TieLoad, ...], NotAKey()] = ()
     """ties with plates of other mechanisms on the same bodies, whose cones may meet its own"""
+    neighbours: Annotated[tuple[TieLoad, ...], NotAKey()] = ()
+    """ties with plates of mechanisms on other bodies, which may be anchored in its far wall too"""
     floors: Annotated[tuple[BodyLoad, ...], NotAKey()] = ()
     """bodies that load other mechanisms, and may bear on its far wall"""
     site: Annotated[SiteAction | None, NotAKey()] = None

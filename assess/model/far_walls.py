@@ -105,7 +105,8 @@ def far_wall_of(
         injected end is longer than its wall
     """
     assert tie.plate is not None
-    met = _met(tie, [*loads, *tie.others], bodies, moving=moving, where=where)
+    around = [*loads, *tie.others, *tie.neighbours]
+    met = _met(tie, around, bodies, moving=moving, where=where)
     if met is None:
         return None, FarEnd()
     if (length := tie.plate.embedment) is not None and length > MORE * met.thickness:
@@ -113,7 +114,7 @@ def far_wall_of(
             f'{where}.embedment = {length:.4g} m: the wall "{met.name}" is {met.thickness:.4g} m thick at the anchor; '
             "give the length of the hole within it"
         )
-    cone = _injected_cone(tie, met, [*loads, *tie.others])
+    cone = _injected_cone(tie, met, around)
     end = FarEnd(met.name, "", stack=_stacked(met, bodies, moving=moving), cone=cone)
     if tie.site is None or not met.strip:
         return None, replace(end, unexamined="no site")
@@ -245,8 +246,8 @@ def _held_by(
     """Return what a tie holds along its far wall, with all whose parts meet its own: from, to [m], and the ties."""
     ties = [tie]
     for each in others:
-        if _run(solid, each) is not None and not any(share_ends(each, one) for one in ties):
-            ties.append(each)
+        if _pull_alike(tie, each) and _run(solid, each) is not None:
+            ties += [] if any(share_ends(each, one) for one in ties) else [each]
     middles = sorted((float(np.dot(each.anchor or each.at, along)), place) for place, each in enumerate(ties))
     groups = [[middles[0]]]
     for before, after in pairwise(middles):
@@ -256,6 +257,12 @@ def _held_by(
     own = next(group for group in groups if any(place == 0 for _, place in group))
     held = tuple(ties[place] for place in sorted(place for _, place in own))
     return own[0][0] - CLOSE / 2.0, own[-1][0] + CLOSE / 2.0, held
+
+
+def _pull_alike(one: TieLoad, other: TieLoad) -> bool:
+    """Return whether two ties pull what they are anchored in the same way, within 45 degrees in plan."""
+    ways = outwards(one), outwards(other)
+    return ways[0] is not None and ways[1] is not None and float(ways[0] @ ways[1]) > AHEAD
 
 
 @keep_of_bodies

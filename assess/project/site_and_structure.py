@@ -83,11 +83,16 @@ def _with_what_is_around(name: str, definition: Any, found: Mapping[str, Any], a
     if not any(isinstance(load, TieLoad) and load.plate for load in getattr(definition, "loads", ())):
         return definition
     others = [each for key, each in found.items() if key != name and isinstance(each, BlockMechanism)]
-    near = [each for each in others if {*each.bodies} & {*definition.bodies}]
-    ties = tuple(load for each in near for load in each.loads if isinstance(load, TieLoad) and load.plate)
+    ties: tuple[list[TieLoad], list[TieLoad]] = [], []
+    for each in others:
+        is_near = bool({*each.bodies} & {*definition.bodies})
+        ties[is_near].extend(load for load in each.loads if isinstance(load, TieLoad) and load.plate)
+    far, near = map(tuple, ties)
     floors = tuple(load for each in others for load in each.loads if isinstance(load, BodyLoad))
     loads = tuple(
-        replace(load, others=ties, floors=floors, site=action) if isinstance(load, TieLoad) and load.plate else load
+        replace(load, others=near, neighbours=far, floors=floors, site=action)
+        if isinstance(load, TieLoad) and load.plate
+        else load
         for load in definition.loads
     )
     return replace(definition, loads=loads)

@@ -135,6 +135,15 @@ def test_a_tie_of_another_mechanism_shares_it_and_the_same_one_counts_once():
     assert wall_of(two).strength == pytest.approx(W * 0.225 / 8.0, rel=1e-9)
 
 
+def test_a_tie_of_a_neighbouring_wall_shares_it_and_one_that_pulls_the_other_way_does_not():
+    """It is as if one wall were tied by both; what pulls it outwards from behind is no support to count on."""
+    both = wall_of(tie(y=-1.0), tie(y=1.0))
+    assert both.ties == 2
+    assert wall_of(replace(tie(y=-1.0), neighbours=(tie(y=1.0),))) == both
+    behind = replace(tie(y=1.0), at=(-20.0, 1.0, Z))
+    assert wall_of(replace(tie(y=-1.0), neighbours=(behind,))) == wall_of(tie(y=-1.0))
+
+
 def test_of_a_long_wall_it_turns_a_strip_of_3_m():
     """Two ties 2 m apart hold 5 m of it together, two 4 m apart 3 m each."""
     assert wall_of(tie(0.03), length=9.0).strength == pytest.approx(by_hand(0.03, length=3.0), rel=1e-9)

@@ -110,7 +110,7 @@ def test_the_crack_of_a_wall_that_parts_goes_up_and_down(untried):
 def test_a_crack_by_its_normal_is_dragged(untried):
     untried.pick("cracked")
     assert untried.elevation.value == 1.0
-    assert untried.angle.value == pytest.approx(np.degrees(np.arctan(0.1)))
+    assert untried.angle.value == pytest.approx(np.degrees(np.arctan(0.1)), abs=0.005)  # as the box shows it
     untried._dragged((4.0, 0.0, 1.0), 0.2, True)
     settle(untried)
     (setting,) = untried.opened.edited.changes

@@ -37,11 +37,7 @@ POLICY = (
 )
 """What a browser may load: what the page brings along, and its own socket."""
 LIBRARY_TITLE = b"<title>Viser</title>"
-HEADERS = {
-    "Cache-Control": "no-store",
-    "Referrer-Policy": "no-referrer",
-    "X-Content-Type-Options": "nosniff",
-}
+HEADERS = {"Cache-Control": "no-store", "Referrer-Policy": "no-referrer", "X-Content-Type-Options": "nosniff"}
 
 
 class PageServer:

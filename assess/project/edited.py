@@ -21,6 +21,7 @@ from assess.project.key_errors import KeyPath, key_text, look_up
 from assess.project.keys import Setting, dependents, keyed_values, read_content, with_values
 from assess.project.project_file import Project, load, load_tree, parse_toml
 from assess.project.toml_text import with_changes
+from assess.study.states import STRUCK_OUT
 from spectra.arrays import is_number
 
 PLACES = frozenset({"direction", "cut", "crack", "profile", "base", "at", "anchor", "hinges", "point", "centroid"})
@@ -192,7 +193,7 @@ class EditedProject:
         ------
         ProjectError : there is no reason, or it is the last mechanism; it is not tried then
         """
-        self._change_if_read(self._with_entries(("report", "struck_out"), {name: reason}))
+        self._change_if_read(self._with_entries(STRUCK_OUT, {name: reason}))
 
     def state_front(self, key: str, text: str) -> None:
         """Try a text of the report's front matter, of a key of [report]; typed on, it is one step.

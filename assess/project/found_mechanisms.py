@@ -31,6 +31,7 @@ from assess.project.sections.content import checklist
 from assess.project.site_and_structure import bodies_of, definitions_of, element_of, models_of, solid_of
 from assess.study.ranking import median_overturning_pga
 from assess.study.run import find_outcome
+from assess.study.states import STRUCK_OUT
 from assess.study.study import Study
 
 if TYPE_CHECKING:
@@ -134,7 +135,7 @@ def _struck_out(project: Project, candidates: Candidates, structure: Structure) 
     struck = project.content.report.struck_out
     if not struck:
         return frozenset()
-    whole = read_content(with_values(project.raw, {("report", "struck_out"): {}}, project.content), project.folder)
+    whole = read_content(with_values(project.raw, {STRUCK_OUT: {}}, project.content), project.folder)
     in_file = _in_file(candidates, definitions_of(whole), structure)
     return frozenset(each.name for each in candidates if each.name in struck or in_file.get(each.name) in struck)
 

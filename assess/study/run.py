@@ -53,6 +53,7 @@ from assess.study.level_peaks import RockingCase, Solved
 from assess.study.mechanism_results import comparison_rows, parameters
 from assess.study.states import (
     Overrides,
+    alone,
     decides,
     find_overrides,
     merge_states,
@@ -459,8 +460,8 @@ def find_state_verdict(
     """Return the verdict of one state of a study.
 
     What is at the limit is found by the usual 5 % alone: the tolerance of the survey, which changes no outcome, is not
-    tried. A study with sweeps is run whole, since its controlling cases decide. Parameters and errors are those of
-    `find_verdict`.
+    tried. A study with sweeps is run in all its cases, as the controlling ones decide, without what cannot decide.
+    Parameters and errors are those of `find_verdict`.
     """
     return _decide_state(study, jobs=jobs, run=run, solved=solved).verdict
 
@@ -474,7 +475,7 @@ def _decide_state(
         cases = {name: swept.controlling_case for name, swept in controlling.items()}
         decided = {
             each.name: DecidedMechanism(
-                _only(cases[each.name].study if each.name in cases else study, each.name),
+                alone(cases[each.name].study if each.name in cases else study, each.name),
                 each.checks,
                 cases.get(each.name),
             )
@@ -493,7 +494,7 @@ def _decide_state(
         _check_what_decides(study, spectrum, motions, mechanism, run, jobs=jobs, solved=solved)
         for mechanism in study.mechanisms
     ]
-    decided = {each.name: DecidedMechanism(_only(study, each.name), each.checks) for each in checked}
+    decided = {each.name: DecidedMechanism(alone(study, each.name), each.checks) for each in checked}
     return Decided(decide(study, checked), decided, study.falling)
 
 
@@ -528,10 +529,6 @@ def _without_what_cannot_decide(study: Study) -> Study:
         variables=(),
         sampling=None,
     )
-
-
-def _only(study: Study, name: str) -> Study:
-    return replace(study, mechanisms=tuple(each for each in study.mechanisms if each.name == name), falling=())
 
 
 @dataclass(frozen=True, repr=False)

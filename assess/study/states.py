@@ -214,7 +214,7 @@ class _Trials:
         return cache(self._as_typed)
 
     def _as_typed(self, depth: _Depth) -> Outcomes:
-        build = partial(_alone, self.study)
+        build = partial(alone, self.study)
         if not depth.rising:
             struck = {name: MechanismOutcome(name, Decision.PASS, None) for name, _ in self.study.question.struck_out}
             return struck | self._all(self._names, build, depth)
@@ -267,7 +267,7 @@ class _Trials:
         except (AssessError, RecordError, SpectrumError):
             return {}
         standing = {each.name for each in there.mechanisms}
-        found = self._all([name for name in names if name in standing], partial(_alone, there), depth)
+        found = self._all([name for name in names if name in standing], partial(alone, there), depth)
         return found | {name: _falling(name) for name in names if name not in standing}
 
     def _all(self, names: Sequence[str], build: Callable[[str], Study], depth: _Depth) -> Outcomes:
@@ -434,7 +434,14 @@ def only(study: Study, names: Collection[str]) -> Study:
     )
 
 
-def _alone(study: Study, name: str) -> Study:
+def alone(study: Study, name: str) -> Study:
+    """Return a study of one of its mechanisms that stands.
+
+    Parameters
+    ----------
+    study : of several
+    name : of the mechanism
+    """
     return replace(only(study, {name}), falling=())
 
 

@@ -9,7 +9,8 @@ import pytest
 
 pytest.importorskip("viser", reason="needs viser: .venv/serve of the Makefile")
 
-from assess.page.page import Page, open_page
+from assess.page.page import Page
+from tests.support.pages import page_of
 from tests.support.projects import NTC, block, project_toml, wall
 from tests.unit.assess.page.test_page import DRIVER, PATIENCE, awaited, browser, has_camera, on_screen, wait_for
 
@@ -31,9 +32,7 @@ def page(tmp_path_factory) -> Iterator[Page]:
             "cracked": block("cracked", cut={"point": [4, 0, 1], "normal": [0.1, 0, 1]}, **plain),
         },
     )
-    (folder / "project.toml").write_text(text, encoding="utf-8")
-    with open_page(folder) as found:
-        assert found.wait(PATIENCE)
+    with page_of(folder, text, patience=PATIENCE) as found:
         yield found
 
 

@@ -4,15 +4,15 @@ from __future__ import annotations
 
 import time
 from collections.abc import Iterator
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
 pytest.importorskip("viser", reason="needs viser: .venv/serve of the Makefile")
 
-from assess.page.page import Page, open_page
+from assess.page.page import Page
 from tests.support.motions import write_record
+from tests.support.pages import by_hand, page_of
 from tests.support.projects import NTC, block, project_toml
 
 PATIENCE = 60.0  # s
@@ -29,9 +29,7 @@ def page(tmp_path_factory) -> Iterator[Page]:
         mechanisms={"thin": block(cut="1 m", direction=[1, 0, 0], sides="two")},
         records={"files": ["sway.csv"], "scale_to": "none"},
     )
-    (folder / "project.toml").write_text(text, encoding="utf-8")
-    with open_page(folder) as found:
-        assert found.wait(PATIENCE)
+    with page_of(folder, text, patience=PATIENCE) as found:
         yield found
 
 
@@ -44,13 +42,6 @@ def at_rest(page) -> Iterator[Page]:
     while page.opened.edited.changes:
         page.opened.edited.undo()
     page.pick("thin")
-
-
-def by_hand(handle, value) -> None:
-    """Set a value as a browser does."""
-    handle.value = value
-    for callback in handle._impl.update_cb:
-        callback(SimpleNamespace(client_id=0, client=None, target=handle))
 
 
 def test_a_mechanism_is_displaced_as_its_drawing_is(at_rest):

@@ -9,7 +9,6 @@ import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from math import radians
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -17,9 +16,10 @@ import pytest
 pytest.importorskip("viser", reason="needs viser: .venv/serve of the Makefile")
 
 from assess.page import words
-from assess.page.page import Page, open_page
+from assess.page.page import Page
 from assess.page.scene import angle_of, quaternion
 from assess.study.curves import CAPACITY, ENVELOPE, PGA
+from tests.support.pages import by_hand, page_of
 from tests.support.projects import NTC, block, project_toml, wall
 
 PATIENCE = 60.0  # s
@@ -41,9 +41,7 @@ def page(tmp_path_factory) -> Iterator[Page]:
             "thick": block("thick", direction=[1, 0, 0], sides="two"),
         },
     )
-    (folder / "project.toml").write_text(text, encoding="utf-8")
-    with open_page(folder) as found:
-        assert found.wait(PATIENCE)
+    with page_of(folder, text, patience=PATIENCE) as found:
         yield found
 
 
@@ -59,13 +57,6 @@ def at_rest(page) -> Iterator[Page]:
     page.start()
     assert page.wait(PATIENCE)
     page.pick("thin")
-
-
-def by_hand(handle, value) -> None:
-    """Set a value as a browser does."""
-    handle.value = value
-    for callback in handle._impl.update_cb:
-        callback(SimpleNamespace(client_id=0, client=None, target=handle))
 
 
 def test_mechanisms_are_listed_with_multiplier_and_outcome(at_rest):
